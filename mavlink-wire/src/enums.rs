@@ -1,0 +1,230 @@
+//! Enums of a dialect: open newtypes, because a receiver must survive values that a newer definition added.
+//!
+//! [`open_enum!`](crate::open_enum!) adds to each only what needs its type; the text work is done here once, for all.
+
+use core::fmt;
+
+use crate::{EnumInfo, UnknownName, Wire};
+
+/// An enum or a flags type of a dialect, for code that works on any of them.
+pub trait Enum: Wire + Eq + 'static {
+    /// Its name and entries.
+    const INFO: &'static EnumInfo;
+
+    /// The integer on the wire.
+    type Repr: Repr;
+
+    /// The value with this number, whether an entry names it or not.
+    fn from_repr(repr: Self::Repr) -> Self;
+
+    /// The number.
+    fn repr(self) -> Self::Repr;
+}
+
+/// An integer that can carry an enum: `u8` to `u64`, `i8` to `i64`.
+pub trait Repr: Wire + Eq {
+    /// The same bits, zeros above.
+    fn bits(self) -> u64;
+
+    /// The low bits.
+    fn from_bits(bits: u64) -> Self;
+}
+
+macro_rules! repr {
+    ($($type:ident as $unsigned:ident)*) => {$(
+        impl Repr for $type {
+            #[inline]
+            fn bits(self) -> u64 {
+                self as $unsigned as u64
+            }
+
+            #[inline]
+            fn from_bits(bits: u64) -> Self {
+                bits as Self
+            }
+        }
+    )*};
+}
+
+repr!(u8 as u8 u16 as u16 u32 as u32 u64 as u64 i8 as u8 i16 as u16 i32 as u32 i64 as u64);
+
+/// Writes the entry's name, or the number if there is none.
+#[doc(hidden)]
+pub fn fmt_entry(
+    info: &EnumInfo,
+    value: u64,
+    number: &dyn fmt::Display,
+    f: &mut fmt::Formatter<'_>,
+) -> fmt::Result {
+    match info.entry_name(value) {
+        Some(name) => f.pad(name),
+        None => number.fmt(f),
+    }
+}
+
+/// Writes the entry's name, or `MavState(9)` if there is none.
+#[doc(hidden)]
+pub fn debug_entry(
+    info: &EnumInfo,
+    value: u64,
+    (rust_name, number): (&str, &dyn fmt::Debug),
+    f: &mut fmt::Formatter<'_>,
+) -> fmt::Result {
+    match info.entry_name(value) {
+        Some(name) => f.pad(name),
+        None => f.debug_tuple(rust_name).field(number).finish(),
+    }
+}
+
+/// Reads an entry's name, or a number that fits.
+#[doc(hidden)]
+pub fn parse<E: Enum>(text: &str) -> Result<E, UnknownName>
+where
+    E::Repr: TryFrom<i128>,
+{
+    match E::Repr::try_from(parse_entry(E::INFO, text)?) {
+        Ok(repr) => Ok(E::from_repr(repr)),
+        Err(_) => Err(UnknownName::of(E::INFO)),
+    }
+}
+
+/// Reads an entry's name or a number; whether the number fits is the caller's to check.
+fn parse_entry(info: &'static EnumInfo, text: &str) -> Result<i128, UnknownName> {
+    let (digits, negative) = match text.strip_prefix('-') {
+        Some(digits) => (digits, true),
+        None => (text, false),
+    };
+    match number(digits) {
+        Some(number) if negative => Ok(-i128::from(number)),
+        Some(number) => Ok(i128::from(number)),
+        None => info.entry_value(text).map(i128::from).ok_or(UnknownName::of(info)),
+    }
+}
+
+/// A decimal number, or a hexadecimal one after `0x`; no sign.
+pub(crate) fn number(text: &str) -> Option<u64> {
+    let (digits, radix) = match text.strip_prefix("0x").or(text.strip_prefix("0X")) {
+        Some(digits) => (digits, 16),
+        None => (text, 10),
+    };
+    if digits.starts_with('+') { None } else { u64::from_str_radix(digits, radix).ok() }
+}
+
+/// Completes `pub struct MavState(pub u8)` to an open enum: text both ways, conversions, the wire.
+///
+/// `open_enum!(MavState, u8, INFO)` takes the type, its integer and a [`EnumInfo`](crate::EnumInfo) static. The type
+/// and its constants are written out beside it, with `Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash`
+/// derived, so that the constants can be patterns.
+///
+/// ```
+/// use mavlink_wire as wire;
+///
+/// #[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+/// pub struct MavState(pub u8);
+///
+/// impl MavState {
+///     pub const UNINIT: Self = Self(0);
+///     pub const ACTIVE: Self = Self(4);
+/// }
+///
+/// static INFO: wire::EnumInfo = wire::EnumInfo {
+///     name: "MAV_STATE",
+///     bitmask: false,
+///     entries: &[(0, "MAV_STATE_UNINIT"), (4, "MAV_STATE_ACTIVE")],
+/// };
+/// wire::open_enum!(MavState, u8, INFO);
+///
+/// assert_eq!(MavState(4).name(), Some("MAV_STATE_ACTIVE"));
+/// assert_eq!("MAV_STATE_ACTIVE".parse(), Ok(MavState::ACTIVE));
+/// assert_eq!("0x9".parse(), Ok(MavState(9)));
+/// assert_eq!(format!("{:?} {} {:?}", MavState(4), MavState(9), MavState(9)), "MAV_STATE_ACTIVE 9 MavState(9)");
+/// ```
+#[macro_export]
+macro_rules! open_enum {
+    ($name:ident, $repr:ident, $info:path) => {
+        impl $name {
+            /// The name in the XML, if an entry has this value.
+            #[inline]
+            pub fn name(self) -> ::core::option::Option<&'static str> {
+                $crate::EnumInfo::entry_name(&$info, self.0 as u64)
+            }
+
+            /// Whether an entry has this value.
+            #[inline]
+            pub fn is_known(self) -> bool {
+                self.name().is_some()
+            }
+        }
+
+        impl $crate::Enum for $name {
+            const INFO: &'static $crate::EnumInfo = &$info;
+            type Repr = $repr;
+
+            #[inline]
+            fn from_repr(repr: $repr) -> Self {
+                Self(repr)
+            }
+
+            #[inline]
+            fn repr(self) -> $repr {
+                self.0
+            }
+        }
+
+        impl $crate::Wire for $name {
+            const SIZE: usize = <$repr as $crate::Wire>::SIZE;
+
+            #[inline(always)]
+            fn read(bytes: &[u8], offset: usize) -> Self {
+                Self($crate::Wire::read(bytes, offset))
+            }
+
+            #[inline(always)]
+            fn write(self, bytes: &mut [u8], offset: usize) {
+                $crate::Wire::write(self.0, bytes, offset)
+            }
+        }
+
+        impl ::core::fmt::Debug for $name {
+            #[inline]
+            fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
+                $crate::enums::debug_entry(
+                    &$info,
+                    self.0 as u64,
+                    (::core::stringify!($name), &self.0),
+                    f,
+                )
+            }
+        }
+
+        impl ::core::fmt::Display for $name {
+            #[inline]
+            fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
+                $crate::enums::fmt_entry(&$info, self.0 as u64, &self.0, f)
+            }
+        }
+
+        impl ::core::str::FromStr for $name {
+            type Err = $crate::UnknownName;
+
+            #[inline]
+            fn from_str(text: &str) -> ::core::result::Result<Self, $crate::UnknownName> {
+                $crate::enums::parse(text)
+            }
+        }
+
+        impl ::core::convert::From<$repr> for $name {
+            #[inline]
+            fn from(value: $repr) -> Self {
+                Self(value)
+            }
+        }
+
+        impl ::core::convert::From<$name> for $repr {
+            #[inline]
+            fn from(value: $name) -> Self {
+                value.0
+            }
+        }
+    };
+}

@@ -1,0 +1,145 @@
+//! What can go wrong. Errors are small and carry numbers; their text says what to do next.
+
+use core::error::Error;
+use core::fmt;
+
+use crate::EnumInfo;
+
+/// A message cannot be sent.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum EncodeError {
+    /// MAVLink 1 has one byte for the message id.
+    IdTooLarge {
+        /// The id of the message.
+        id: u32,
+    },
+}
+
+impl fmt::Display for EncodeError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::IdTooLarge { id } => {
+                write!(
+                    f,
+                    "message id {id} is over 255, which MAVLink 1 cannot carry: send it with Sender::v2"
+                )
+            }
+        }
+    }
+}
+
+impl Error for EncodeError {}
+
+/// Bytes are not a frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum FrameError {
+    /// The first byte starts neither a MAVLink 1 nor a MAVLink 2 frame.
+    NotStx {
+        /// The first byte.
+        found: u8,
+    },
+    /// The frame goes on behind the end of the bytes.
+    Incomplete {
+        /// Bytes needed from the start, as far as the bytes so far tell.
+        needed: usize,
+    },
+    /// MAVLink 2 flags that demand something unknown of the receiver.
+    IncompatFlags {
+        /// The flags; only 0x01 (signed) is known.
+        flags: u8,
+    },
+    /// The checksum is wrong: damage, or a sender with another definition of the message.
+    Checksum {
+        /// The message id in the header.
+        id: u32,
+    },
+}
+
+impl fmt::Display for FrameError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotStx { found } => {
+                write!(
+                    f,
+                    "a frame starts with 0xfe or 0xfd, not {found:#04x}: skip to the next such byte"
+                )
+            }
+            Self::Incomplete { needed } => {
+                write!(f, "the frame needs at least {needed} bytes: try again with more")
+            }
+            Self::IncompatFlags { flags } => {
+                write!(
+                    f,
+                    "incompatibility flags {flags:#04x} are not known here: discard the frame"
+                )
+            }
+            Self::Checksum { id } => write!(
+                f,
+                "the checksum does not fit message {id}: discard the frame; if it never fits, compare both sides' XML"
+            ),
+        }
+    }
+}
+
+impl Error for FrameError {}
+
+/// A text is longer than its field.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TooLong {
+    /// Bytes of the text.
+    pub length: usize,
+    /// Bytes of the field.
+    pub capacity: usize,
+}
+
+impl fmt::Display for TooLong {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { length, capacity } = self;
+        write!(
+            f,
+            "{length} bytes do not fit a field of {capacity}: shorten the text, or use Chars::truncated"
+        )
+    }
+}
+
+impl Error for TooLong {}
+
+/// A text names no entry of an enum and is no number that fits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct UnknownName {
+    /// Name in the XML of the enum.
+    pub name: &'static str,
+}
+
+impl UnknownName {
+    #[doc(hidden)]
+    pub const fn of(info: &EnumInfo) -> Self {
+        Self { name: info.name }
+    }
+}
+
+impl fmt::Display for UnknownName {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "not an entry of {}: use a name from the XML, or a number in its range",
+            self.name
+        )
+    }
+}
+
+impl Error for UnknownName {}
+
+/// A setter was given a value that its field cannot carry, or an index that its array does not have.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct OutOfRange;
+
+impl fmt::Display for OutOfRange {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("the field is too narrow for the value, or the array too short for the index: nothing was set")
+    }
+}
+
+impl Error for OutOfRange {}

@@ -1,0 +1,283 @@
+//! Frames: a header, a payload, a checksum, perhaps a signature.
+
+use crate::header::{Header, STX_V2};
+use crate::{Dialect, FrameError, MAX_FRAME, Message, Table, Version, crc, get, zero_extended};
+
+/// A frame whose checksum was verified; a view of the received bytes.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub struct Frame<'a> {
+    bytes: &'a [u8],
+    payload: &'a [u8],
+    facts: Facts,
+}
+
+/// What verification found out.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Facts {
+    id: u32,
+    crc_extra: u8,
+    verified: bool,
+}
+
+impl Facts {
+    /// Verifies the frame at the start of `bytes`.
+    #[inline]
+    pub(crate) fn of(bytes: &[u8], table: &Table<'_>) -> Result<(Header, Self), FrameError> {
+        let header = Header::read(bytes)?;
+        let incomplete = FrameError::Incomplete { needed: header.frame_length() };
+        let frame = bytes.get(..header.frame_length()).ok_or(incomplete)?;
+        let id = header.id(frame);
+        let checked = frame.get(1..header.checked_length()).unwrap_or_default();
+        let sent = get(frame, header.checked_length());
+        let known = table.get(id);
+        match (crc::byte_between(crc::checksum(checked), sent), known) {
+            (Some(crc_extra), None) => Ok((header, Self { id, crc_extra, verified: false })),
+            (Some(crc_extra), Some(info)) if info.crc_extra == crc_extra => {
+                Ok((header, Self { id, crc_extra, verified: true }))
+            }
+            _ => Err(FrameError::Checksum { id }),
+        }
+    }
+}
+
+impl<'a> Frame<'a> {
+    /// Reads the frame at the start of `bytes`, as a datagram carries it. What follows it is left alone:
+    /// `frame.bytes().len()` says where.
+    ///
+    /// # Errors
+    ///
+    /// The bytes do not start with a whole, undamaged frame that may be read.
+    #[inline]
+    pub fn parse(bytes: &'a [u8], table: &Table<'_>) -> Result<Self, FrameError> {
+        let (header, facts) = Facts::of(bytes, table)?;
+        Ok(Self::with_facts(bytes, header, facts))
+    }
+
+    /// The frame at the start of `bytes`, of which [`Facts::of`] found these facts.
+    #[inline]
+    pub(crate) fn with_facts(bytes: &'a [u8], header: Header, facts: Facts) -> Self {
+        let payload = bytes.get(header.length()..header.checked_length()).unwrap_or_default();
+        Self { bytes: bytes.get(..header.frame_length()).unwrap_or_default(), payload, facts }
+    }
+
+    fn byte(&self, at_v1: usize, at_v2: usize) -> u8 {
+        let at = match self.version() {
+            Version::V1 => at_v1,
+            Version::V2 => at_v2,
+        };
+        self.bytes.get(at).copied().unwrap_or_default()
+    }
+
+    /// MAVLink 1 or 2.
+    #[inline]
+    #[must_use]
+    pub fn version(&self) -> Version {
+        if self.bytes.first() == Some(&STX_V2) { Version::V2 } else { Version::V1 }
+    }
+
+    /// Counts the frames of a sender, modulo 256: a gap is a loss.
+    #[must_use]
+    pub fn sequence(&self) -> u8 {
+        self.byte(2, 4)
+    }
+
+    /// Id of the sending system.
+    #[must_use]
+    pub fn system(&self) -> u8 {
+        self.byte(3, 5)
+    }
+
+    /// Id of the sending component of that system.
+    #[must_use]
+    pub fn component(&self) -> u8 {
+        self.byte(4, 6)
+    }
+
+    /// Id of the message.
+    #[inline]
+    #[must_use]
+    pub fn id(&self) -> u32 {
+        self.facts.id
+    }
+
+    /// The payload as it was received: perhaps without trailing zeros, perhaps longer than the message is known here.
+    #[inline]
+    #[must_use]
+    pub fn payload(&self) -> &'a [u8] {
+        self.payload
+    }
+
+    /// Flags that a receiver must understand; here 0 or 0x01, signed. Always 0 in MAVLink 1.
+    #[must_use]
+    pub fn incompat_flags(&self) -> u8 {
+        match self.version() {
+            Version::V1 => 0,
+            Version::V2 => self.byte(0, 2),
+        }
+    }
+
+    /// Flags that a receiver may ignore. Always 0 in MAVLink 1.
+    #[must_use]
+    pub fn compat_flags(&self) -> u8 {
+        match self.version() {
+            Version::V1 => 0,
+            Version::V2 => self.byte(0, 3),
+        }
+    }
+
+    /// The signature, not verified, if the frame has one.
+    #[must_use]
+    pub fn signature(&self) -> Option<Signature<'a>> {
+        if self.incompat_flags() == 0 {
+            None
+        } else {
+            self.bytes.last_chunk().map(|bytes| Signature { bytes })
+        }
+    }
+
+    /// The whole frame, to be forwarded as it came.
+    #[inline]
+    #[must_use]
+    pub fn bytes(&self) -> &'a [u8] {
+        self.bytes
+    }
+
+    /// Whether the table knew the message. If not, some `crc_extra` explains the checksum, which damage achieves in 1 of
+    /// 256 cases: forward such a frame, but do not act on it.
+    #[inline]
+    #[must_use]
+    pub fn is_verified(&self) -> bool {
+        self.facts.verified
+    }
+
+    /// The `crc_extra` that explains the checksum.
+    #[inline]
+    #[must_use]
+    pub fn crc_extra(&self) -> u8 {
+        self.facts.crc_extra
+    }
+
+    /// The message, if the frame carries an `M` and the sender has the same definition of it.
+    #[inline]
+    #[must_use]
+    pub fn decode<M: Message>(&self) -> Option<M> {
+        if self.facts.id == M::ID && self.facts.crc_extra == M::INFO.crc_extra {
+            Some(M::decode(self.payload))
+        } else {
+            None
+        }
+    }
+
+    /// The message, if the dialect has it and the sender has the same definition of it.
+    #[inline]
+    #[must_use]
+    pub fn message<D: Dialect>(&self) -> Option<D> {
+        if self.belongs_to::<D>() { D::decode(self.facts.id, self.payload) } else { None }
+    }
+
+    /// Reads the message into `message`; `false`, and `message` as it was, where [`message`](Self::message) gives `None`.
+    #[inline]
+    pub fn decode_into<D: Dialect>(&self, message: &mut D) -> bool {
+        self.belongs_to::<D>() && message.decode_into(self.facts.id, self.payload)
+    }
+
+    /// The frame may have been checked against another table than the dialect's.
+    #[inline]
+    fn belongs_to<D: Dialect>(&self) -> bool {
+        matches!(D::TABLE.get(self.facts.id), Some(info) if info.crc_extra == self.facts.crc_extra)
+    }
+}
+
+impl core::fmt::Debug for Frame<'_> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("Frame")
+            .field("version", &self.version())
+            .field("sequence", &self.sequence())
+            .field("system", &self.system())
+            .field("component", &self.component())
+            .field("id", &self.facts.id)
+            .field("payload", &self.payload)
+            .field("signature", &self.signature())
+            .field("verified", &self.facts.verified)
+            .finish()
+    }
+}
+
+/// The signature of a MAVLink 2 frame, as it was received.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Signature<'a> {
+    bytes: &'a [u8; 13],
+}
+
+impl<'a> Signature<'a> {
+    /// Which of the sender's links.
+    #[must_use]
+    pub fn link_id(&self) -> u8 {
+        self.bytes[0]
+    }
+
+    /// 48 bits: units of 10 µs since 2015-01-01T00:00:00Z.
+    #[must_use]
+    pub fn timestamp(&self) -> u64 {
+        let [_, a, b, c, d, e, f, ..] = *self.bytes;
+        u64::from_le_bytes([a, b, c, d, e, f, 0, 0])
+    }
+
+    /// Link id, timestamp (6 bytes), hash (6 bytes).
+    #[must_use]
+    pub fn bytes(&self) -> &'a [u8; 13] {
+        self.bytes
+    }
+}
+
+/// A frame that owns its bytes, to be kept while the parser goes on.
+#[derive(Clone, Copy)]
+pub struct FrameBuf {
+    bytes: [u8; MAX_FRAME],
+    /// Ranges in `bytes`; they fit by construction.
+    length: u16,
+    payload: (u8, u8),
+    facts: Facts,
+}
+
+impl FrameBuf {
+    /// The frame.
+    #[must_use]
+    pub fn as_frame(&self) -> Frame<'_> {
+        let (start, length) = (usize::from(self.payload.0), usize::from(self.payload.1));
+        Frame {
+            bytes: self.bytes.get(..usize::from(self.length)).unwrap_or_default(),
+            payload: self.bytes.get(start..start + length).unwrap_or_default(),
+            facts: self.facts,
+        }
+    }
+}
+
+impl From<Frame<'_>> for FrameBuf {
+    fn from(frame: Frame<'_>) -> Self {
+        let start = match frame.version() {
+            Version::V1 => 6,
+            Version::V2 => 10,
+        };
+        Self {
+            bytes: zero_extended(frame.bytes),
+            length: frame.bytes.len() as u16,
+            payload: (start, frame.payload.len() as u8),
+            facts: frame.facts,
+        }
+    }
+}
+
+impl core::fmt::Debug for FrameBuf {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        self.as_frame().fmt(f)
+    }
+}
+
+impl PartialEq for FrameBuf {
+    fn eq(&self, other: &Self) -> bool {
+        self.as_frame() == other.as_frame()
+    }
+}
+
+impl Eq for FrameBuf {}

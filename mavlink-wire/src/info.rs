@@ -1,0 +1,144 @@
+//! Metadata of messages, enums and commands: what the XML says beyond the bytes.
+
+/// What a frame needs to know about a message; one per message, shared by every table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct MessageInfo {
+    /// Message id, at most 24 bits. Only ids up to 255 exist in MAVLink 1.
+    pub id: u32,
+    /// Name in the XML, `GPS_RAW_INT`.
+    pub name: &'static str,
+    /// Last byte of the checksum, not transmitted: a digest of the message's layout.
+    pub crc_extra: u8,
+    /// Payload length in bytes without extension fields: what MAVLink 1 sends.
+    pub len_v1: u8,
+    /// Payload length in bytes with extension fields, before MAVLink 2 cuts trailing zeros.
+    pub len_v2: u8,
+    /// Offset of the addressed system's id in the payload, if the message has an addressee.
+    pub target_system: Option<u8>,
+    /// Offset of the addressed component's id in the payload.
+    pub target_component: Option<u8>,
+}
+
+/// An enum of the XML: its name and its entries.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct EnumInfo {
+    /// Name in the XML, `MAV_STATE`.
+    pub name: &'static str,
+    /// Whether the entries are bits to be combined.
+    pub bitmask: bool,
+    /// Value and name in the XML of every entry, in ascending order of values.
+    pub entries: &'static [(u64, &'static str)],
+}
+
+impl EnumInfo {
+    /// The name in the XML of the entry with this value.
+    pub fn entry_name(&self, value: u64) -> Option<&'static str> {
+        let at = self.entries.binary_search_by_key(&value, |&(value, _)| value).ok()?;
+        self.entries.get(at).map(|&(_, name)| name)
+    }
+
+    /// The value of the entry with this name in the XML.
+    pub fn entry_value(&self, name: &str) -> Option<u64> {
+        self.entries.iter().find(|(_, known)| *known == name).map(|&(value, _)| value)
+    }
+
+    /// All bits that some entry has.
+    pub const fn all_bits(&self) -> u64 {
+        let (mut bits, mut rest) = (0, self.entries);
+        while let [(value, _), tail @ ..] = rest {
+            bits |= *value;
+            rest = tail;
+        }
+        bits
+    }
+}
+
+/// A parameter of a command (`MAV_CMD` entry); on the wire always a float, or an integer for 5 and 6 of `COMMAND_INT`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct ParamInfo {
+    /// 1 to 7.
+    pub index: u8,
+    /// Short name for display.
+    pub label: Option<&'static str>,
+    /// Unit in the XML's spelling.
+    pub units: Option<&'static str>,
+    /// Name in the XML of the enum that lists the values.
+    pub values: Option<&'static str>,
+    /// Smallest sensible value.
+    pub min: Option<f32>,
+    /// Largest sensible value.
+    pub max: Option<f32>,
+    /// Step between sensible values.
+    pub increment: Option<f32>,
+    /// Value to send when nothing else is known; may be NaN.
+    pub default: Option<f32>,
+    /// Not in use: send `default`, or zero.
+    pub reserved: bool,
+}
+
+impl ParamInfo {
+    /// A parameter about which nothing is known but its index, 1 to 7.
+    #[must_use]
+    pub const fn new(index: u8) -> Self {
+        Self {
+            index,
+            label: None,
+            units: None,
+            values: None,
+            min: None,
+            max: None,
+            increment: None,
+            default: None,
+            reserved: false,
+        }
+    }
+
+    /// Sets the short name.
+    #[must_use]
+    pub const fn label(self, label: &'static str) -> Self {
+        Self { label: Some(label), ..self }
+    }
+
+    /// Sets the unit, in the XML's spelling.
+    #[must_use]
+    pub const fn units(self, units: &'static str) -> Self {
+        Self { units: Some(units), ..self }
+    }
+
+    /// Sets the name in the XML of the enum that lists the values.
+    #[must_use]
+    pub const fn values(self, name: &'static str) -> Self {
+        Self { values: Some(name), ..self }
+    }
+
+    /// Sets the smallest sensible value.
+    #[must_use]
+    pub const fn min(self, min: f32) -> Self {
+        Self { min: Some(min), ..self }
+    }
+
+    /// Sets the largest sensible value.
+    #[must_use]
+    pub const fn max(self, max: f32) -> Self {
+        Self { max: Some(max), ..self }
+    }
+
+    /// Sets the step between sensible values.
+    #[must_use]
+    pub const fn increment(self, increment: f32) -> Self {
+        Self { increment: Some(increment), ..self }
+    }
+
+    /// Sets the value to send when nothing else is known.
+    #[must_use]
+    pub const fn default(self, default: f32) -> Self {
+        Self { default: Some(default), ..self }
+    }
+
+    /// Marks the parameter as not in use.
+    #[must_use]
+    pub const fn reserved(self) -> Self {
+        Self { reserved: true, ..self }
+    }
+}

@@ -1,0 +1,111 @@
+//! MAVLink frames: a parser, a sender, and the traits that generated dialects implement.
+//!
+//! Bytes in, frames out: what carries the bytes (a UART, a socket, a log) is yours. Nothing here allocates, blocks or
+//! panics. The messages come from a dialect crate, or from `mavgen` in your own build script.
+//!
+//! # Receiving
+//!
+//! A [`Parser`] takes bytes as they come, cut anywhere, and gives [`Frame`]s: views whose checksum was verified. What
+//! messages it can verify is a [`Table`], a whole dialect's or the few that matter:
+//!
+//! ```
+//! # use mavlink_wire as wire;
+//! # #[derive(Clone, Copy, Debug, PartialEq)]
+//! # struct SystemTime { time_unix_usec: u64, time_boot_ms: u32 }
+//! # impl wire::Message for SystemTime {
+//! #     const ID: u32 = 2;
+//! #     const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
+//! #         id: 2, name: "SYSTEM_TIME", crc_extra: 137, len_v1: 12, len_v2: 12, target_system: None, target_component: None,
+//! #     };
+//! #     const FIELDS: &'static [wire::FieldInfo] = &[];
+//! #     const DEFAULT: Self = Self { time_unix_usec: 0, time_boot_ms: 0 };
+//! #     fn decode(p: &[u8]) -> Self { Self { time_unix_usec: wire::get(p, 0), time_boot_ms: wire::get(p, 8) } }
+//! # }
+//! # impl wire::Encode for SystemTime {
+//! #     fn info(&self) -> &'static wire::MessageInfo { <Self as wire::Message>::INFO }
+//! #     fn write(&self, p: &mut [u8; 255]) { wire::put(p, 0, self.time_unix_usec); wire::put(p, 8, self.time_boot_ms); }
+//! # }
+//! use mavlink_wire::{MAX_FRAME, Message, Parser, Sender, Table};
+//!
+//! static WANTED: Table = Table::of(&[SystemTime::INFO]);
+//!
+//! let (mut tx, mut buffer) = (Sender::v2(1, 1), [0; MAX_FRAME]);
+//! let sent = tx.encode(&SystemTime { time_boot_ms: 1500, ..SystemTime::DEFAULT }, &mut buffer)?;
+//!
+//! let mut rx = Parser::new(&WANTED);
+//! let mut received = vec![];
+//! for mut chunk in sent.chunks(7) {
+//!     while let Some(frame) = rx.next(&mut chunk) {
+//!         received.extend(frame.decode::<SystemTime>());
+//!     }
+//! }
+//! assert_eq!(received, [SystemTime { time_unix_usec: 0, time_boot_ms: 1500 }]);
+//! # Ok::<_, wire::EncodeError>(())
+//! ```
+//!
+//! - A frame of a message that the table does not have is handed over too, so that it can be forwarded
+//!   ([`Frame::bytes`]); [`Frame::is_verified`] is false then.
+//! - [`Frame::decode`] gives one message type, [`Frame::message`] a dialect's enum of all messages;
+//!   [`Frame::decode_into`] does the same without moving the message, for those who count nanoseconds.
+//! - Decoding is total. A payload may be shorter than its message (MAVLink 2 drops trailing zeros) or longer (a newer
+//!   sender); enum values and flags that the definition does not name survive.
+//!
+//! # Sending
+//!
+//! A [`Sender`] per link numbers the frames and writes each into a buffer of yours. Prefer `..Message::DEFAULT` over
+//! naming every field: definitions grow.
+//!
+//! # What is not here
+//!
+//! Signatures are handed over ([`Frame::signature`]), not verified.
+//!
+//! # Features
+//!
+//! - `fast-crc` (default): the checksum from a table of 8 KiB. Without it, a few instructions per byte and no table.
+
+#![no_std]
+#![forbid(unsafe_code)]
+#![deny(missing_docs)]
+
+mod chars;
+pub mod crc;
+#[doc(hidden)]
+pub mod enums;
+mod error;
+mod field;
+pub mod flags;
+mod frame;
+mod header;
+mod info;
+mod message;
+mod parser;
+mod sender;
+mod table;
+mod wire;
+
+pub use chars::Chars;
+pub use enums::{Enum, Repr};
+pub use error::{EncodeError, FrameError, OutOfRange, TooLong, UnknownName};
+pub use field::{FieldInfo, Invalid, Kind, Sentinel};
+pub use frame::{Frame, FrameBuf, Signature};
+pub use info::{EnumInfo, MessageInfo, ParamInfo};
+pub use message::{Dialect, Encode, Message, Targeted};
+pub use parser::Parser;
+pub use sender::Sender;
+pub use table::{Table, index};
+pub use wire::{Wire, get, put, zero_extended};
+
+/// Bytes of the longest frame: MAVLink 2, signed.
+pub const MAX_FRAME: usize = 280;
+
+/// Bytes of the longest payload.
+pub const MAX_PAYLOAD: usize = 255;
+
+/// MAVLink 1 or 2.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Version {
+    /// MAVLink 1: ids up to 255, no extension fields, no signature.
+    V1,
+    /// MAVLink 2.
+    V2,
+}

@@ -1,0 +1,108 @@
+//! The messages that somebody knows, found by id.
+
+use crate::MessageInfo;
+
+/// Up to here a walk over all beats a search.
+const FEW: usize = 8;
+
+/// A set of messages, found by id: a whole dialect's, or the few that a firmware wants.
+///
+/// A value, not a type: routers, definitions read at run time and two-message firmware use the same parser.
+#[derive(Clone, Copy, Debug)]
+pub struct Table<'t> {
+    infos: &'t [&'t MessageInfo],
+    /// Position + 1 in `infos` of each small id, 0 for none.
+    index: &'t [u16],
+    /// Where in `infos` those begin that are not in `index`; a search is binary if they are sorted.
+    tail: &'t [&'t MessageInfo],
+    sorted: bool,
+}
+
+impl<'t> Table<'t> {
+    /// A table of these messages; a search takes logarithmic time if they are sorted by id.
+    #[must_use]
+    pub const fn of(infos: &'t [&'t MessageInfo]) -> Self {
+        Self { infos, index: &[], tail: infos, sorted: infos.len() > FEW && is_sorted(infos) }
+    }
+
+    /// A table that finds ids below `index.len()` directly; `index` comes from [`index`] over the same messages.
+    #[must_use]
+    pub const fn indexed(infos: &'t [&'t MessageInfo], index: &'t [u16]) -> Self {
+        let sorted = is_sorted(infos);
+        let mut tail = infos;
+        while let ([first, rest @ ..], true) = (tail, sorted) {
+            if first.id as usize >= index.len() {
+                break;
+            }
+            tail = rest;
+        }
+        Self { infos, index, tail, sorted: sorted && tail.len() > FEW }
+    }
+
+    /// The message with this id.
+    #[inline]
+    #[must_use]
+    pub fn get(&self, id: u32) -> Option<&'t MessageInfo> {
+        match self.index.get(id as usize) {
+            Some(&position) => self.infos.get(usize::from(position).wrapping_sub(1)).copied(),
+            None => self.search(id),
+        }
+    }
+
+    fn search(&self, id: u32) -> Option<&'t MessageInfo> {
+        if self.sorted {
+            let at = self.tail.binary_search_by_key(&id, |info| info.id).ok()?;
+            self.tail.get(at).copied()
+        } else {
+            self.tail.iter().find(|info| info.id == id).copied()
+        }
+    }
+
+    /// The messages in the order they were given.
+    pub fn iter(&self) -> impl ExactSizeIterator<Item = &'t MessageInfo> + Clone + use<'t> {
+        self.infos.iter().copied()
+    }
+
+    /// The number of messages.
+    #[must_use]
+    pub const fn len(&self) -> usize {
+        self.infos.len()
+    }
+
+    /// Whether there are no messages: everything received is handed over unverified.
+    #[must_use]
+    pub const fn is_empty(&self) -> bool {
+        self.infos.is_empty()
+    }
+}
+
+const fn is_sorted(infos: &[&MessageInfo]) -> bool {
+    let mut rest = infos;
+    while let [first, tail @ ..] = rest {
+        if let [second, ..] = tail
+            && first.id >= second.id
+        {
+            return false;
+        }
+        rest = tail;
+    }
+    true
+}
+
+/// The index of the ids below `N` for [`Table::indexed`]: position + 1, or 0 for none.
+///
+/// Positions over 65,534 are left out.
+#[must_use]
+pub const fn index<const N: usize>(infos: &[&MessageInfo]) -> [u16; N] {
+    let (mut index, mut position, mut rest) = ([0; N], 1_u16, infos);
+    while let [first, tail @ ..] = rest {
+        if let Some((_, [slot, ..])) = index.split_at_mut_checked(first.id as usize) {
+            *slot = position;
+        }
+        if position == u16::MAX {
+            break;
+        }
+        (position, rest) = (position + 1, tail);
+    }
+    index
+}

@@ -1,0 +1,92 @@
+//! Values in a payload: little-endian, packed, at any offset.
+//!
+//! Everything here is total: a byte that is not there reads as zero and is not written. Generated code uses constant
+//! offsets into fixed-size arrays, where the compiler removes every check.
+
+/// A value that a payload can carry. Floats keep every bit, also of signalling NaNs.
+pub trait Wire: Copy {
+    /// Bytes in the payload.
+    const SIZE: usize;
+
+    /// The value at `offset`; bytes beyond the end read as zero.
+    fn read(bytes: &[u8], offset: usize) -> Self;
+
+    /// Puts the value at `offset`; bytes beyond the end are dropped.
+    fn write(self, bytes: &mut [u8], offset: usize);
+}
+
+/// Reads a value at an offset of a payload; bytes beyond the end read as zero.
+#[inline(always)]
+pub fn get<T: Wire>(bytes: &[u8], offset: usize) -> T {
+    T::read(bytes, offset)
+}
+
+/// Writes a value at an offset of a payload; bytes beyond the end are dropped.
+#[inline(always)]
+pub fn put<T: Wire>(bytes: &mut [u8], offset: usize, value: T) {
+    value.write(bytes, offset);
+}
+
+/// A payload at its full length: zeros behind its end, or cut if it is longer.
+///
+/// MAVLink 2 drops trailing zeros, so a payload that is shorter than its message is nothing unusual.
+#[inline(never)]
+pub fn zero_extended<const N: usize>(payload: &[u8]) -> [u8; N] {
+    part(payload, 0)
+}
+
+/// `N` bytes from `offset`, zeros where there are none.
+fn part<const N: usize>(bytes: &[u8], offset: usize) -> [u8; N] {
+    let mut whole = [0; N];
+    // Compiles to a copy, and unlike `copy_from_slice` has no path to a panic.
+    whole
+        .iter_mut()
+        .zip(bytes.get(offset..).unwrap_or_default())
+        .for_each(|(to, from)| *to = *from);
+    whole
+}
+
+macro_rules! number {
+    ($($type:ty)*) => {$(
+        impl Wire for $type {
+            const SIZE: usize = size_of::<Self>();
+
+            #[inline(always)]
+            fn read(bytes: &[u8], offset: usize) -> Self {
+                match bytes.get(offset..).and_then(<[u8]>::first_chunk) {
+                    Some(chunk) => Self::from_le_bytes(*chunk),
+                    None => Self::from_le_bytes(part(bytes, offset)),
+                }
+            }
+
+            #[inline(always)]
+            fn write(self, bytes: &mut [u8], offset: usize) {
+                let there = bytes.get_mut(offset..).unwrap_or_default();
+                match there.first_chunk_mut() {
+                    Some(chunk) => *chunk = self.to_le_bytes(),
+                    None => there.iter_mut().zip(self.to_le_bytes()).for_each(|(to, from)| *to = from),
+                }
+            }
+        }
+    )*};
+}
+
+number!(u8 i8 u16 i16 u32 i32 u64 i64 f32 f64);
+
+impl<T: Wire, const N: usize> Wire for [T; N] {
+    const SIZE: usize = N * T::SIZE;
+
+    #[inline(always)]
+    fn read(bytes: &[u8], offset: usize) -> Self {
+        let there = bytes.get(offset..).unwrap_or_default();
+        core::array::from_fn(|i| T::read(there, i * T::SIZE))
+    }
+
+    #[inline(always)]
+    fn write(self, bytes: &mut [u8], offset: usize) {
+        let there = bytes.get_mut(offset..).unwrap_or_default();
+        for (i, element) in self.iter().enumerate() {
+            element.write(there, i * T::SIZE);
+        }
+    }
+}

@@ -1,0 +1,13 @@
+//! Tests of the runtime from outside, over a dialect of three messages.
+
+#![expect(clippy::indexing_slicing, clippy::unwrap_used, reason = "a failing test panics")]
+
+mod checksum;
+mod flags_interface;
+mod hygiene;
+mod known_frames;
+mod metadata;
+mod small;
+mod streams;
+mod text;
+mod values;

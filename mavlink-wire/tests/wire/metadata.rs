@@ -1,0 +1,99 @@
+//! Tables and the descriptions of messages, fields and parameters.
+
+use mavlink_wire::{
+    Dialect, EnumInfo, FieldInfo, Invalid, Kind, Message, MessageInfo, ParamInfo, Sentinel, Table,
+    index,
+};
+
+use crate::small::{AqEscTelemetry, Heartbeat, Small, Statustext};
+
+const fn info(id: u32) -> MessageInfo {
+    MessageInfo {
+        id,
+        name: "M",
+        crc_extra: 0,
+        len_v1: 1,
+        len_v2: 1,
+        target_system: None,
+        target_component: None,
+    }
+}
+
+const IDS: [u32; 14] =
+    [0, 1, 24, 30, 150, 255, 256, 300, 331, 9000, 12900, 17000, 60053, 0x00FF_FFFF];
+
+#[track_caller]
+fn finds(table: &Table<'_>, ids: &[u32]) {
+    for id in (0..70_000).chain([0x00FF_FFFE, 0x00FF_FFFF, u32::MAX]) {
+        assert_eq!(table.get(id).map(|info| info.id), ids.contains(&id).then_some(id));
+    }
+    assert_eq!((table.len(), table.is_empty()), (ids.len(), ids.is_empty()));
+    assert!(table.iter().map(|info| info.id).eq(ids.iter().copied()));
+}
+
+#[test]
+fn tables_find_what_is_in_them_and_nothing_else() {
+    let all = IDS.map(info);
+    let sorted: Vec<&MessageInfo> = all.iter().collect();
+    let mut reversed = sorted.clone();
+    reversed.reverse();
+    let mut reversed_ids = IDS;
+    reversed_ids.reverse();
+    finds(&Table::of(&[]), &[]);
+    finds(&Table::of(&sorted[2..5]), &IDS[2..5]);
+    finds(&Table::of(&sorted), &IDS);
+    finds(&Table::of(&reversed), &reversed_ids);
+    finds(&Table::indexed(&sorted, &index::<1>(&sorted)), &IDS);
+    finds(&Table::indexed(&sorted, &index::<301>(&sorted)), &IDS);
+    finds(&Table::indexed(&reversed, &index::<301>(&reversed)), &reversed_ids);
+    finds(Small::TABLE, &[0, 152, 253]);
+}
+
+#[test]
+fn fields_fill_the_payload() {
+    for (info, fields) in [
+        (Heartbeat::INFO, Heartbeat::FIELDS),
+        (AqEscTelemetry::INFO, AqEscTelemetry::FIELDS),
+        (Statustext::INFO, Statustext::FIELDS),
+    ] {
+        let size = |extensions: bool| -> usize {
+            fields.iter().filter(|field| extensions || !field.extension).map(FieldInfo::size).sum()
+        };
+        assert_eq!((size(false), size(true)), (info.len_v1.into(), info.len_v2.into()));
+    }
+}
+
+#[test]
+fn builders_set_what_they_name() {
+    static VALUES: EnumInfo = EnumInfo { name: "E", bitmask: false, entries: &[] };
+    const UNKNOWN: Invalid = Invalid::All(Sentinel::Unsigned(65535));
+    const FIELD: FieldInfo =
+        FieldInfo::array("volts", Kind::U16, 10, 4).extension().units("mV").invalid(UNKNOWN);
+    assert_eq!(
+        (FIELD.name, FIELD.kind, FIELD.array, FIELD.offset),
+        ("volts", Kind::U16, Some(10), 4)
+    );
+    assert_eq!((FIELD.extension, FIELD.units, FIELD.invalid), (true, Some("mV"), Some(UNKNOWN)));
+    assert_eq!(FIELD.values(&VALUES).values, Some(&VALUES));
+    const PARAM: ParamInfo =
+        ParamInfo::new(3).label("Hold").units("s").min(0.0).max(9.0).increment(0.5).default(1.0);
+    assert_eq!(
+        (PARAM.index, PARAM.label, PARAM.units, PARAM.values),
+        (3, Some("Hold"), Some("s"), None)
+    );
+    assert_eq!(
+        (PARAM.min, PARAM.max, PARAM.increment, PARAM.default),
+        (Some(0.0), Some(9.0), Some(0.5), Some(1.0))
+    );
+    assert_eq!(
+        (PARAM.reserved, PARAM.reserved().reserved, PARAM.values("E").values),
+        (false, true, Some("E"))
+    );
+}
+
+#[test]
+fn kinds_have_the_names_that_enter_the_checksum() {
+    assert_eq!((Kind::Version.wire_name(), Kind::Version.size()), ("uint8_t", 1));
+    assert_eq!((Kind::F64.wire_name(), Kind::F64.size()), ("double", 8));
+    assert_eq!((Kind::Char.wire_name(), Kind::I16.size(), Kind::U32.size()), ("char", 2, 4));
+}

@@ -1,0 +1,223 @@
+use mavlink_wire as wire;
+
+use super::enums::{MavModeFlag, MavSeverity, MavState};
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Heartbeat {
+    pub(crate) r#type: u8,
+    pub(crate) autopilot: u8,
+    pub(crate) base_mode: MavModeFlag,
+    pub(crate) custom_mode: u32,
+    pub(crate) system_status: MavState,
+    pub(crate) mavlink_version: u8,
+}
+
+impl wire::Message for Heartbeat {
+    const ID: u32 = 0;
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
+        id: 0,
+        name: "HEARTBEAT",
+        crc_extra: 50,
+        len_v1: 9,
+        len_v2: 9,
+        target_system: None,
+        target_component: None,
+    };
+    const FIELDS: &'static [wire::FieldInfo] = &[
+        wire::FieldInfo::new("type", wire::Kind::U8, 4),
+        wire::FieldInfo::new("autopilot", wire::Kind::U8, 5),
+        wire::FieldInfo::new("base_mode", wire::Kind::U8, 6)
+            .values(<MavModeFlag as wire::Enum>::INFO),
+        wire::FieldInfo::new("custom_mode", wire::Kind::U32, 0),
+        wire::FieldInfo::new("system_status", wire::Kind::U8, 7)
+            .values(<MavState as wire::Enum>::INFO),
+        wire::FieldInfo::new("mavlink_version", wire::Kind::Version, 8),
+    ];
+    const DEFAULT: Self = Self {
+        r#type: 0,
+        autopilot: 0,
+        base_mode: MavModeFlag::empty(),
+        custom_mode: 0,
+        system_status: MavState(0),
+        mavlink_version: 3,
+    };
+
+    #[inline]
+    fn decode(payload: &[u8]) -> Self {
+        match payload.first_chunk::<9>() {
+            None => Self::decode(&wire::zero_extended::<9>(payload)),
+            Some(p) => Self {
+                r#type: wire::get(p, 4),
+                autopilot: wire::get(p, 5),
+                base_mode: wire::get(p, 6),
+                custom_mode: wire::get(p, 0),
+                system_status: wire::get(p, 7),
+                mavlink_version: wire::get(p, 8),
+            },
+        }
+    }
+}
+
+impl wire::Encode for Heartbeat {
+    fn info(&self) -> &'static wire::MessageInfo {
+        <Self as wire::Message>::INFO
+    }
+
+    #[inline]
+    fn write(&self, p: &mut [u8; 255]) {
+        wire::put(p, 4, self.r#type);
+        wire::put(p, 5, self.autopilot);
+        wire::put(p, 6, self.base_mode);
+        wire::put(p, 0, self.custom_mode);
+        wire::put(p, 7, self.system_status);
+        wire::put(p, 8, self.mavlink_version);
+    }
+}
+
+wire::message!(Heartbeat);
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct AqEscTelemetry {
+    pub(crate) time_boot_ms: u32,
+    pub(crate) seq: u8,
+    pub(crate) num_motors: u8,
+    pub(crate) num_in_seq: u8,
+    pub(crate) escid: [u8; 4],
+    pub(crate) status_age: [u16; 4],
+    pub(crate) data_version: [u8; 4],
+    pub(crate) data0: [u32; 4],
+    pub(crate) data1: [u32; 4],
+}
+
+impl wire::Message for AqEscTelemetry {
+    const ID: u32 = 152;
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
+        id: 152,
+        name: "AQ_ESC_TELEMETRY",
+        crc_extra: 115,
+        len_v1: 55,
+        len_v2: 55,
+        target_system: None,
+        target_component: None,
+    };
+    const FIELDS: &'static [wire::FieldInfo] = &[
+        wire::FieldInfo::new("time_boot_ms", wire::Kind::U32, 0).units("ms"),
+        wire::FieldInfo::new("seq", wire::Kind::U8, 44),
+        wire::FieldInfo::new("num_motors", wire::Kind::U8, 45),
+        wire::FieldInfo::new("num_in_seq", wire::Kind::U8, 46),
+        wire::FieldInfo::array("escid", wire::Kind::U8, 4, 47),
+        wire::FieldInfo::array("status_age", wire::Kind::U16, 4, 36).units("ms"),
+        wire::FieldInfo::array("data_version", wire::Kind::U8, 4, 51),
+        wire::FieldInfo::array("data0", wire::Kind::U32, 4, 4),
+        wire::FieldInfo::array("data1", wire::Kind::U32, 4, 20),
+    ];
+    const DEFAULT: Self = Self {
+        time_boot_ms: 0,
+        seq: 0,
+        num_motors: 0,
+        num_in_seq: 0,
+        escid: [0; 4],
+        status_age: [0; 4],
+        data_version: [0; 4],
+        data0: [0; 4],
+        data1: [0; 4],
+    };
+
+    #[inline]
+    fn decode(payload: &[u8]) -> Self {
+        match payload.first_chunk::<55>() {
+            None => Self::decode(&wire::zero_extended::<55>(payload)),
+            Some(p) => Self {
+                time_boot_ms: wire::get(p, 0),
+                seq: wire::get(p, 44),
+                num_motors: wire::get(p, 45),
+                num_in_seq: wire::get(p, 46),
+                escid: wire::get(p, 47),
+                status_age: wire::get(p, 36),
+                data_version: wire::get(p, 51),
+                data0: wire::get(p, 4),
+                data1: wire::get(p, 20),
+            },
+        }
+    }
+}
+
+impl wire::Encode for AqEscTelemetry {
+    fn info(&self) -> &'static wire::MessageInfo {
+        <Self as wire::Message>::INFO
+    }
+
+    #[inline]
+    fn write(&self, p: &mut [u8; 255]) {
+        wire::put(p, 0, self.time_boot_ms);
+        wire::put(p, 44, self.seq);
+        wire::put(p, 45, self.num_motors);
+        wire::put(p, 46, self.num_in_seq);
+        wire::put(p, 47, self.escid);
+        wire::put(p, 36, self.status_age);
+        wire::put(p, 51, self.data_version);
+        wire::put(p, 4, self.data0);
+        wire::put(p, 20, self.data1);
+    }
+}
+
+wire::message!(AqEscTelemetry);
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Statustext {
+    pub(crate) severity: MavSeverity,
+    pub(crate) text: wire::Chars<50>,
+    pub(crate) id: u16,
+    pub(crate) chunk_seq: u8,
+}
+
+impl wire::Message for Statustext {
+    const ID: u32 = 253;
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
+        id: 253,
+        name: "STATUSTEXT",
+        crc_extra: 83,
+        len_v1: 51,
+        len_v2: 54,
+        target_system: None,
+        target_component: None,
+    };
+    const FIELDS: &'static [wire::FieldInfo] = &[
+        wire::FieldInfo::new("severity", wire::Kind::U8, 0)
+            .values(<MavSeverity as wire::Enum>::INFO),
+        wire::FieldInfo::array("text", wire::Kind::Char, 50, 1),
+        wire::FieldInfo::new("id", wire::Kind::U16, 51).extension(),
+        wire::FieldInfo::new("chunk_seq", wire::Kind::U8, 53).extension(),
+    ];
+    const DEFAULT: Self =
+        Self { severity: MavSeverity(0), text: wire::Chars([0; 50]), id: 0, chunk_seq: 0 };
+
+    #[inline]
+    fn decode(payload: &[u8]) -> Self {
+        match payload.first_chunk::<54>() {
+            None => Self::decode(&wire::zero_extended::<54>(payload)),
+            Some(p) => Self {
+                severity: wire::get(p, 0),
+                text: wire::get(p, 1),
+                id: wire::get(p, 51),
+                chunk_seq: wire::get(p, 53),
+            },
+        }
+    }
+}
+
+impl wire::Encode for Statustext {
+    fn info(&self) -> &'static wire::MessageInfo {
+        <Self as wire::Message>::INFO
+    }
+
+    #[inline]
+    fn write(&self, p: &mut [u8; 255]) {
+        wire::put(p, 0, self.severity);
+        wire::put(p, 1, self.text);
+        wire::put(p, 51, self.id);
+        wire::put(p, 53, self.chunk_seq);
+    }
+}
+
+wire::message!(Statustext);

@@ -1,0 +1,95 @@
+//! Text: enums, character fields, errors.
+
+use core::error::Error;
+
+use mavlink_wire as wire;
+use mavlink_wire::{Chars, EncodeError, Enum, FrameError, TooLong, UnknownName};
+
+use crate::small::{MavModeFlag, MavSeverity, MavState};
+
+#[test]
+fn enums_have_text_both_ways() {
+    assert_eq!(
+        (MavState::STANDBY.to_string(), MavState(9).to_string()),
+        ("MAV_STATE_STANDBY".into(), "9".into())
+    );
+    assert_eq!(format!("{:?} {:?}", MavState::UNINIT, MavState(9)), "MAV_STATE_UNINIT MavState(9)");
+    assert_eq!(
+        format!("[{:>18}] [{:03}]", MavState::ACTIVE, MavState(9)),
+        "[  MAV_STATE_ACTIVE] [009]"
+    );
+    for value in 0..=255 {
+        assert_eq!(MavState(value).to_string().parse(), Ok(MavState(value)));
+        assert_eq!(MavState(value).is_known(), matches!(value, 0 | 3 | 4));
+    }
+    assert_eq!("0xFF".parse(), Ok(MavState(255)));
+    for wrong in ["", "MAV_STATE", "mav_state_active", "256", "-1", "+1", "0x", "0x100", " 1"] {
+        assert_eq!(wrong.parse::<MavState>(), Err(UnknownName { name: "MAV_STATE" }), "{wrong:?}");
+    }
+}
+
+#[test]
+fn signed_enums_have_a_sign() {
+    #[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+    pub(crate) struct Signed(pub(crate) i8);
+    static INFO: wire::EnumInfo =
+        wire::EnumInfo { name: "SIGNED", bitmask: false, entries: &[(0, "ZERO"), (127, "TOP")] };
+    wire::open_enum!(Signed, i8, INFO);
+    assert_eq!(
+        (Signed(-1).to_string(), format!("{:?}", Signed(-1))),
+        ("-1".into(), "Signed(-1)".into())
+    );
+    assert_eq!(("-128".parse(), "TOP".parse()), (Ok(Signed(-128)), Ok(Signed(127))));
+    assert_eq!("128".parse::<Signed>(), Err(UnknownName { name: "SIGNED" }));
+}
+
+#[test]
+fn enums_convert_and_match() {
+    assert_eq!((u8::from(MavSeverity::INFO), MavSeverity::from(0)), (6, MavSeverity::EMERGENCY));
+    assert_eq!(u8::from(MavModeFlag::SAFETY_ARMED | MavModeFlag::CUSTOM_MODE_ENABLED), 129);
+    assert!(matches!(MavState::from_repr(4), MavState::ACTIVE));
+    assert_eq!((MavState::INFO.name, MavModeFlag::INFO.bitmask), ("MAV_STATE", true));
+}
+
+#[test]
+fn characters_end_at_a_nul_and_keep_what_follows() {
+    let chars = Chars(*b"ab\0c");
+    assert_eq!((chars.as_bytes(), chars.to_str()), (&b"ab"[..], Ok("ab")));
+    assert!(chars == "ab" && chars == *"ab" && chars != "ab\0c");
+    assert_ne!(chars, Chars(*b"ab\0d"));
+    assert_eq!((Chars(*b"abcd").to_str(), Chars::<3>::default().to_str()), (Ok("abcd"), Ok("")));
+}
+
+#[test]
+fn characters_are_cut_only_on_request() {
+    assert_eq!(Chars::<4>::try_from("abcd"), Ok(Chars(*b"abcd")));
+    assert_eq!(Chars::<4>::try_from("abcde"), Err(TooLong { length: 5, capacity: 4 }));
+    const CUT: Chars<4> = Chars::truncated("aäöü");
+    assert_eq!((CUT.to_str(), CUT.0[3]), (Ok("aä"), 0));
+    assert_eq!(Chars::<1>::truncated("ä").to_str(), Ok(""));
+    assert_eq!(Chars::<0>::truncated("a").to_str(), Ok(""));
+}
+
+#[test]
+fn characters_print_like_text() {
+    assert_eq!(format!("{0} {0:?} [{0:>4}]", Chars(*b"a\"\0")), "a\" \"a\\\"\" [  a\"]");
+    let bad = Chars(*b"a\xffb\xfe");
+    assert_eq!(format!("{bad} {bad:?}"), "a\u{fffd}b\u{fffd} b\"a\\xffb\\xfe\"");
+    assert!(bad.to_str().is_err());
+}
+
+#[test]
+fn errors_say_what_to_do() {
+    let errors: [(&dyn Error, &str); 7] = [
+        (&EncodeError::IdTooLarge { id: 300 }, "Sender::v2"),
+        (&FrameError::NotStx { found: 0x55 }, "0x55"),
+        (&FrameError::Incomplete { needed: 21 }, "21 bytes"),
+        (&FrameError::IncompatFlags { flags: 4 }, "0x04"),
+        (&FrameError::Checksum { id: 152 }, "message 152"),
+        (&TooLong { length: 60, capacity: 50 }, "60 bytes do not fit a field of 50"),
+        (&UnknownName { name: "MAV_STATE" }, "MAV_STATE"),
+    ];
+    for (error, part) in errors {
+        assert!(error.to_string().contains(part), "{error}");
+    }
+}
