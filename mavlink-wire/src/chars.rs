@@ -66,11 +66,7 @@ impl<const N: usize> TryFrom<&str> for Chars<N> {
     type Error = TooLong;
 
     fn try_from(text: &str) -> Result<Self, TooLong> {
-        if text.len() <= N {
-            Ok(Self::truncated(text))
-        } else {
-            Err(TooLong { length: text.len(), capacity: N })
-        }
+        if text.len() <= N { Ok(Self::truncated(text)) } else { Err(TooLong { length: text.len(), capacity: N }) }
     }
 }
 

@@ -4,8 +4,7 @@
 //! the message's `crc_extra`.
 
 #[cfg(feature = "fast-crc")]
-static TABLE: crc::Crc<u16, crc::Table<16>> =
-    crc::Crc::<u16, crc::Table<16>>::new(&crc::CRC_16_MCRF4XX);
+static TABLE: crc::Crc<u16, crc::Table<16>> = crc::Crc::<u16, crc::Table<16>>::new(&crc::CRC_16_MCRF4XX);
 
 /// The checksum of these bytes.
 ///
@@ -22,8 +21,7 @@ pub fn checksum(bytes: &[u8]) -> u16 {
         Some(block) => u128::from_le_bytes(*block) << (128 - 8 * length),
         // Eight to fifteen bytes: both ends, which agree where they overlap.
         None => {
-            u128::from(u64::from_le_bytes(*last)) << 64
-                | u128::from(u64::from_le_bytes(*first)) << (128 - 8 * length)
+            u128::from(u64::from_le_bytes(*last)) << 64 | u128::from(u64::from_le_bytes(*first)) << (128 - 8 * length)
         }
     };
     // The start value acts on two bytes; if the block has only one, half of it is left.
@@ -42,11 +40,7 @@ fn after(crc: u16, block: &[u8; 16]) -> u16 {
     let [first, second, others @ ..] = *block;
     let [tables @ .., second_table, first_table] = TABLE.table();
     // What does not wait for the block before comes first.
-    let sum = others
-        .iter()
-        .rev()
-        .zip(tables)
-        .fold(0, |sum, (&byte, table)| sum ^ table[usize::from(byte)]);
+    let sum = others.iter().rev().zip(tables).fold(0, |sum, (&byte, table)| sum ^ table[usize::from(byte)]);
     sum ^ second_table[usize::from(second ^ high)] ^ first_table[usize::from(first ^ low)]
 }
 

@@ -50,12 +50,7 @@ repr!(u8 as u8 u16 as u16 u32 as u32 u64 as u64 i8 as u8 i16 as u16 i32 as u32 i
 
 /// Writes the entry's name, or the number if there is none.
 #[doc(hidden)]
-pub fn fmt_entry(
-    info: &EnumInfo,
-    value: u64,
-    number: &dyn fmt::Display,
-    f: &mut fmt::Formatter<'_>,
-) -> fmt::Result {
+pub fn fmt_entry(info: &EnumInfo, value: u64, number: &dyn fmt::Display, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     match info.entry_name(value) {
         Some(name) => f.pad(name),
         None => number.fmt(f),
@@ -188,12 +183,7 @@ macro_rules! open_enum {
         impl ::core::fmt::Debug for $name {
             #[inline]
             fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
-                $crate::enums::debug_entry(
-                    &$info,
-                    self.0 as u64,
-                    (::core::stringify!($name), &self.0),
-                    f,
-                )
+                $crate::enums::debug_entry(&$info, self.0 as u64, (::core::stringify!($name), &self.0), f)
             }
         }
 

@@ -20,10 +20,7 @@ impl fmt::Display for EncodeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::IdTooLarge { id } => {
-                write!(
-                    f,
-                    "message id {id} is over 255, which MAVLink 1 cannot carry: send it with Sender::v2"
-                )
+                write!(f, "message id {id} is over 255, which MAVLink 1 cannot carry: send it with Sender::v2")
             }
         }
     }
@@ -61,19 +58,13 @@ impl fmt::Display for FrameError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NotStx { found } => {
-                write!(
-                    f,
-                    "a frame starts with 0xfe or 0xfd, not {found:#04x}: skip to the next such byte"
-                )
+                write!(f, "a frame starts with 0xfe or 0xfd, not {found:#04x}: skip to the next such byte")
             }
             Self::Incomplete { needed } => {
                 write!(f, "the frame needs at least {needed} bytes: try again with more")
             }
             Self::IncompatFlags { flags } => {
-                write!(
-                    f,
-                    "incompatibility flags {flags:#04x} are not known here: discard the frame"
-                )
+                write!(f, "incompatibility flags {flags:#04x} are not known here: discard the frame")
             }
             Self::Checksum { id } => write!(
                 f,
@@ -97,10 +88,7 @@ pub struct TooLong {
 impl fmt::Display for TooLong {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { length, capacity } = self;
-        write!(
-            f,
-            "{length} bytes do not fit a field of {capacity}: shorten the text, or use Chars::truncated"
-        )
+        write!(f, "{length} bytes do not fit a field of {capacity}: shorten the text, or use Chars::truncated")
     }
 }
 
@@ -122,11 +110,7 @@ impl UnknownName {
 
 impl fmt::Display for UnknownName {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "not an entry of {}: use a name from the XML, or a number in its range",
-            self.name
-        )
+        write!(f, "not an entry of {}: use a name from the XML, or a number in its range", self.name)
     }
 }
 

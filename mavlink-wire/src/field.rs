@@ -28,16 +28,7 @@ impl FieldInfo {
     /// A single value at this offset of the payload.
     #[must_use]
     pub const fn new(name: &'static str, kind: Kind, offset: u8) -> Self {
-        Self {
-            name,
-            kind,
-            array: None,
-            offset,
-            extension: false,
-            units: None,
-            values: None,
-            invalid: None,
-        }
+        Self { name, kind, array: None, offset, extension: false, units: None, values: None, invalid: None }
     }
 
     /// An array of `length` elements at this offset of the payload.

@@ -128,11 +128,7 @@ impl<'a> Frame<'a> {
     /// The signature, not verified, if the frame has one.
     #[must_use]
     pub fn signature(&self) -> Option<Signature<'a>> {
-        if self.incompat_flags() == 0 {
-            None
-        } else {
-            self.bytes.last_chunk().map(|bytes| Signature { bytes })
-        }
+        if self.incompat_flags() == 0 { None } else { self.bytes.last_chunk().map(|bytes| Signature { bytes }) }
     }
 
     /// The whole frame, to be forwarded as it came.

@@ -30,9 +30,7 @@ impl Header {
                 0 => Ok(Self { version: Version::V2, payload_length, signed: flags == SIGNED }),
                 _ => Err(FrameError::IncompatFlags { flags }),
             },
-            [STX_V1, payload_length, ..] => {
-                Ok(Self { version: Version::V1, payload_length, signed: false })
-            }
+            [STX_V1, payload_length, ..] => Ok(Self { version: Version::V1, payload_length, signed: false }),
             [STX_V2, ..] => Err(FrameError::Incomplete { needed: 3 }),
             [STX_V1] => Err(FrameError::Incomplete { needed: 2 }),
             [found, ..] => Err(FrameError::NotStx { found }),
@@ -67,10 +65,7 @@ impl Header {
         let end = match self.version {
             Version::V1 => frame.get(5).map(|&id| u32::from(id)),
             // The last byte of the header is the top byte of the id: one load and a shift.
-            Version::V2 => frame
-                .get(6..)
-                .and_then(<[u8]>::first_chunk)
-                .map(|end| u32::from_le_bytes(*end) >> 8),
+            Version::V2 => frame.get(6..).and_then(<[u8]>::first_chunk).map(|end| u32::from_le_bytes(*end) >> 8),
         };
         end.unwrap_or_default()
     }

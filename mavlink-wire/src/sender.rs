@@ -63,11 +63,7 @@ impl Sender {
     }
 
     /// Puts header and checksum around a written payload.
-    fn seal<'b>(
-        &mut self,
-        info: &MessageInfo,
-        buffer: &'b mut [u8; MAX_FRAME],
-    ) -> Result<&'b [u8], EncodeError> {
+    fn seal<'b>(&mut self, info: &MessageInfo, buffer: &'b mut [u8; MAX_FRAME]) -> Result<&'b [u8], EncodeError> {
         let [id, id_high @ ..] = info.id.to_le_bytes();
         if self.version == Version::V1 && id_high != [0; 3] {
             return Err(EncodeError::IdTooLarge { id: info.id });
@@ -76,11 +72,7 @@ impl Sender {
         let length = sent_length(info, self.version, payload);
         let start = match self.version {
             Version::V1 => {
-                put(
-                    buffer,
-                    START_V1,
-                    [STX_V1, length as u8, self.sequence, self.system, self.component, id],
-                );
+                put(buffer, START_V1, [STX_V1, length as u8, self.sequence, self.system, self.component, id]);
                 START_V1
             }
             Version::V2 => {

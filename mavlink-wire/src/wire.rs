@@ -39,10 +39,7 @@ pub fn zero_extended<const N: usize>(payload: &[u8]) -> [u8; N] {
 fn part<const N: usize>(bytes: &[u8], offset: usize) -> [u8; N] {
     let mut whole = [0; N];
     // Compiles to a copy, and unlike `copy_from_slice` has no path to a panic.
-    whole
-        .iter_mut()
-        .zip(bytes.get(offset..).unwrap_or_default())
-        .for_each(|(to, from)| *to = *from);
+    whole.iter_mut().zip(bytes.get(offset..).unwrap_or_default()).for_each(|(to, from)| *to = *from);
     whole
 }
 

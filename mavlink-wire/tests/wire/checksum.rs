@@ -21,8 +21,7 @@ fn every_byte_is_found_again() {
 
 #[test]
 fn one_in_256_checksums_is_explained() {
-    let explained =
-        (0..=0xFFFF_u16).filter_map(|after| Some((after, crc::byte_between(0x1234, after)?)));
+    let explained = (0..=0xFFFF_u16).filter_map(|after| Some((after, crc::byte_between(0x1234, after)?)));
     let explained: Vec<_> = explained.collect();
     assert_eq!(explained.len(), 256);
     assert!(explained.iter().all(|&(after, byte)| crc::step(0x1234, byte) == after));

@@ -10,16 +10,7 @@ pub(crate) struct Ours(u16);
 static INFO: wire::EnumInfo = wire::EnumInfo {
     name: "THEIRS",
     bitmask: true,
-    entries: &[
-        (0, "NONE"),
-        (1, "A"),
-        (2, "B"),
-        (3, "AB"),
-        (4, "C"),
-        (0x18, "PAIR"),
-        (0x4001, "HIGH"),
-        (0x8000, "TOP"),
-    ],
+    entries: &[(0, "NONE"), (1, "A"), (2, "B"), (3, "AB"), (4, "C"), (0x18, "PAIR"), (0x4001, "HIGH"), (0x8000, "TOP")],
 };
 wire::flags!(Ours, u16, INFO);
 
@@ -49,11 +40,7 @@ fn same(ours: Ours, theirs: Theirs) {
 type Change<F> = fn(&mut F, F);
 
 fn value() -> impl Strategy<Value = u16> {
-    prop_oneof![
-        any::<u16>(),
-        0..0x20_u16,
-        any::<u16>().prop_map(|bits| bits & Theirs::all().bits())
-    ]
+    prop_oneof![any::<u16>(), 0..0x20_u16, any::<u16>().prop_map(|bits| bits & Theirs::all().bits())]
 }
 
 proptest! {
@@ -136,10 +123,7 @@ fn constants_are_alike() {
     same(ALL, Theirs::all());
     same(Ours::empty(), Theirs::empty());
     for name in ["NONE", "A", "AB", "PAIR", "TOP", "a", "", "A | B"] {
-        assert_eq!(
-            Ours::from_name(name).map(|f| f.bits()),
-            Theirs::from_name(name).map(|f| f.bits())
-        );
+        assert_eq!(Ours::from_name(name).map(|f| f.bits()), Theirs::from_name(name).map(|f| f.bits()));
     }
 }
 

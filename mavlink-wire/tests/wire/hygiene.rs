@@ -28,8 +28,7 @@ pub(crate) trait Extend {}
 #[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(crate) struct Debug(pub(crate) u16);
 
-static DEBUG: wire::EnumInfo =
-    wire::EnumInfo { name: "DEBUG", bitmask: false, entries: &[(1, "DEBUG_ONE")] };
+static DEBUG: wire::EnumInfo = wire::EnumInfo { name: "DEBUG", bitmask: false, entries: &[(1, "DEBUG_ONE")] };
 wire::open_enum!(Debug, u16, DEBUG);
 
 #[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -55,8 +54,7 @@ impl wire::Message for Copied {
         target_system: ::core::option::Option::None,
         target_component: ::core::option::Option::None,
     };
-    const FIELDS: &'static [wire::FieldInfo] =
-        &[wire::FieldInfo::new("debug", wire::Kind::U16, 0).values(&DEBUG)];
+    const FIELDS: &'static [wire::FieldInfo] = &[wire::FieldInfo::new("debug", wire::Kind::U16, 0).values(&DEBUG)];
     const DEFAULT: Self = Self { debug: Debug(7) };
 
     fn decode(payload: &[u8]) -> Self {

@@ -2,8 +2,8 @@
 
 use crate::small::{AqEscTelemetry, Heartbeat, MavState, Small, Statustext};
 use mavlink_wire::{
-    Chars, Encode, EncodeError, Frame, FrameBuf, FrameError, MAX_FRAME, Message, MessageInfo,
-    Parser, Sender, Table, Version, crc,
+    Chars, Encode, EncodeError, Frame, FrameBuf, FrameError, MAX_FRAME, Message, MessageInfo, Parser, Sender, Table,
+    Version, crc,
 };
 
 static AQ_TELEMETRY_F: MessageInfo = MessageInfo {
@@ -34,14 +34,12 @@ const ESC: AqEscTelemetry = AqEscTelemetry {
 const HEARTBEAT_V1: &str = "fe0900010100000000000608000403 9043";
 const HEARTBEAT_V2: &str = "fd0900000001010000000000000006080004030a80";
 const ZERO_V2: &str = "fd010000000101000000 00 d52c";
-const HEARTBEAT_SIGNED: &str =
-    "fd0901000001010000000000000006080004 03 ed78 03 e80300000000 443df450d592";
+const HEARTBEAT_SIGNED: &str = "fd0901000001010000000000000006080004 03 ed78 03 e80300000000 443df450d592";
 const ESC_PAYLOAD: &str = "0403020111111111222222223333333344444444010000000200000003000000000000000a0014001e00ffff\
     0104040001020303030303";
 
 fn bytes(hex: &str) -> Vec<u8> {
-    let digits: Vec<u8> =
-        hex.bytes().filter_map(|c| (c as char).to_digit(16)).map(|digit| digit as u8).collect();
+    let digits: Vec<u8> = hex.bytes().filter_map(|c| (c as char).to_digit(16)).map(|digit| digit as u8).collect();
     digits.chunks(2).map(|pair| pair[0] << 4 | pair[1]).collect()
 }
 
@@ -73,19 +71,11 @@ fn arrays_are_sent_in_wire_order() {
 
 #[test]
 fn heartbeat_is_read() {
-    for (hex, version) in
-        [(HEARTBEAT_V1, Version::V1), (HEARTBEAT_V2, Version::V2), (HEARTBEAT_SIGNED, Version::V2)]
-    {
+    for (hex, version) in [(HEARTBEAT_V1, Version::V1), (HEARTBEAT_V2, Version::V2), (HEARTBEAT_SIGNED, Version::V2)] {
         let bytes = bytes(hex);
         let frame = Frame::parse(&bytes, &TABLE).unwrap();
-        assert_eq!(
-            (frame.version(), frame.id(), frame.crc_extra(), frame.is_verified()),
-            (version, 0, 50, true)
-        );
-        assert_eq!(
-            (frame.sequence(), frame.system(), frame.component(), frame.compat_flags()),
-            (0, 1, 1, 0)
-        );
+        assert_eq!((frame.version(), frame.id(), frame.crc_extra(), frame.is_verified()), (version, 0, 50, true));
+        assert_eq!((frame.sequence(), frame.system(), frame.component(), frame.compat_flags()), (0, 1, 1, 0));
         assert_eq!(frame.bytes(), bytes);
         assert_eq!(frame.decode(), Some(HEARTBEAT));
         assert_eq!(frame.message(), Some(Small::Heartbeat(HEARTBEAT)));
@@ -127,10 +117,7 @@ fn short_and_empty_payloads_are_zero_extended() {
     assert_eq!(Heartbeat::decode(&[]), Heartbeat { mavlink_version: 0, ..Heartbeat::DEFAULT });
     assert_eq!(Heartbeat::decode(&[1, 2]).custom_mode, 0x0201);
     let zero = bytes(ZERO_V2);
-    assert_eq!(
-        Frame::parse(&zero, &TABLE).unwrap().decode::<Heartbeat>().map(|m| m.mavlink_version),
-        Some(0)
-    );
+    assert_eq!(Frame::parse(&zero, &TABLE).unwrap().decode::<Heartbeat>().map(|m| m.mavlink_version), Some(0));
     for header in [&[0xfe, 0, 0, 1, 1, 0][..], &[0xfd, 0, 0, 0xff, 0, 1, 1, 0, 0, 0]] {
         let empty = with_checksum(header, 50);
         assert_eq!(Frame::parse(&empty, &TABLE).unwrap().decode(), Some(Heartbeat::decode(&[])));
@@ -148,8 +135,7 @@ fn longer_payloads_are_cut() {
 
 #[test]
 fn extensions_stay_out_of_mavlink_1_and_are_read_from_it() {
-    let text =
-        Statustext { text: Chars::truncated("hello"), id: 7, chunk_seq: 9, ..Statustext::DEFAULT };
+    let text = Statustext { text: Chars::truncated("hello"), id: 7, chunk_seq: 9, ..Statustext::DEFAULT };
     let mut buffer = [0; MAX_FRAME];
     assert_eq!(Sender::v1(1, 1).encode(&text, &mut buffer).unwrap().len(), 6 + 51 + 2);
     let mut payload = [0; 255];
@@ -157,10 +143,7 @@ fn extensions_stay_out_of_mavlink_1_and_are_read_from_it() {
     assert_eq!(text.payload(Version::V1, &mut payload).len(), 51);
     extended.extend(text.payload(Version::V2, &mut payload));
     let extended = with_checksum(&extended, 83);
-    assert_eq!(
-        Frame::parse(&extended, &Table::of(&[Statustext::INFO])).unwrap().decode(),
-        Some(text)
-    );
+    assert_eq!(Frame::parse(&extended, &Table::of(&[Statustext::INFO])).unwrap().decode(), Some(text));
 }
 
 #[test]
@@ -210,17 +193,13 @@ fn mavlink_1_refuses_large_ids() {
     let (mut sender, mut buffer) = (Sender::v1(1, 1), [0; MAX_FRAME]);
     assert_eq!(sender.encode(&Large, &mut buffer), Err(EncodeError::IdTooLarge { id: 256 }));
     assert_eq!(sender.sequence(), 0);
-    assert_eq!(
-        Sender::v2(1, 1).encode(&Large, &mut buffer).map(|frame| frame[7..10].to_vec()),
-        Ok(vec![0, 1, 0])
-    );
+    assert_eq!(Sender::v2(1, 1).encode(&Large, &mut buffer).map(|frame| frame[7..10].to_vec()), Ok(vec![0, 1, 0]));
 }
 
 #[test]
 fn the_sequence_wraps() {
     let (mut sender, mut buffer) = (Sender::v1(1, 1), [0; MAX_FRAME]);
-    let sequences: Vec<u8> =
-        (0..258).map(|_| sender.encode(&HEARTBEAT, &mut buffer).unwrap()[2]).collect();
+    let sequences: Vec<u8> = (0..258).map(|_| sender.encode(&HEARTBEAT, &mut buffer).unwrap()[2]).collect();
     assert_eq!(sequences[254..], [254, 255, 0, 1]);
 }
 

@@ -1,26 +1,16 @@
 //! Tables and the descriptions of messages, fields and parameters.
 
 use mavlink_wire::{
-    Dialect, EnumInfo, FieldInfo, Invalid, Kind, Message, MessageInfo, ParamInfo, Sentinel, Table,
-    index,
+    Dialect, EnumInfo, FieldInfo, Invalid, Kind, Message, MessageInfo, ParamInfo, Sentinel, Table, index,
 };
 
 use crate::small::{AqEscTelemetry, Heartbeat, Small, Statustext};
 
 const fn info(id: u32) -> MessageInfo {
-    MessageInfo {
-        id,
-        name: "M",
-        crc_extra: 0,
-        len_v1: 1,
-        len_v2: 1,
-        target_system: None,
-        target_component: None,
-    }
+    MessageInfo { id, name: "M", crc_extra: 0, len_v1: 1, len_v2: 1, target_system: None, target_component: None }
 }
 
-const IDS: [u32; 14] =
-    [0, 1, 24, 30, 150, 255, 256, 300, 331, 9000, 12900, 17000, 60053, 0x00FF_FFFF];
+const IDS: [u32; 14] = [0, 1, 24, 30, 150, 255, 256, 300, 331, 9000, 12900, 17000, 60053, 0x00FF_FFFF];
 
 #[track_caller]
 fn finds(table: &Table<'_>, ids: &[u32]) {
@@ -67,28 +57,14 @@ fn fields_fill_the_payload() {
 fn builders_set_what_they_name() {
     static VALUES: EnumInfo = EnumInfo { name: "E", bitmask: false, entries: &[] };
     const UNKNOWN: Invalid = Invalid::All(Sentinel::Unsigned(65535));
-    const FIELD: FieldInfo =
-        FieldInfo::array("volts", Kind::U16, 10, 4).extension().units("mV").invalid(UNKNOWN);
-    assert_eq!(
-        (FIELD.name, FIELD.kind, FIELD.array, FIELD.offset),
-        ("volts", Kind::U16, Some(10), 4)
-    );
+    const FIELD: FieldInfo = FieldInfo::array("volts", Kind::U16, 10, 4).extension().units("mV").invalid(UNKNOWN);
+    assert_eq!((FIELD.name, FIELD.kind, FIELD.array, FIELD.offset), ("volts", Kind::U16, Some(10), 4));
     assert_eq!((FIELD.extension, FIELD.units, FIELD.invalid), (true, Some("mV"), Some(UNKNOWN)));
     assert_eq!(FIELD.values(&VALUES).values, Some(&VALUES));
-    const PARAM: ParamInfo =
-        ParamInfo::new(3).label("Hold").units("s").min(0.0).max(9.0).increment(0.5).default(1.0);
-    assert_eq!(
-        (PARAM.index, PARAM.label, PARAM.units, PARAM.values),
-        (3, Some("Hold"), Some("s"), None)
-    );
-    assert_eq!(
-        (PARAM.min, PARAM.max, PARAM.increment, PARAM.default),
-        (Some(0.0), Some(9.0), Some(0.5), Some(1.0))
-    );
-    assert_eq!(
-        (PARAM.reserved, PARAM.reserved().reserved, PARAM.values("E").values),
-        (false, true, Some("E"))
-    );
+    const PARAM: ParamInfo = ParamInfo::new(3).label("Hold").units("s").min(0.0).max(9.0).increment(0.5).default(1.0);
+    assert_eq!((PARAM.index, PARAM.label, PARAM.units, PARAM.values), (3, Some("Hold"), Some("s"), None));
+    assert_eq!((PARAM.min, PARAM.max, PARAM.increment, PARAM.default), (Some(0.0), Some(9.0), Some(0.5), Some(1.0)));
+    assert_eq!((PARAM.reserved, PARAM.reserved().reserved, PARAM.values("E").values), (false, true, Some("E")));
 }
 
 #[test]

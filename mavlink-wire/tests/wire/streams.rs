@@ -1,9 +1,7 @@
 //! Streams that are cut anywhere and damaged anywhere.
 
 use crate::small::{AqEscTelemetry, Heartbeat, Small, Statustext};
-use mavlink_wire::{
-    Chars, Dialect, Encode, Frame, FrameBuf, MAX_FRAME, Message, Parser, Sender, Table, crc,
-};
+use mavlink_wire::{Chars, Dialect, Encode, Frame, FrameBuf, MAX_FRAME, Message, Parser, Sender, Table, crc};
 use proptest::prelude::*;
 
 /// All frames of a stream that comes in these chunks.
@@ -48,8 +46,7 @@ fn whole_frame(table: &Table<'_>, bytes: &[u8]) -> Option<(usize, bool)> {
         6 => u32::from(bytes[5]),
         _ => u32::from_le_bytes([bytes[7], bytes[8], bytes[9], 0]),
     };
-    let (sent, crc) =
-        (u16::from_le_bytes([bytes[end], bytes[end + 1]]), crc::checksum(&bytes[1..end]));
+    let (sent, crc) = (u16::from_le_bytes([bytes[end], bytes[end + 1]]), crc::checksum(&bytes[1..end]));
     let explained = |extra: &u8| crc::step(crc, *extra) == sent;
     let verified = match table.get(id) {
         Some(info) => explained(&info.crc_extra).then_some(true)?,
@@ -112,8 +109,7 @@ fn message() -> impl Strategy<Value = Small> {
     (0..3, bytes).prop_map(|(which, bytes)| match which {
         0 => Heartbeat::decode(&bytes).into(),
         1 => AqEscTelemetry::decode(&bytes).into(),
-        _ => Statustext { text: Chars::truncated("Low voltage"), ..Statustext::decode(&bytes) }
-            .into(),
+        _ => Statustext { text: Chars::truncated("Low voltage"), ..Statustext::decode(&bytes) }.into(),
     })
 }
 
@@ -129,9 +125,8 @@ fn piece() -> impl Strategy<Value = Piece> {
 }
 
 fn pieces() -> impl Strategy<Value = Vec<Vec<u8>>> {
-    proptest::collection::vec(piece(), 1..12).prop_map(|pieces| {
-        pieces.iter().zip(0..).map(|(piece, sequence)| piece.bytes(sequence)).collect()
-    })
+    proptest::collection::vec(piece(), 1..12)
+        .prop_map(|pieces| pieces.iter().zip(0..).map(|(piece, sequence)| piece.bytes(sequence)).collect())
 }
 
 /// Cuts a stream at these places.
@@ -238,12 +233,8 @@ fn an_unfinished_frame_waits_until_the_end() {
 fn frames_within_a_chunk_are_not_copied() {
     let stream = two_heartbeats(0, 0xFD);
     let (mut parser, mut input) = (Parser::new(Small::TABLE), &stream[..]);
-    let (first, second) =
-        (parser.next(&mut input).map(address), parser.next(&mut input).map(address));
-    assert_eq!(
-        (first, second),
-        (Some(stream.as_ptr()), Some(stream[stream.len() - 17..].as_ptr()))
-    );
+    let (first, second) = (parser.next(&mut input).map(address), parser.next(&mut input).map(address));
+    assert_eq!((first, second), (Some(stream.as_ptr()), Some(stream[stream.len() - 17..].as_ptr())));
 }
 
 fn address(frame: Frame<'_>) -> *const u8 {
@@ -276,8 +267,5 @@ fn a_kept_frame_outlives_the_parser() {
             kept.push(FrameBuf::from(frame));
         }
     }
-    assert_eq!(
-        kept.iter().map(|frame| frame.as_frame().bytes()).collect::<Vec<_>>().concat(),
-        stream
-    );
+    assert_eq!(kept.iter().map(|frame| frame.as_frame().bytes()).collect::<Vec<_>>().concat(), stream);
 }

@@ -9,15 +9,9 @@ use crate::small::{MavModeFlag, MavSeverity, MavState};
 
 #[test]
 fn enums_have_text_both_ways() {
-    assert_eq!(
-        (MavState::STANDBY.to_string(), MavState(9).to_string()),
-        ("MAV_STATE_STANDBY".into(), "9".into())
-    );
+    assert_eq!((MavState::STANDBY.to_string(), MavState(9).to_string()), ("MAV_STATE_STANDBY".into(), "9".into()));
     assert_eq!(format!("{:?} {:?}", MavState::UNINIT, MavState(9)), "MAV_STATE_UNINIT MavState(9)");
-    assert_eq!(
-        format!("[{:>18}] [{:03}]", MavState::ACTIVE, MavState(9)),
-        "[  MAV_STATE_ACTIVE] [009]"
-    );
+    assert_eq!(format!("[{:>18}] [{:03}]", MavState::ACTIVE, MavState(9)), "[  MAV_STATE_ACTIVE] [009]");
     for value in 0..=255 {
         assert_eq!(MavState(value).to_string().parse(), Ok(MavState(value)));
         assert_eq!(MavState(value).is_known(), matches!(value, 0 | 3 | 4));
@@ -35,10 +29,7 @@ fn signed_enums_have_a_sign() {
     static INFO: wire::EnumInfo =
         wire::EnumInfo { name: "SIGNED", bitmask: false, entries: &[(0, "ZERO"), (127, "TOP")] };
     wire::open_enum!(Signed, i8, INFO);
-    assert_eq!(
-        (Signed(-1).to_string(), format!("{:?}", Signed(-1))),
-        ("-1".into(), "Signed(-1)".into())
-    );
+    assert_eq!((Signed(-1).to_string(), format!("{:?}", Signed(-1))), ("-1".into(), "Signed(-1)".into()));
     assert_eq!(("-128".parse(), "TOP".parse()), (Ok(Signed(-128)), Ok(Signed(127))));
     assert_eq!("128".parse::<Signed>(), Err(UnknownName { name: "SIGNED" }));
 }

@@ -34,19 +34,13 @@ fn values_are_little_endian() {
 
 #[test]
 fn missing_bytes_are_zero_and_not_written() {
-    assert_eq!(
-        (get::<u32>(&[1, 2, 3], 1), get::<u32>(&[1], 1), get::<u32>(&[1], 9)),
-        (0x0302, 0, 0)
-    );
+    assert_eq!((get::<u32>(&[1, 2, 3], 1), get::<u32>(&[1], 1), get::<u32>(&[1], 9)), (0x0302, 0, 0));
     assert_eq!(get::<[u16; 3]>(&[1, 2, 3], 0), [0x0201, 3, 0]);
     let mut short = [0; 3];
     put(&mut short, 1, [0x0102_u16, 0x0304]);
     put(&mut short, 9, 7_u8);
     assert_eq!(short, [0, 2, 1]);
-    assert_eq!(
-        (zero_extended::<4>(&[1, 2]), zero_extended::<2>(&[1, 2, 3])),
-        ([1, 2, 0, 0], [1, 2])
-    );
+    assert_eq!((zero_extended::<4>(&[1, 2]), zero_extended::<2>(&[1, 2, 3])), ([1, 2, 0, 0], [1, 2]));
 }
 
 #[test]

@@ -26,11 +26,9 @@ impl wire::Message for Heartbeat {
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("type", wire::Kind::U8, 4),
         wire::FieldInfo::new("autopilot", wire::Kind::U8, 5),
-        wire::FieldInfo::new("base_mode", wire::Kind::U8, 6)
-            .values(<MavModeFlag as wire::Enum>::INFO),
+        wire::FieldInfo::new("base_mode", wire::Kind::U8, 6).values(<MavModeFlag as wire::Enum>::INFO),
         wire::FieldInfo::new("custom_mode", wire::Kind::U32, 0),
-        wire::FieldInfo::new("system_status", wire::Kind::U8, 7)
-            .values(<MavState as wire::Enum>::INFO),
+        wire::FieldInfo::new("system_status", wire::Kind::U8, 7).values(<MavState as wire::Enum>::INFO),
         wire::FieldInfo::new("mavlink_version", wire::Kind::Version, 8),
     ];
     const DEFAULT: Self = Self {
@@ -183,14 +181,12 @@ impl wire::Message for Statustext {
         target_component: None,
     };
     const FIELDS: &'static [wire::FieldInfo] = &[
-        wire::FieldInfo::new("severity", wire::Kind::U8, 0)
-            .values(<MavSeverity as wire::Enum>::INFO),
+        wire::FieldInfo::new("severity", wire::Kind::U8, 0).values(<MavSeverity as wire::Enum>::INFO),
         wire::FieldInfo::array("text", wire::Kind::Char, 50, 1),
         wire::FieldInfo::new("id", wire::Kind::U16, 51).extension(),
         wire::FieldInfo::new("chunk_seq", wire::Kind::U8, 53).extension(),
     ];
-    const DEFAULT: Self =
-        Self { severity: MavSeverity(0), text: wire::Chars([0; 50]), id: 0, chunk_seq: 0 };
+    const DEFAULT: Self = Self { severity: MavSeverity(0), text: wire::Chars([0; 50]), id: 0, chunk_seq: 0 };
 
     #[inline]
     fn decode(payload: &[u8]) -> Self {

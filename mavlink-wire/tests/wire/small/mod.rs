@@ -8,11 +8,8 @@ use mavlink_wire as wire;
 pub(crate) use enums::{MavModeFlag, MavSeverity, MavState};
 pub(crate) use messages::{AqEscTelemetry, Heartbeat, Statustext};
 
-static INFOS: [&wire::MessageInfo; 3] = [
-    <Heartbeat as wire::Message>::INFO,
-    <AqEscTelemetry as wire::Message>::INFO,
-    <Statustext as wire::Message>::INFO,
-];
+static INFOS: [&wire::MessageInfo; 3] =
+    [<Heartbeat as wire::Message>::INFO, <AqEscTelemetry as wire::Message>::INFO, <Statustext as wire::Message>::INFO];
 static INDEX: [u16; 200] = wire::index(&INFOS);
 static TABLE: wire::Table<'static> = wire::Table::indexed(&INFOS, &INDEX);
 
