@@ -1,0 +1,131 @@
+//! The catalogue of diagnostics: one stable number each.
+//!
+//! Numbers are never used again for something else. `M0xx` is XML and the file system, `M1xx` a file's grammar, `M2xx` files
+//! together, `M3xx` messages, `M4xx` enums, `M5xx` commands, `M6xx` names.
+
+use std::fmt;
+
+/// How bad a problem is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Severity {
+    /// Nothing is generated.
+    Error,
+    /// Worth a look; the code is generated.
+    Warning,
+    /// Worth knowing; there is nothing to mend.
+    Note,
+}
+
+macro_rules! catalogue {
+    ($($number:literal $name:ident $severity:ident $title:literal;)*) => {
+        /// A kind of problem.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        pub enum Code {
+            $(#[doc = $title] $name = $number,)*
+        }
+
+        impl Code {
+            /// Every kind of problem, by number.
+            pub const ALL: &[Self] = &[$(Self::$name,)*];
+
+            /// Whether this kind is an error.
+            pub fn severity(self) -> Severity {
+                match self { $(Self::$name => Severity::$severity,)* }
+            }
+
+            /// What this kind of problem is, in one sentence.
+            pub fn title(self) -> &'static str {
+                match self { $(Self::$name => $title,)* }
+            }
+        }
+    };
+}
+
+catalogue! {
+    1 Unreadable Error "A file cannot be read.";
+    2 NotUtf8 Error "A file is not UTF-8 text.";
+    3 NotWellFormed Error "The text is not well-formed XML.";
+    4 Unclosed Error "An element, a tag or a comment is not closed before the file or its parent ends.";
+    5 UnknownEntity Error "An entity reference is not one of XML's own five.";
+    6 DocumentType Error "A document type declaration is refused: nothing is expanded or fetched.";
+    7 TooLarge Error "A file is larger or deeper than any dialect.";
+
+    100 WrongRoot Error "The root element is not `mavlink`.";
+    101 UnknownElement Warning "An element is not part of the MAVLink grammar.";
+    102 UnknownAttribute Warning "An attribute is not part of the MAVLink grammar.";
+    103 MissingAttribute Error "A required attribute is missing.";
+    104 DuplicateAttribute Error "An attribute stands twice in one tag.";
+    105 DuplicateElement Error "An element that may stand once stands twice.";
+    106 BadNumber Error "A number is not written as one, or is out of range.";
+    107 BadBoolean Error "A truth value is not `true`, `false`, `1` or `0`.";
+    108 StrayText Warning "Text stands where the grammar has none.";
+
+    200 MissingInclude Error "An included file cannot be read.";
+    201 IncludeCycle Error "Files include each other in a circle.";
+    202 IncludeDepth Error "Includes are nested more deeply than pymavlink follows.";
+
+    300 DuplicateMessageId Error "Two messages have one id.";
+    301 DuplicateMessageName Error "Two messages have one name.";
+    302 DuplicateField Error "Two fields of a message have one name.";
+    303 MessageId Error "A message id is not a number from 0 to 16777215.";
+    304 UnknownType Error "A field type does not exist.";
+    305 ArrayLength Error "An array length is not a number from 1 to 255.";
+    306 PayloadTooLong Error "A payload is longer than 255 bytes.";
+    307 TooManyFields Error "A message has more than 64 fields.";
+    308 NoFields Error "A message has no fields.";
+    309 Extensions Error "`<extensions/>` stands twice, or before the first field.";
+    310 UnknownEnum Error "A field names an enum that does not exist.";
+    311 EnumOnField Warning "An enum is named by a field that cannot carry it.";
+    312 ValueBeyondField Warning "An enum has values that do not fit a field that uses it.";
+    313 EnumWidths Warning "An enum is used by fields of different types.";
+    314 Invalid Warning "An `invalid` value is not understood, or does not fit its field.";
+    315 TargetType Warning "A target field is not a `uint8_t`.";
+    316 VersionField Error "`uint8_t_mavlink_version` is an array, or stands twice in a message.";
+    317 EmptyExtensions Warning "No field follows `<extensions/>`.";
+    318 Range Warning "A range is empty: its minimum is above its maximum.";
+    319 Display Warning "`display` is not understood, or does not suit its field.";
+    320 Instance Warning "A message has more than one instance field.";
+
+    400 BadValue Error "An enum value is not a number from 0 to 2^64 - 1.";
+    401 DuplicateValue Error "Two entries of an enum have one value.";
+    402 DuplicateEntry Error "Two entries of an enum have one name.";
+    403 EmptyEnum Error "An enum has no entries.";
+    404 AutomaticValue Note "An entry without a value was given one.";
+    405 BitmaskValue Warning "A value of a bitmask is not a single bit.";
+    406 BitmaskDiffers Warning "Files disagree on whether an enum is a bitmask.";
+    407 WidenedEnum Warning "An entry of another file does not fit the enum, which becomes wider.";
+    408 LikelyBitmask Warning "An enum has only single bits as values, and is not declared a bitmask.";
+    409 SameEntryName Warning "Entries of two enums have one name.";
+
+    500 ParamIndex Error "A param index is not a number from 1 to 7, or stands twice.";
+    501 ParamEnum Warning "A param names an enum that does not exist.";
+
+    600 BadName Error "A name is not letters, digits and underscores after a first letter.";
+    601 NameCollision Error "Two names become one in Rust.";
+    602 Lifecycle Warning "A lifecycle element lacks its date, or its date is not `YYYY-MM`.";
+}
+
+impl Code {
+    /// The stable number.
+    pub fn number(self) -> u16 {
+        self as u16
+    }
+}
+
+impl fmt::Display for Code {
+    /// `M304`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "M{:03}", self.number())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_rise() {
+        assert!(Code::ALL.is_sorted_by(|a, b| a.number() < b.number()));
+        assert_eq!(Code::UnknownType.to_string(), "M304");
+    }
+}

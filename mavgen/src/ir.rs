@@ -1,0 +1,105 @@
+//! The resolved dialect: a model that can only say legal things.
+//!
+//! It is the public result of [`crate::Builder::resolve`]; tools other than the emitter can be written on it. Everything is
+//! spelled out: wire order, offsets, checksums, merged enums with every value filled in, and the Rust name beside the name
+//! in the XML.
+
+mod message;
+mod values;
+
+pub use message::{Field, FieldType, Invalid, Limits, Message, Scalar, Scope, Sentinel, Values};
+pub use values::{Command, Entry, Enum, Param, Repr};
+
+use crate::source::Span;
+
+/// A dialect: the file that was asked for and all that it includes.
+#[derive(Clone, Debug)]
+pub struct Dialect {
+    /// The stem of the file name: `autoquad`.
+    pub name: String,
+    /// The Rust type that holds any message of the dialect: `Autoquad`.
+    pub type_name: String,
+    /// `<version>` of the top file; 2, pymavlink's default, where it has none.
+    pub version: u8,
+    /// The files in merge order: breadth first from the top file.
+    pub files: Vec<File>,
+    /// The enums, each at the place of its first definition in merge order.
+    pub enums: Vec<Enum>,
+    /// The messages, by id.
+    pub messages: Vec<Message>,
+}
+
+impl Dialect {
+    /// The file behind an id of this dialect.
+    pub fn file(&self, id: FileIndex) -> Option<&File> {
+        self.files.get(id.0)
+    }
+
+    /// The enum behind an id of this dialect.
+    pub fn enum_by_id(&self, id: EnumId) -> Option<&Enum> {
+        self.enums.get(id.0)
+    }
+}
+
+/// A file of the dialect, by its place in [`Dialect::files`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct FileIndex(pub usize);
+
+/// An enum of the dialect, by its place in [`Dialect::enums`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct EnumId(pub usize);
+
+/// A source file of the dialect.
+#[derive(Clone, Debug)]
+pub struct File {
+    /// The file name without folders: `common.xml`.
+    pub name: String,
+    /// The files it includes.
+    pub includes: Vec<FileIndex>,
+}
+
+/// A name in the XML and what it is called in Rust.
+///
+/// The XML's spelling is what checksums are made of; the Rust spelling is what a user types.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Name {
+    /// As the XML spells it: `GPS_RAW_INT`, `Index`.
+    pub xml: String,
+    /// As Rust spells it: `GpsRawInt`, `index`; a keyword as a field is `type` here, and written `r#type`.
+    pub rust: String,
+}
+
+/// What `<wip>`, `<superseded>` and `<deprecated>` say.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Lifecycle {
+    /// May still change.
+    Wip,
+    /// Something better exists; still in use.
+    Superseded(Successor),
+    /// Going away.
+    Deprecated(Successor),
+}
+
+/// What replaces something, since when and why.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Successor {
+    /// `YYYY-MM`.
+    pub since: Option<String>,
+    /// The replacement, as the XML spells it; may be no name at all.
+    pub replaced_by: Option<String>,
+    /// The text of the element.
+    pub description: String,
+}
+
+/// Where an item was written and what is said of it: common to messages, fields, enums, entries and params.
+#[derive(Clone, Debug)]
+pub struct Origin {
+    /// The file.
+    pub file: FileIndex,
+    /// The start tag.
+    pub span: Span,
+    /// The description as the XML has it, with entities expanded; empty where there is none.
+    pub description: String,
+    /// Its stage of life, if the XML names one.
+    pub lifecycle: Option<Lifecycle>,
+}

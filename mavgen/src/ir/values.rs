@@ -1,0 +1,135 @@
+//! Enums, entries and command parameters of the resolved dialect.
+
+use super::{EnumId, FileIndex, Limits, Name, Origin};
+
+/// An enum or, with [`Enum::bitmask`], a set of flags.
+#[derive(Clone, Debug)]
+pub struct Enum {
+    /// Its name.
+    pub name: Name,
+    /// Whether values are combined bit by bit.
+    pub bitmask: bool,
+    /// The integer behind its Rust type.
+    pub repr: Repr,
+    /// The entries by value, merged over all files.
+    pub entries: Vec<Entry>,
+    /// The file that owns it: of all that define it, the one that most of the others include.
+    ///
+    /// Width, sign and name prefix come from there, so that a dialect that adds entries changes no type of the file it
+    /// includes.
+    pub defined_in: FileIndex,
+    /// Where it comes from: its first definition in merge order, with the first description that is not empty.
+    pub origin: Origin,
+}
+
+/// An entry of an enum.
+#[derive(Clone, Debug)]
+pub struct Entry {
+    /// Its name; the Rust name is that of a constant, without the prefix of its enum.
+    pub name: Name,
+    /// Its value.
+    pub value: u64,
+    /// Whether the value was assigned automatically.
+    pub auto: bool,
+    /// What it says as a command: `Some` in enums of commands.
+    pub command: Option<Command>,
+    /// Where it comes from.
+    pub origin: Origin,
+}
+
+/// What an entry says as a command (`MAV_CMD`).
+#[derive(Clone, Debug, Default)]
+pub struct Command {
+    /// The parameters that the XML lists, by index.
+    pub params: Vec<Param>,
+    /// `hasLocation`: params 5, 6 and 7 are a place.
+    pub has_location: bool,
+    /// `isDestination`: the place is one to go to.
+    pub is_destination: bool,
+    /// `missionOnly`: not to be sent as a command.
+    pub mission_only: bool,
+}
+
+/// A parameter of a command.
+#[derive(Clone, Debug)]
+pub struct Param {
+    /// 1 to 7.
+    pub index: u8,
+    /// Its label, as the XML spells it.
+    pub label: Option<String>,
+    /// The unit, as the XML spells it.
+    pub units: Option<String>,
+    /// The enum whose values it carries.
+    pub values: Option<EnumId>,
+    /// Documented range and step.
+    pub limits: Limits,
+    /// `default`: a number or NaN.
+    pub default: Option<f64>,
+    /// Not to be used: to be sent as its default.
+    pub reserved: bool,
+    /// Where it comes from.
+    pub origin: Origin,
+}
+
+/// The integer types that can stand behind an enum.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Repr {
+    /// `u8`.
+    U8,
+    /// `i8`.
+    I8,
+    /// `u16`.
+    U16,
+    /// `i16`.
+    I16,
+    /// `u32`.
+    U32,
+    /// `i32`.
+    I32,
+    /// `u64`.
+    U64,
+    /// `i64`.
+    I64,
+}
+
+impl Repr {
+    /// Bytes.
+    pub fn size(self) -> usize {
+        match self {
+            Self::U8 | Self::I8 => 1,
+            Self::U16 | Self::I16 => 2,
+            Self::U32 | Self::I32 => 4,
+            Self::U64 | Self::I64 => 8,
+        }
+    }
+
+    /// Whether it can be negative.
+    pub fn is_signed(self) -> bool {
+        matches!(self, Self::I8 | Self::I16 | Self::I32 | Self::I64)
+    }
+
+    /// The largest value it can hold.
+    pub fn highest(self) -> u64 {
+        let bits = 8 * self.size() - usize::from(self.is_signed());
+        u64::MAX >> (64 - bits)
+    }
+
+    /// The smallest unsigned type that holds `value`.
+    pub fn smallest_for(value: u64) -> Self {
+        [Self::U8, Self::U16, Self::U32].into_iter().find(|repr| value <= repr.highest()).unwrap_or(Self::U64)
+    }
+
+    /// The type's name in Rust.
+    pub fn rust_name(self) -> &'static str {
+        match self {
+            Self::U8 => "u8",
+            Self::I8 => "i8",
+            Self::U16 => "u16",
+            Self::I16 => "i16",
+            Self::U32 => "u32",
+            Self::I32 => "i32",
+            Self::U64 => "u64",
+            Self::I64 => "i64",
+        }
+    }
+}

@@ -1,0 +1,51 @@
+//! The MAVLink dialect compiler: reads dialect XML, understands it exactly as pymavlink does, and writes Rust that a
+//! person enjoys reading.
+//!
+//! # In a build script
+//!
+//! A dialect of one's own needs `mavlink-wire` as a dependency, `mavgen` as a build-dependency, and two lines:
+//!
+//! ```no_run
+//! // in the `main` of build.rs
+//! mavgen::Builder::new("xml/acme.xml").build_script();
+//! ```
+//!
+//! ```text
+//! // src/lib.rs
+//! mavlink_wire::include_dialect!("acme"); // the module `acme`: acme::Heartbeat, acme::MavState, acme::Acme …
+//! ```
+//!
+//! # In a repository
+//!
+//! [`Builder::generate`] writes the same sources into a folder, and [`Builder::check`] says whether they are current, so
+//! that a test can. The `mavgen` command does both without a line of Rust.
+//!
+//! # How it works
+//!
+//! ```text
+//! XML text ─read→ syntax ─resolve→ ir ─emit→ tokens ─format→ files
+//! ```
+//!
+//! [`syntax`] is what a file says, with a [`source::Span`] on every name and number. [`ir`] is what the files mean together:
+//! wire order, offsets, checksums, merged enums, Rust names; other tools can be written on it. Problems are collected as
+//! [`diag::Diagnostic`]s, each with its place, and a stage that found an error is the last.
+
+#![forbid(unsafe_code)]
+#![deny(missing_docs)]
+
+mod build_script;
+mod builder;
+pub mod diag;
+mod docs;
+mod emit;
+mod format;
+pub mod ir;
+mod names;
+pub mod output;
+pub mod read;
+pub mod resolve;
+pub mod source;
+pub mod syntax;
+
+pub use builder::{Builder, Failure, Problems, Resolved};
+pub use emit::GeneratedFile;

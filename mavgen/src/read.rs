@@ -1,0 +1,113 @@
+//! The first stage: XML text to spanned syntax.
+//!
+//! Checks what XML demands and which elements and attributes the MAVLink grammar has. What a value means is the work of
+//! [`crate::resolve`].
+
+mod bytes;
+mod characters;
+mod elements;
+mod enums;
+mod fault;
+mod include;
+mod message;
+mod prose;
+mod range;
+mod tag;
+mod xml;
+
+pub use include::{Loaded, load};
+
+use crate::diag::Diagnostics;
+use crate::source::{FileId, Sources, Span, Spanned};
+use crate::syntax::{File, Version};
+use elements::{Broken, Elements, Grammar};
+use tag::Tag;
+
+const MAVLINK: Grammar = Grammar::parts(&["include", "version", "dialect", "enums", "messages"]);
+const ENUMS: Grammar = Grammar::parts(&["enum"]);
+const MESSAGES: Grammar = Grammar::parts(&["message"]);
+
+/// Reads one dialect file.
+///
+/// Returns what could be understood: an element that lacks a required attribute is left out, and a text that is not
+/// well-formed XML is read up to the fault. Every such loss is an error in `diagnostics`.
+pub fn read(id: FileId, sources: &Sources, diagnostics: &mut Diagnostics) -> File {
+    let mut file =
+        File { id, includes: Vec::new(), version: None, dialect: None, enums: Vec::new(), messages: Vec::new() };
+    if let Some(source) = sources.get(id) {
+        let mut elements = Elements::new(id, source.text(), diagnostics);
+        match document(&mut elements, &mut file) {
+            Ok(()) | Err(Broken) => {}
+        }
+    }
+    file
+}
+
+/// The root element, and nothing after it.
+fn document(elements: &mut Elements<'_, '_>, file: &mut File) -> Result<(), Broken> {
+    let mut root = elements.root("mavlink")?;
+    root.ignore(&["file"]);
+    elements.close_tag(root);
+    let mut once = Once::default();
+    while let Some(tag) = elements.next_child(&MAVLINK)? {
+        match tag.name {
+            "enums" => read_enums(elements, tag, file)?,
+            "messages" => read_messages(elements, tag, file)?,
+            "include" => read_include(elements, tag, file)?,
+            _ => once.read(elements, tag, file)?,
+        }
+    }
+    elements.end()
+}
+
+/// `<version>` and `<dialect>`, which may each stand once.
+#[derive(Default)]
+struct Once<'t> {
+    seen: Vec<(&'t str, Span)>,
+}
+
+impl<'t> Once<'t> {
+    fn read(&mut self, elements: &mut Elements<'t, '_>, tag: Tag<'t>, file: &mut File) -> Result<(), Broken> {
+        let (name, span) = (tag.name, tag.span);
+        match self.seen.iter().find(|(seen, _)| *seen == name) {
+            Some(&(_, first)) => elements.repeated(&tag, first),
+            None => self.seen.push((name, span)),
+        }
+        elements.close_tag(tag);
+        let text = elements.trimmed_text()?;
+        if name == "dialect" {
+            file.dialect = text;
+        } else {
+            let messages_before = file.messages.len();
+            file.version = text.map(|text| Version { text, messages_before });
+        }
+        Ok(())
+    }
+}
+
+fn read_include<'t>(elements: &mut Elements<'t, '_>, tag: Tag<'t>, file: &mut File) -> Result<(), Broken> {
+    let span = tag.span;
+    elements.close_tag(tag);
+    let path = elements.trimmed_text()?;
+    file.includes.push(path.unwrap_or_else(|| Spanned::new(String::new(), span)));
+    Ok(())
+}
+
+fn read_enums<'t>(elements: &mut Elements<'t, '_>, tag: Tag<'t>, file: &mut File) -> Result<(), Broken> {
+    elements.close_tag(tag);
+    while let Some(tag) = elements.next_child(&ENUMS)? {
+        file.enums.extend(enums::read(elements, tag)?);
+    }
+    Ok(())
+}
+
+fn read_messages<'t>(elements: &mut Elements<'t, '_>, tag: Tag<'t>, file: &mut File) -> Result<(), Broken> {
+    elements.close_tag(tag);
+    while let Some(tag) = elements.next_child(&MESSAGES)? {
+        file.messages.extend(message::read(elements, tag)?);
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,206 @@
+//! The files of a dialect: the top file and all that it includes, each once, breadth first.
+
+mod circle;
+mod paths;
+#[cfg(test)]
+mod tests;
+
+use std::collections::HashMap;
+use std::path::{Path, PathBuf};
+
+use super::bytes::{self, NoText};
+use crate::diag::{Code, Diagnostic, Diagnostics};
+use crate::ir::FileIndex;
+use crate::source::{Sources, Span};
+use crate::syntax::{File, Text};
+
+/// How many levels of includes pymavlink follows below the top file.
+const MAX_LEVEL: usize = 5;
+
+/// The files of a dialect.
+#[derive(Clone, Debug, Default)]
+pub struct Loaded {
+    /// What the dialect is called: after its top file, without extension.
+    pub name: String,
+    /// The files in merge order, the top file first.
+    pub files: Vec<File>,
+    /// For each file, those that it includes, in the order of its `<include>` elements.
+    pub includes: Vec<Vec<FileIndex>>,
+    /// Every path that was read, and every place where a missing include was looked for.
+    pub watched: Vec<PathBuf>,
+}
+
+/// Reads a dialect file and all that it includes.
+///
+/// Include paths are relative to the file that names them; one that leads nowhere is looked for in `include_dirs`, in
+/// order. Paths are compared as absolute paths without `.` and `..`; symbolic links are not resolved. The order is that
+/// of pymavlink: breadth first.
+///
+/// Problems go to `diagnostics`; a file that cannot be read is missing in the result.
+pub fn load(top: &Path, include_dirs: &[PathBuf], sources: &mut Sources, diagnostics: &mut Diagnostics) -> Loaded {
+    let mut loader = Loader {
+        include_dirs,
+        sources,
+        diagnostics,
+        loaded: Loaded::default(),
+        edges: Vec::new(),
+        found: Vec::new(),
+        seen: HashMap::new(),
+    };
+    loader.top(top);
+    let mut next = 0;
+    while next < loader.loaded.files.len() {
+        loader.follow(FileIndex(next));
+        next += 1;
+    }
+    circle::report(&loader.edges, &loader.names(), loader.diagnostics);
+    loader.loaded.name = top.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    loader.loaded.includes = loader.edges.iter().map(|edges| targets(edges)).collect();
+    loader.loaded
+}
+
+/// An include that was followed: the file it leads to and where it is written.
+#[derive(Clone, Copy)]
+struct Edge {
+    to: FileIndex,
+    span: Span,
+}
+
+/// How a file was found.
+#[derive(Clone, Copy)]
+struct Found {
+    /// How many includes below the top file.
+    level: usize,
+    /// The file that includes it, and where; `None` for the top file.
+    by: Option<(FileIndex, Span)>,
+}
+
+fn targets(edges: &[Edge]) -> Vec<FileIndex> {
+    edges.iter().map(|edge| edge.to).collect()
+}
+
+struct Loader<'a> {
+    include_dirs: &'a [PathBuf],
+    sources: &'a mut Sources,
+    diagnostics: &'a mut Diagnostics,
+    loaded: Loaded,
+    /// For each file its includes.
+    edges: Vec<Vec<Edge>>,
+    /// For each file how it was found first.
+    found: Vec<Found>,
+    /// The files by absolute path; `None` for one that cannot be read, which was said already.
+    seen: HashMap<PathBuf, Option<FileIndex>>,
+}
+
+impl Loader<'_> {
+    fn top(&mut self, path: &Path) {
+        match self.open(path, Found { level: 0, by: None }) {
+            Ok(_) => {}
+            Err(NoText::NotText(diagnostic)) => self.diagnostics.push(*diagnostic),
+            Err(NoText::Io(error)) => {
+                self.loaded.watched.push(path.to_owned());
+                let message = format!("`{}` cannot be read: {}", path.display(), bytes::reason(&error));
+                self.diagnostics.push(Diagnostic::without_place(Code::Unreadable, message));
+            }
+        }
+    }
+
+    /// Reads the file at `path`, which was not read before.
+    fn open(&mut self, path: &Path, found: Found) -> Result<FileIndex, NoText> {
+        let read = bytes::read(path, self.sources);
+        let index = FileIndex(self.loaded.files.len());
+        if !matches!(read, Err(NoText::Io(_))) {
+            self.loaded.watched.push(path.to_owned());
+            self.seen.insert(paths::absolute(path), read.is_ok().then_some(index));
+        }
+        let file = super::read(read?, self.sources, self.diagnostics);
+        self.loaded.files.push(file);
+        self.edges.push(Vec::new());
+        self.found.push(found);
+        Ok(index)
+    }
+
+    /// Reads what a file includes.
+    fn follow(&mut self, from: FileIndex) {
+        let Some(file) = self.loaded.files.get(from.0) else { return };
+        let Some(path) = self.sources.get(file.id).map(|source| source.path().to_owned()) else {
+            return;
+        };
+        for include in file.includes.clone() {
+            let places = paths::places(&path, &include.value, self.include_dirs);
+            if let Some(to) = self.resolve(from, &include, &places)
+                && let Some(edges) = self.edges.get_mut(from.0)
+            {
+                edges.push(Edge { to, span: include.span });
+            }
+        }
+    }
+
+    /// The file that an include names: the first of `places` where there is one.
+    fn resolve(&mut self, from: FileIndex, include: &Text, places: &[PathBuf]) -> Option<FileIndex> {
+        if include.value.is_empty() {
+            let message = "an include without a path";
+            self.diagnostics.push(Diagnostic::new(Code::MissingInclude, include.span, message));
+            return None;
+        }
+        let level = self.found.get(from.0).map_or(0, |found| found.level + 1);
+        let mut tried = Vec::new();
+        for place in places {
+            if let Some(seen) = self.seen.get(&paths::absolute(place)) {
+                return *seen;
+            }
+            if level > MAX_LEVEL && place.is_file() {
+                self.too_deep(from, include);
+                return None;
+            }
+            match self.open(place, Found { level, by: Some((from, include.span)) }) {
+                Ok(index) => return Some(index),
+                Err(NoText::NotText(diagnostic)) => {
+                    self.diagnostics.push(*diagnostic);
+                    return None;
+                }
+                Err(NoText::Io(error)) => {
+                    tried.push(format!("`{}`: {}", place.display(), bytes::reason(&error)));
+                }
+            }
+        }
+        self.missing(include, places, &tried.join(", "));
+        None
+    }
+
+    fn missing(&mut self, include: &Text, places: &[PathBuf], tried: &str) {
+        self.loaded.watched.extend_from_slice(places);
+        let message = format!("the included file `{}` cannot be read", include.value);
+        let help = match paths::similar(places) {
+            Some(name) => format!("looked for {tried}; did you mean `{name}`?"),
+            None => format!("looked for {tried}"),
+        };
+        let error = Diagnostic::new(Code::MissingInclude, include.span, message);
+        self.diagnostics.push(error.help(help));
+    }
+
+    fn too_deep(&mut self, from: FileIndex, include: &Text) {
+        let message = format!("`{}` is more than {MAX_LEVEL} includes below the top file", include.value);
+        let mut error = Diagnostic::new(Code::IncludeDepth, include.span, message);
+        let mut chain = Vec::new();
+        let mut at = from;
+        while let Some((parent, span)) = self.found.get(at.0).and_then(|found| found.by) {
+            chain.push((span, format!("includes `{}`", self.name(at))));
+            at = parent;
+        }
+        for (span, label) in chain.into_iter().rev() {
+            error = error.related(span, label);
+        }
+        let help = "pymavlink follows no further: include it from a file nearer to the top";
+        self.diagnostics.push(error.help(help));
+    }
+
+    fn name(&self, index: FileIndex) -> String {
+        let file = self.loaded.files.get(index.0).and_then(|file| self.sources.get(file.id));
+        file.map(|source| source.path().display().to_string()).unwrap_or_default()
+    }
+
+    fn names(&self) -> Vec<String> {
+        (0..self.loaded.files.len()).map(|index| self.name(FileIndex(index))).collect()
+    }
+}
