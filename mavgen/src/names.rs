@@ -1,0 +1,186 @@
+//! Names: from the spelling of the XML to the spelling of Rust.
+//!
+//! Decides every identifier of the generated code, and only that; whether two of them collide is for `resolve` to see.
+
+use heck::{ToShoutySnakeCase, ToSnakeCase, ToUpperCamelCase};
+
+/// The word that no identifier can be, raw or not, and names of the prelude that the generated code itself needs.
+const RESERVED_TYPES: [&str; 8] = ["Self", "Option", "Some", "None", "Result", "Ok", "Err", "Into"];
+
+/// The type name of a message or enum: `GPS_RAW_INT` becomes `GpsRawInt`.
+///
+/// A name that starts with a digit, or that would shadow what generated code or its readers rely on, takes an underscore.
+pub(crate) fn type_name(xml: &str) -> String {
+    let name = xml.to_upper_camel_case();
+    if RESERVED_TYPES.contains(&name.as_str()) { name + "_" } else { not_a_digit(name) }
+}
+
+/// The type name of a dialect's message enum, from the stem of its file: `my-dialect.v2` becomes `MyDialectV2`.
+pub(crate) fn dialect_type_name(stem: &str) -> String {
+    type_name(stem)
+}
+
+/// The name of a field: `Index` becomes `index`, `baroAltMSL` becomes `baro_alt_msl`.
+///
+/// Keywords stay as they are, because they can be written raw (`r#type`), except the four that cannot.
+pub(crate) fn field_name(xml: &str) -> String {
+    let name = xml.to_snake_case();
+    if is_path_keyword(&name) { name + "_" } else { not_a_digit(name) }
+}
+
+/// The name of the file and module of a message or enum: `GPS_RAW_INT` becomes `gps_raw_int`.
+///
+/// The names of the modules around it take an underscore: one inside another of the same name confuses readers, and clippy.
+pub(crate) fn item_module_name(xml: &str) -> String {
+    let name = module_name(xml);
+    if ["messages", "enums"].contains(&name.as_str()) { name + "_" } else { name }
+}
+
+/// The name of the module of a dialect, and of its folder: `my-dialect` becomes `my_dialect`.
+///
+/// Keywords and the names that Windows keeps for devices take an underscore.
+pub(crate) fn module_name(xml: &str) -> String {
+    let name = xml.to_snake_case();
+    if is_keyword(&name) || is_device(&name) { name + "_" } else { not_a_digit(name) }
+}
+
+/// The names of an enum's constants: its entries' names without what they share.
+///
+/// Where every entry of the file that owns the enum starts with the enum's name, that is taken away; else the `_` segments
+/// that all of them share, if there are at least two entries. An entry of another file that lacks the prefix keeps its full
+/// name, so that adding entries renames nothing. Where a digit or nothing would be left, one more segment stays.
+pub(crate) fn constant_names(enum_name: &str, owner_entries: &[&str], entries: &[&str]) -> Vec<String> {
+    let prefix = prefix_of(enum_name, owner_entries);
+    entries.iter().map(|entry| constant_name(&prefix, entry)).collect()
+}
+
+/// What all of `entries` start with, underscore included; may be empty.
+fn prefix_of(enum_name: &str, entries: &[&str]) -> String {
+    let own = format!("{enum_name}_");
+    if entries.iter().all(|entry| entry.starts_with(&own)) {
+        return own;
+    }
+    let Some((first, rest)) = entries.split_first().filter(|(_, rest)| !rest.is_empty()) else {
+        return String::new();
+    };
+    let ends = first.match_indices('_').map(|(at, _)| &first[..=at]);
+    ends.take_while(|prefix| rest.iter().all(|entry| entry.starts_with(prefix))).last().unwrap_or_default().to_owned()
+}
+
+/// One constant: `entry` without `prefix`.
+fn constant_name(prefix: &str, entry: &str) -> String {
+    let Some(short) = entry.strip_prefix(prefix) else { return shouting(entry) };
+    let begins_well = |name: &str| name.starts_with(|first: char| first.is_ascii_alphabetic());
+    if begins_well(short) {
+        return shouting(short);
+    }
+    let kept = prefix.trim_end_matches('_').rsplit('_').next().unwrap_or_default();
+    let longer = format!("{kept}_{short}");
+    if begins_well(&longer) { shouting(&longer) } else { shouting(entry) }
+}
+
+/// SCREAMING_CASE; what is spelled so already stays as it is.
+fn shouting(name: &str) -> String {
+    if name.bytes().any(|byte| byte.is_ascii_lowercase()) { name.to_shouty_snake_case() } else { name.to_owned() }
+}
+
+fn not_a_digit(name: String) -> String {
+    if name.starts_with(|first: char| first.is_ascii_digit()) { format!("_{name}") } else { name }
+}
+
+/// Whether `name` has to be written as a raw identifier, `r#name`.
+pub(crate) fn is_keyword(name: &str) -> bool {
+    is_path_keyword(name) || KEYWORDS.contains(&name)
+}
+
+/// The keywords that cannot be raw identifiers.
+fn is_path_keyword(name: &str) -> bool {
+    matches!(name, "self" | "super" | "crate" | "_")
+}
+
+/// Strict and reserved keywords of the 2024 edition, in lower case (Rust reference, "Keywords").
+const KEYWORDS: [&str; 48] = [
+    "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "do", "dyn", "else", "enum",
+    "extern", "false", "final", "fn", "for", "gen", "if", "impl", "in", "let", "loop", "macro", "match", "mod", "move",
+    "mut", "override", "priv", "pub", "ref", "return", "static", "struct", "trait", "true", "try", "type", "typeof",
+    "unsafe", "unsized", "use", "virtual", "where", "while", "yield",
+];
+
+/// File names that Windows does not allow, whatever the extension.
+fn is_device(name: &str) -> bool {
+    let numbered =
+        |port: &str| name.strip_prefix(port).is_some_and(|n| n.len() == 1 && n.as_bytes() >= b"1".as_slice());
+    matches!(name, "con" | "prn" | "aux" | "nul") || numbered("com") || numbered("lpt")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn types_and_fields() {
+        for (xml, rust) in [
+            ("GPS_RAW_INT", "GpsRawInt"),
+            ("V2_EXTENSION", "V2Extension"),
+            ("DATA16", "Data16"),
+            ("DEBUG", "Debug"),
+            ("OPTION", "Option_"),
+            ("SELF", "Self_"),
+        ] {
+            assert_eq!(type_name(xml), rust);
+        }
+        for (xml, rust) in [
+            ("Index", "index"),
+            ("baroAltMSL", "baro_alt_msl"),
+            ("type", "type"),
+            ("self", "self_"),
+            ("Vcc", "vcc"),
+            ("z1_LocalUpdraftSpeed", "z1_local_updraft_speed"),
+            ("hRef_t", "h_ref_t"),
+        ] {
+            assert_eq!(field_name(xml), rust);
+        }
+        assert_eq!(dialect_type_name("my-dialect.v2"), "MyDialectV2");
+    }
+
+    #[test]
+    fn files() {
+        for (xml, rust) in [
+            ("GPS_RAW_INT", "gps_raw_int"),
+            ("MOD", "mod_"),
+            ("TYPE", "type_"),
+            ("AUX", "aux_"),
+            ("COM1", "com1_"),
+            ("COMMAND_INT", "command_int"),
+            ("ENUMS", "enums_"),
+        ] {
+            assert_eq!(item_module_name(xml), rust);
+        }
+    }
+
+    /// Every row: enum, entries of its own file, entry, constant.
+    #[test]
+    fn constants() {
+        let own = |name: &str, entries: &[&str]| constant_names(name, entries, entries);
+        assert_eq!(own("MAV_STATE", &["MAV_STATE_UNINIT", "MAV_STATE_BOOT"]), ["UNINIT", "BOOT"]);
+        assert_eq!(own("GPS_FIX_TYPE", &["GPS_FIX_TYPE_NO_GPS", "GPS_FIX_TYPE_3D_FIX"]), ["NO_GPS", "TYPE_3D_FIX"]);
+        assert_eq!(
+            own("RESOLUTION", &["RESOLUTION_480p", "RESOLUTION_2_7k_17_9"]),
+            ["RESOLUTION_480P", "RESOLUTION_2_7K_17_9"]
+        );
+        assert_eq!(own("AUTOQUAD_NAV_STATUS", &["AQ_NAV_STATUS_INIT", "AQ_NAV_STATUS_NO_RC"]), ["INIT", "NO_RC"]);
+        assert_eq!(own("DEFS_VERSION", &["AQ_DEFS_VERSION_1"]), ["AQ_DEFS_VERSION_1"]);
+        assert_eq!(own("E", &["E_", "E_A"]), ["E_", "A"]);
+        assert_eq!(own("RALLY_FLAGS", &["FAVORABLE_WIND", "LAND_IMMEDIATELY"]), ["FAVORABLE_WIND", "LAND_IMMEDIATELY"]);
+        let sensors = ["MAV_SYS_STATUS_SENSOR_3D_GYRO", "MAV_SYS_STATUS_AHRS"];
+        assert_eq!(own("MAV_SYS_STATUS_SENSOR", &sensors), ["SENSOR_3D_GYRO", "AHRS"]);
+    }
+
+    #[test]
+    fn an_entry_of_another_file_renames_nothing() {
+        let owner = ["MAV_CMD_NAV_WAYPOINT", "MAV_CMD_NAV_LAND"];
+        let merged = ["MAV_CMD_NAV_WAYPOINT", "MAV_CMD_NAV_LAND", "MAV_CMD_AQ_TELEMETRY", "ACME_CMD_SPRAY"];
+        let names = constant_names("MAV_CMD", &owner, &merged);
+        assert_eq!(names, ["NAV_WAYPOINT", "NAV_LAND", "AQ_TELEMETRY", "ACME_CMD_SPRAY"]);
+    }
+}

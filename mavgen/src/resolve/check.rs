@@ -1,0 +1,128 @@
+//! Checks across enums: what is legal, and still likely to be a mistake.
+
+use std::collections::HashMap;
+
+use super::enums::Entry;
+use super::merge::Merged;
+use super::uses::Use;
+use super::width::Width;
+use crate::diag::{Code, Diagnostic, Diagnostics};
+use crate::ir::{FileIndex, Repr};
+use crate::source::Span;
+
+/// The fewest flags beyond 1 and 2 that make an enum look like a bitmask: small enums count 0, 1, 2 as well.
+const FEWEST_FLAGS: usize = 3;
+
+/// So many values of an enum that do not fit a field are named.
+const NAMED_VALUES: usize = 3;
+
+/// Looks at one enum and the fields that carry it.
+pub(super) fn check(merged: &Merged<'_>, width: Width, uses: &[Use<'_>], diagnostics: &mut Diagnostics) {
+    check_bitmask(merged, width.owner, diagnostics);
+    let (kinds, name) = (kinds(uses), merged.name.value.as_str());
+    check_widths(merged.owner_span(width.owner), name, &kinds, diagnostics);
+    for kind in kinds {
+        let Some(beyond) = beyond(merged, width, kind.repr) else { continue };
+        for one in uses.iter().filter(|one| one.repr == kind.repr) {
+            check_values(name, &beyond, one, diagnostics);
+        }
+    }
+}
+
+/// Files should agree on what the enum is, and its values should look like it. Zero names the empty set.
+fn check_bitmask(merged: &Merged<'_>, owner: FileIndex, diagnostics: &mut Diagnostics) {
+    let bitmask = merged.bitmask(owner);
+    let owner_span = merged.owner_span(owner);
+    let attribute = |given: bool| if given { "a bitmask" } else { "not a bitmask" };
+    for block in merged.blocks.iter().filter(|block| block.bitmask != bitmask) {
+        let name = &block.syntax.name;
+        let place = block.syntax.bitmask.as_ref().map_or(name.span, |text| text.span);
+        let message = format!("files disagree on whether enum `{}` is a bitmask", name.value);
+        let problem = Diagnostic::new(Code::BitmaskDiffers, place, message);
+        let problem = problem.label(attribute(block.bitmask));
+        diagnostics.push(problem.related(owner_span, format!("{}: this file decides", attribute(bitmask))));
+    }
+    if bitmask {
+        check_bits(merged, diagnostics);
+    } else if looks_like_bitmask(merged) {
+        let message = format!("the values of enum `{}` are single bits, but it is not a bitmask", merged.name.value);
+        let problem = Diagnostic::new(Code::LikelyBitmask, owner_span, message);
+        diagnostics.push(problem.help("if they are combined, add `bitmask=\"true\"`"));
+    }
+}
+
+fn check_bits(merged: &Merged<'_>, diagnostics: &mut Diagnostics) {
+    for entry in merged.entries.iter().filter(|entry| entry.value.count_ones() > 1) {
+        let (name, value) = (&entry.syntax.name, entry.value);
+        let message = format!("`{}` = {value} of bitmask `{}` is not a single bit", name.value, merged.name.value);
+        let place = entry.syntax.value.as_ref().map_or(name.span, |text| text.span);
+        diagnostics.push(Diagnostic::new(Code::BitmaskValue, place, message).label(format!("{value:#x}")));
+    }
+}
+
+fn looks_like_bitmask(merged: &Merged<'_>) -> bool {
+    let mut values = merged.entries.iter().map(|entry| entry.value);
+    let flags = values.clone().filter(|&value| value > 2).count();
+    flags >= FEWEST_FLAGS && values.all(|value| value == 0 || value.is_power_of_two())
+}
+
+/// The first use with each integer, in the order of the uses.
+fn kinds<'u, 'a>(uses: &'u [Use<'a>]) -> Vec<&'u Use<'a>> {
+    let mut kinds: Vec<&Use<'a>> = Vec::new();
+    for one in uses {
+        if kinds.iter().all(|kind| kind.repr != one.repr) {
+            kinds.push(one);
+        }
+    }
+    kinds
+}
+
+/// One enum should have one integer: says once which fields differ.
+fn check_widths(place: Span, name: &str, kinds: &[&Use<'_>], diagnostics: &mut Diagnostics) {
+    if kinds.len() < 2 {
+        return;
+    }
+    let message = format!("enum `{name}` is carried by fields of {} types", kinds.len());
+    let problem = Diagnostic::new(Code::EnumWidths, place, message);
+    diagnostics.push(kinds.iter().fold(problem, |problem, one| {
+        let (message, field, ty) = (&one.message.name.value, &one.field.name.value, &one.field.ty);
+        problem.related(ty.span, format!("`{message}.{field}` is `{}`", ty.value))
+    }));
+}
+
+/// The values that do not fit an integer, as a label; those that made the enum wider have been spoken of.
+fn beyond(merged: &Merged<'_>, width: Width, repr: Repr) -> Option<String> {
+    let fitting = merged.entries.partition_point(|entry| entry.value <= u128::from(repr.highest()));
+    let beyond = merged.entries.get(fitting..).unwrap_or_default();
+    let beyond: Vec<_> = beyond.iter().filter(|entry| !width.is_widened_by(entry)).collect();
+    let name = |entry: &Entry<'_>| format!("{} = {}", entry.syntax.name.value, entry.value);
+    let mut named: Vec<String> = beyond.iter().take(NAMED_VALUES).map(|entry| name(entry)).collect();
+    if beyond.len() > NAMED_VALUES {
+        named.push(format!("{} more", beyond.len() - NAMED_VALUES));
+    }
+    if named.is_empty() { None } else { Some(named.join(", ")) }
+}
+
+/// Every value should fit every field.
+fn check_values(name: &str, beyond: &str, one: &Use<'_>, diagnostics: &mut Diagnostics) {
+    let (message, field, ty) = (&one.message.name.value, &one.field.name.value, &one.field.ty.value);
+    let message = format!("`{message}.{field}` is `{ty}`, which does not hold every value of `{name}`");
+    let problem = Diagnostic::new(Code::ValueBeyondField, one.name.span, message);
+    diagnostics.push(problem.label(beyond));
+}
+
+/// Entry names are global in C, and entries of two enums that share one are most likely the same thing twice.
+pub(super) fn check_entry_names(enums: &[Merged<'_>], diagnostics: &mut Diagnostics) {
+    let mut seen: HashMap<&str, (usize, Span)> = HashMap::new();
+    for (index, merged) in enums.iter().enumerate() {
+        for entry in &merged.entries {
+            let name = &entry.syntax.name;
+            let (first, span) = *seen.entry(&name.value).or_insert((index, name.span));
+            if first != index {
+                let message = format!("`{}` is an entry of two enums", name.value);
+                let problem = Diagnostic::new(Code::SameEntryName, name.span, message);
+                diagnostics.push(problem.related(span, "the other one"));
+            }
+        }
+    }
+}

@@ -1,0 +1,95 @@
+//! Commands: what an entry of `MAV_CMD` says beyond its value.
+
+use std::collections::HashMap;
+
+use super::enums::Entry;
+use super::merge::Enums;
+use super::origin::{self, Described};
+use super::suggest::suggest;
+use super::{limits, number};
+use crate::diag::{Code, Diagnostic, Diagnostics};
+use crate::ir::{Command, EnumId, FileIndex, Param};
+use crate::syntax::{self, Text};
+
+/// Commands carry so many params.
+const PARAMS: u8 = 7;
+
+/// What an entry of the enum of that name says as a command.
+///
+/// Enums of commands are known by their name, as pymavlink does it; in others, by what the entry has.
+pub(super) fn resolve(
+    enum_name: &str,
+    entry: &Entry<'_>,
+    enums: &Enums<'_>,
+    diagnostics: &mut Diagnostics,
+) -> Option<Command> {
+    let syntax = entry.syntax;
+    let flags = [&syntax.has_location, &syntax.is_destination, &syntax.mission_only];
+    let says_something = !syntax.params.is_empty() || flags.iter().any(|flag| flag.is_some());
+    if !enum_name.contains("MAV_CMD") && !says_something {
+        return None;
+    }
+    let [has_location, is_destination, mission_only] = flags.map(|flag| number::boolean(flag.as_ref(), diagnostics));
+    let mut seen: HashMap<u8, &Text> = HashMap::new();
+    let mut params = Vec::with_capacity(syntax.params.len());
+    for element in &syntax.params {
+        let Some(index) = index(&element.index, diagnostics) else { continue };
+        if let Some(first) = seen.insert(index, &element.index) {
+            let message = format!("param {index} stands twice");
+            let problem = Diagnostic::new(Code::ParamIndex, element.index.span, message);
+            diagnostics.push(problem.related(first.span, "the first one"));
+        }
+        let mut param = param(index, element, entry.file, diagnostics);
+        param.values = element.values.as_ref().and_then(|name| values(name, enums, diagnostics));
+        params.push(param);
+    }
+    params.sort_by_key(|param| param.index);
+    Some(Command { params, has_location, is_destination, mission_only })
+}
+
+/// A param without its enum.
+fn param(index: u8, element: &syntax::Param, file: FileIndex, diagnostics: &mut Diagnostics) -> Param {
+    let described = Described { file, span: element.span, description: element.description.as_ref(), lifecycle: None };
+    let ranges = [element.min.as_ref(), element.max.as_ref(), element.increment.as_ref()];
+    Param {
+        index,
+        label: origin::non_empty(element.label.as_ref()),
+        units: origin::non_empty(element.units.as_ref()),
+        values: None,
+        limits: limits::resolve(ranges, diagnostics),
+        default: element.default.as_ref().and_then(|text| default(text, diagnostics)),
+        reserved: number::boolean(element.reserved.as_ref(), diagnostics),
+        origin: described.origin(diagnostics),
+    }
+}
+
+fn values(name: &Text, enums: &Enums<'_>, diagnostics: &mut Diagnostics) -> Option<EnumId> {
+    let id = enums.id(&name.value);
+    if id.is_none() && enums.complete && !name.value.is_empty() {
+        let message = format!("enum `{}` of a param does not exist", name.value);
+        let problem = Diagnostic::new(Code::ParamEnum, name.span, message).label("no such enum");
+        let problem = suggest(problem, &name.value, enums.names(), diagnostics);
+        diagnostics.push(problem);
+    }
+    id
+}
+
+fn index(text: &Text, diagnostics: &mut Diagnostics) -> Option<u8> {
+    let index = number::count(&text.value).and_then(|index| u8::try_from(index).ok());
+    let index = index.filter(|index| (1..=PARAMS).contains(index));
+    if index.is_none() {
+        let message = format!("param index `{}` is not a number from 1 to {PARAMS}", text.value);
+        diagnostics.push(Diagnostic::new(Code::ParamIndex, text.span, message));
+    }
+    index
+}
+
+/// A number, or NaN.
+fn default(text: &Text, diagnostics: &mut Diagnostics) -> Option<f64> {
+    let value = number::float(&text.value);
+    if value.is_none() {
+        let message = format!("default `{}` is neither a number nor NaN", text.value);
+        diagnostics.push(Diagnostic::new(Code::BadNumber, text.span, message));
+    }
+    value
+}

@@ -1,0 +1,134 @@
+//! Enums: the values of one `<enum>` element, and the model of a merged enum.
+
+use super::losses::Losses;
+use super::merge::{Enums, Merged};
+use super::origin::Described;
+use super::width::Width;
+use super::{command, naming, number};
+use crate::diag::{Code, Diagnostic, Diagnostics};
+use crate::ir::{self, FileIndex, Lifecycle, Name, Origin};
+use crate::syntax;
+
+/// One `<enum>` element with every value filled in.
+pub(super) struct Block<'a> {
+    pub(super) file: FileIndex,
+    pub(super) syntax: &'a syntax::Enum,
+    pub(super) bitmask: bool,
+    /// In document order.
+    pub(super) entries: Vec<Entry<'a>>,
+    /// The largest value; zero if there is none.
+    pub(super) highest: u128,
+    /// Whether every entry is there, and has its value: if not, automatic values are guesses.
+    pub(super) exact: bool,
+}
+
+/// An entry and its value, which automatic assignment can carry beyond 64 bits until [`crate::resolve`] refuses it.
+#[derive(Clone, Copy)]
+pub(super) struct Entry<'a> {
+    pub(super) file: FileIndex,
+    pub(super) syntax: &'a syntax::Entry,
+    pub(super) value: u128,
+    pub(super) auto: bool,
+}
+
+impl<'a> Block<'a> {
+    /// Reads the values of one element: an entry without one gets the largest so far plus one, so the first gets 1.
+    pub(super) fn read(
+        file: FileIndex,
+        syntax: &'a syntax::Enum,
+        losses: &Losses,
+        diagnostics: &mut Diagnostics,
+    ) -> Self {
+        let bitmask = number::boolean(syntax.bitmask.as_ref(), diagnostics);
+        let exact = !losses.near(syntax.span);
+        let mut block = Self { file, syntax, bitmask, entries: Vec::new(), highest: 0, exact };
+        if exact && syntax.entries.is_empty() {
+            let message = format!("enum `{}` has no entries", syntax.name.value);
+            diagnostics.push(Diagnostic::new(Code::EmptyEnum, syntax.name.span, message));
+        }
+        for entry in &syntax.entries {
+            block.add(entry, diagnostics);
+        }
+        block
+    }
+
+    fn add(&mut self, syntax: &'a syntax::Entry, diagnostics: &mut Diagnostics) {
+        let value = match &syntax.value {
+            None => self.highest + 1,
+            Some(text) => match number::unsigned(&text.value) {
+                Ok(value) => u128::from(value),
+                Err(why) => {
+                    let message = format!("the value `{}` is not a number from 0 to 2^64 - 1", text.value);
+                    diagnostics.push(Diagnostic::new(Code::BadValue, text.span, message).label(why));
+                    self.exact = false;
+                    return;
+                }
+            },
+        };
+        self.highest = self.highest.max(value);
+        self.entries.push(Entry { file: self.file, syntax, value, auto: syntax.value.is_none() });
+    }
+
+    /// The smallest value.
+    pub(super) fn start(&self) -> Option<u128> {
+        self.entries.iter().map(|entry| entry.value).min()
+    }
+}
+
+/// The model of an enum, which is called `rust` in Rust.
+pub(super) fn model(
+    merged: &Merged<'_>,
+    width: Width,
+    rust: String,
+    enums: &Enums<'_>,
+    diagnostics: &mut Diagnostics,
+) -> ir::Enum {
+    let Width { owner, repr, .. } = width;
+    let constants = naming::constants(merged, owner);
+    let mut entries = Vec::with_capacity(merged.entries.len());
+    for (entry, rust) in merged.entries.iter().zip(constants) {
+        let syntax = entry.syntax;
+        let described = Described {
+            file: entry.file,
+            span: syntax.span,
+            description: syntax.description.as_ref(),
+            lifecycle: syntax.lifecycle.as_ref(),
+        };
+        entries.push(ir::Entry {
+            name: Name { xml: syntax.name.value.clone(), rust },
+            // What does not fit has been refused, and no model comes out.
+            value: u64::try_from(entry.value).unwrap_or(u64::MAX),
+            auto: entry.auto,
+            command: command::resolve(&merged.name.value, entry, enums, diagnostics),
+            origin: described.origin(diagnostics),
+        });
+    }
+    let name = Name { xml: merged.name.value.clone(), rust };
+    let origin = origin(merged, owner, diagnostics);
+    ir::Enum { name, bitmask: merged.bitmask(owner), repr, entries, defined_in: owner, origin }
+}
+
+/// Place of the first definition, first description that is not empty, stage of life of the owner's.
+///
+/// The stage goes with the owner so that a dialect that adds entries to a deprecated enum does not revive it.
+fn origin(merged: &Merged<'_>, owner: FileIndex, diagnostics: &mut Diagnostics) -> Origin {
+    let mut lifecycle: Option<Lifecycle> = None;
+    let mut description = "";
+    for block in &merged.blocks {
+        let element = block.syntax;
+        let described = Described {
+            file: block.file,
+            span: element.span,
+            description: None,
+            lifecycle: element.lifecycle.as_ref(),
+        };
+        let own = described.origin(diagnostics).lifecycle;
+        if block.file == owner && lifecycle.is_none() {
+            lifecycle = own;
+        }
+        if let (true, Some(text)) = (description.is_empty(), &element.description) {
+            description = &text.value;
+        }
+    }
+    Origin { file: merged.file, span: merged.span, description: description.to_owned(), lifecycle }
+}

@@ -1,0 +1,73 @@
+//! Fields of messages, each for itself.
+
+use super::origin::{self, Described};
+use super::{field_type, limits, naming, number};
+use crate::diag::{Code, Diagnostic, Diagnostics};
+use crate::ir::{Field, FieldType, FileIndex, Scalar};
+use crate::syntax;
+
+/// What a field takes from the message around it.
+#[derive(Clone, Copy)]
+pub(super) struct Surroundings {
+    /// The file.
+    pub(super) file: FileIndex,
+    /// The version that `uint8_t_mavlink_version` stands for.
+    pub(super) version: u8,
+    /// Whether the field stands after `<extensions/>`.
+    pub(super) extension: bool,
+}
+
+/// Reads a field. What needs the other fields or the enums comes later: its offset, its enum, its `invalid` value.
+pub(super) fn resolve(field: &syntax::Field, around: Surroundings, diagnostics: &mut Diagnostics) -> Option<Field> {
+    let described =
+        Described { file: around.file, span: field.span, description: field.description.as_ref(), lifecycle: None };
+    let ranges = [field.min.as_ref(), field.max.as_ref(), field.increment.as_ref()];
+    let limits = limits::resolve(ranges, diagnostics);
+    let instance = number::boolean(field.instance.as_ref(), diagnostics);
+    let ty = field_type::resolve(&field.ty, around.version, diagnostics)?;
+    check_target(field, ty, diagnostics);
+    Some(Field {
+        name: naming::field(&field.name.value),
+        ty,
+        offset: 0,
+        extension: around.extension,
+        values: None,
+        units: origin::non_empty(field.units.as_ref()),
+        invalid: None,
+        limits,
+        multiplier: origin::non_empty(field.multiplier.as_ref()),
+        default: origin::non_empty(field.default.as_ref()),
+        print_format: origin::non_empty(field.print_format.as_ref()),
+        display_bitmask: display_bitmask(field, ty, diagnostics),
+        instance,
+        origin: described.origin(diagnostics),
+    })
+}
+
+/// Reads `display`, whose only value is `bitmask`, which only integers can be shown as.
+fn display_bitmask(field: &syntax::Field, ty: FieldType, diagnostics: &mut Diagnostics) -> bool {
+    let Some(display) = field.display.as_ref().filter(|display| !display.value.is_empty()) else {
+        return false;
+    };
+    let reason = if display.value != "bitmask" {
+        format!("`{}` is no way to display a field", display.value)
+    } else if ty.scalar.is_float() || ty.scalar == Scalar::Char {
+        format!("a field of type `{}` cannot be displayed as a bitmask", field.ty.value)
+    } else {
+        return true;
+    };
+    let problem = Diagnostic::new(Code::Display, display.span, reason).label("ignored");
+    diagnostics.push(problem.help("the only one is `display=\"bitmask\"`, for integers"));
+    false
+}
+
+/// Frames are addressed by these two fields, and addresses are one byte.
+fn check_target(field: &syntax::Field, ty: FieldType, diagnostics: &mut Diagnostics) {
+    let name = field.name.value.as_str();
+    let plain = FieldType { scalar: Scalar::U8, array: None };
+    if matches!(name, "target_system" | "target_component") && ty != plain {
+        let message = format!("`{name}` is a `{}` and will not be taken for an address", field.ty.value);
+        let problem = Diagnostic::new(Code::TargetType, field.ty.span, message);
+        diagnostics.push(problem.help("system and component ids are `uint8_t`"));
+    }
+}

@@ -1,0 +1,138 @@
+//! Field types: from `uint16_t[4]` to what stands on the wire.
+
+use std::num::NonZeroU8;
+
+use super::number;
+use super::suggest::suggest;
+use crate::diag::{Code, Diagnostic, Diagnostics};
+use crate::ir::{FieldType, Scalar};
+use crate::syntax::Text;
+
+/// The type whose value is the version of the file that holds the message.
+const VERSION: &str = "uint8_t_mavlink_version";
+
+/// The types as the schema spells them.
+const SPELLINGS: [(&str, Scalar); 11] = [
+    ("char", Scalar::Char),
+    ("uint8_t", Scalar::U8),
+    ("int8_t", Scalar::I8),
+    ("uint16_t", Scalar::U16),
+    ("int16_t", Scalar::I16),
+    ("uint32_t", Scalar::U32),
+    ("int32_t", Scalar::I32),
+    ("uint64_t", Scalar::U64),
+    ("int64_t", Scalar::I64),
+    ("float", Scalar::F32),
+    ("double", Scalar::F64),
+];
+
+/// Reads a `type` attribute; `version` is that of the file, as known at this place.
+pub(super) fn resolve(text: &Text, version: u8, diagnostics: &mut Diagnostics) -> Option<FieldType> {
+    let (element, brackets) = match text.value.split_once('[') {
+        Some((element, rest)) => (element, Some(rest)),
+        None => (text.value.as_str(), None),
+    };
+    // pymavlink knows `array[N]` from the days of MAVLink 0.9.
+    let element = if element == "array" && brackets.is_some() { "int8_t" } else { element };
+    let Some(scalar) = scalar(element, version) else {
+        let problem = unknown(text, element, diagnostics);
+        diagnostics.push(problem);
+        return None;
+    };
+    let array = brackets.map(|rest| length(text, scalar, rest)).transpose();
+    array.map(|array| FieldType { scalar, array }).map_err(|problem| diagnostics.push(*problem)).ok()
+}
+
+/// The length of an array of `scalar`; `rest` is what follows the bracket.
+fn length(text: &Text, scalar: Scalar, rest: &str) -> Result<NonZeroU8, Box<Diagnostic>> {
+    if matches!(scalar, Scalar::Version(_)) {
+        let message = "`uint8_t_mavlink_version` cannot be an array";
+        return Err(Box::new(Diagnostic::new(Code::VersionField, text.span, message)));
+    }
+    let length = rest.strip_suffix(']').and_then(number::count).ok_or_else(|| bad_length(text, "not a length"))?;
+    let length = u8::try_from(length).map_err(|_| bad_length(text, "more than 255"))?;
+    NonZeroU8::new(length).ok_or_else(|| {
+        let problem = bad_length(text, "an array of nothing");
+        Box::new(problem.help("leave the brackets out for a scalar"))
+    })
+}
+
+/// The element type of that name; pymavlink takes the names without `_t` as well.
+fn scalar(name: &str, version: u8) -> Option<Scalar> {
+    if name == VERSION {
+        return Some(Scalar::Version(version));
+    }
+    let known = |spelling: &str| name == spelling || spelling.strip_suffix("_t") == Some(name);
+    SPELLINGS.into_iter().find(|(spelling, _)| known(spelling)).map(|(_, scalar)| scalar)
+}
+
+fn unknown(text: &Text, element: &str, diagnostics: &Diagnostics) -> Diagnostic {
+    let message = format!("type `{element}` does not exist");
+    let problem = Diagnostic::new(Code::UnknownType, text.span, message).label("no such type");
+    let problem = problem.help("types are char, int8_t to int64_t, uint8_t to uint64_t, float and double");
+    suggest(problem, element, SPELLINGS.iter().map(|(name, _)| *name).chain([VERSION]), diagnostics)
+}
+
+fn bad_length(text: &Text, label: &str) -> Box<Diagnostic> {
+    let message = format!("the length in `{}` is not a number from 1 to 255", text.value);
+    Box::new(Diagnostic::new(Code::ArrayLength, text.span, message).label(label))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::source::{Sources, Span, Spanned};
+
+    fn read(text: &str) -> Result<FieldType, Diagnostic> {
+        let span = Span::new(Sources::default().add("a.xml", ""), 0..0);
+        let mut diagnostics = Diagnostics::default();
+        let resolved = resolve(&Spanned::new(text.to_owned(), span), 3, &mut diagnostics);
+        resolved.ok_or_else(|| diagnostics.iter().next().unwrap().clone())
+    }
+
+    #[test]
+    fn spellings() {
+        for (text, scalar, array) in [
+            ("char", Scalar::Char, None),
+            ("uint8_t", Scalar::U8, None),
+            ("uint8", Scalar::U8, None),
+            ("int64", Scalar::I64, None),
+            ("float", Scalar::F32, None),
+            ("double[16]", Scalar::F64, Some(16)),
+            ("uint8_t[1]", Scalar::U8, Some(1)),
+            ("uint16[0004]", Scalar::U16, Some(4)),
+            ("char[255]", Scalar::Char, Some(255)),
+            ("array[7]", Scalar::I8, Some(7)),
+            ("uint8_t_mavlink_version", Scalar::Version(3), None),
+        ] {
+            let expected = FieldType { scalar, array: array.and_then(NonZeroU8::new) };
+            assert_eq!(read(text).unwrap(), expected, "{text}");
+        }
+    }
+
+    #[test]
+    fn refused() {
+        for (text, code, help) in [
+            ("uint9_t", Code::UnknownType, Some("did you mean `uint8_t`?")),
+            ("Float", Code::UnknownType, Some("did you mean `float`?")),
+            ("flaot[3]", Code::UnknownType, Some("did you mean `float`?")),
+            ("array", Code::UnknownType, None),
+            ("uint8_t [4]", Code::UnknownType, Some("did you mean `uint8_t`?")),
+            ("", Code::UnknownType, None),
+            ("uint8_t[0]", Code::ArrayLength, Some("leave the brackets out for a scalar")),
+            ("uint8_t[256]", Code::ArrayLength, None),
+            ("uint8_t[]", Code::ArrayLength, None),
+            ("uint8_t[4", Code::ArrayLength, None),
+            ("uint8_t[4]x", Code::ArrayLength, None),
+            ("uint8_t[-4]", Code::ArrayLength, None),
+            ("uint8_t[2][2]", Code::ArrayLength, None),
+            ("uint8_t_mavlink_version[4]", Code::VersionField, None),
+        ] {
+            let problem = read(text).unwrap_err();
+            assert_eq!(problem.code, code, "{text}");
+            if let Some(help) = help {
+                assert_eq!(problem.help.as_deref(), Some(help), "{text}");
+            }
+        }
+    }
+}

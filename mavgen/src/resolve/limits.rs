@@ -1,0 +1,29 @@
+//! Documented ranges and steps of fields and params.
+
+use super::number;
+use crate::diag::{Code, Diagnostic, Diagnostics};
+use crate::ir::Limits;
+use crate::syntax::Text;
+
+/// Reads `minValue`, `maxValue` and `increment`, in this order.
+pub(super) fn resolve(attributes: [Option<&Text>; 3], diagnostics: &mut Diagnostics) -> Limits {
+    let [min, max, increment] = attributes.map(|text| text.and_then(|text| finite(text, diagnostics)));
+    if let ([Some(min_text), Some(max_text), _], Some(low), Some(high)) = (attributes, min, max)
+        && low > high
+    {
+        let message = format!("the range is empty: its minimum {low} is above its maximum {high}");
+        let problem = Diagnostic::new(Code::Range, min_text.span, message);
+        diagnostics.push(problem.related(max_text.span, "the maximum"));
+    }
+    Limits { min, max, increment }
+}
+
+/// A number that is one: a range has no use for NaN.
+fn finite(text: &Text, diagnostics: &mut Diagnostics) -> Option<f64> {
+    let value = number::float(&text.value).filter(|value| !value.is_nan());
+    if value.is_none() {
+        let message = format!("`{}` is not a number", text.value);
+        diagnostics.push(Diagnostic::new(Code::BadNumber, text.span, message));
+    }
+    value
+}

@@ -1,0 +1,29 @@
+//! What reading lost, and who would otherwise miss it a second time.
+
+use std::collections::HashSet;
+
+use crate::diag::{Diagnostics, Severity};
+use crate::source::{FileId, Span};
+
+/// The files of which something could not be read.
+pub(super) struct Losses {
+    files: HashSet<Option<FileId>>,
+}
+
+impl Losses {
+    /// The losses behind the errors so far.
+    pub(super) fn behind(diagnostics: &Diagnostics) -> Self {
+        let errors = diagnostics.iter().filter(|problem| problem.severity() == Severity::Error);
+        Self { files: errors.map(|error| error.span.map(|span| span.file)).collect() }
+    }
+
+    /// Whether anything was lost: a name without a definition may then be no mistake.
+    pub(super) fn any(&self) -> bool {
+        !self.files.is_empty()
+    }
+
+    /// Whether anything was lost of the file of `place`: what looks empty there may not be.
+    pub(super) fn near(&self, place: Span) -> bool {
+        self.files.contains(&Some(place.file))
+    }
+}

@@ -1,0 +1,199 @@
+//! Merging: one enum out of the definitions in all files, as pymavlink's `merge_enums` does it.
+
+use std::collections::HashMap;
+use std::collections::hash_map;
+
+use super::enums::{Block, Entry};
+use super::losses::Losses;
+use crate::diag::{Code, Diagnostic, Diagnostics};
+use crate::ir::{EnumId, FileIndex};
+use crate::read::Loaded;
+use crate::source::Span;
+use crate::syntax::Text;
+
+/// More definitions of one enum than any dialect has: every one can move every automatic value before it.
+const MOST_DEFINITIONS: usize = 256;
+
+/// An enum, merged from one or more definitions.
+pub(super) struct Merged<'a> {
+    /// The name, at the first definition.
+    pub(super) name: &'a Text,
+    /// The file of the first definition.
+    pub(super) file: FileIndex,
+    /// The start tag of the first definition.
+    pub(super) span: Span,
+    /// The definitions in merge order; their entries have moved to [`Merged::entries`].
+    pub(super) blocks: Vec<Block<'a>>,
+    /// The entries by value.
+    pub(super) entries: Vec<Entry<'a>>,
+    /// Smallest and largest value of the first definition; as in pymavlink, later ones do not count.
+    range: Option<(u128, u128)>,
+}
+
+/// All enums, in the order of their first definitions.
+pub(super) struct Enums<'a> {
+    /// The enums.
+    pub(super) list: Vec<Merged<'a>>,
+    /// Whether no definition was lost before: only then is a name without an enum worth a word.
+    pub(super) complete: bool,
+    by_name: HashMap<&'a str, EnumId>,
+}
+
+impl<'a> Enums<'a> {
+    /// Merges the enums of all files.
+    pub(super) fn merge(loaded: &'a Loaded, losses: &Losses, diagnostics: &mut Diagnostics) -> Self {
+        let mut enums = Self { list: Vec::new(), complete: !losses.any(), by_name: HashMap::new() };
+        for (index, file) in loaded.files.iter().enumerate() {
+            for element in &file.enums {
+                let block = Block::read(FileIndex(index), element, losses, diagnostics);
+                enums.add(block, diagnostics);
+            }
+        }
+        for merged in &mut enums.list {
+            check(merged, diagnostics);
+            merged.entries.sort_by_key(|entry| entry.value);
+        }
+        enums
+    }
+
+    fn add(&mut self, block: Block<'a>, diagnostics: &mut Diagnostics) {
+        match self.by_name.entry(&block.syntax.name.value) {
+            hash_map::Entry::Occupied(place) => {
+                let Some(merged) = self.list.get_mut(place.get().0) else { return };
+                if merged.blocks.len() == MOST_DEFINITIONS {
+                    diagnostics.push(too_many(&block));
+                }
+                merged.add(block);
+            }
+            hash_map::Entry::Vacant(place) => {
+                place.insert(EnumId(self.list.len()));
+                self.list.push(Merged::new(block));
+            }
+        }
+    }
+
+    /// The enum of that name.
+    pub(super) fn id(&self, name: &str) -> Option<EnumId> {
+        self.by_name.get(name).copied()
+    }
+
+    /// Whether every entry of every enum is there, and has its value.
+    pub(super) fn is_exact(&self) -> bool {
+        self.complete && self.list.iter().all(Merged::is_exact)
+    }
+
+    /// The names, in the order of the enums.
+    pub(super) fn names(&self) -> impl Iterator<Item = &'a str> {
+        self.list.iter().map(|merged| merged.name.value.as_str())
+    }
+}
+
+impl<'a> Merged<'a> {
+    fn new(mut block: Block<'a>) -> Self {
+        let range = block.start().map(|start| (start, block.highest));
+        let entries = std::mem::take(&mut block.entries);
+        let (name, file, span) = (&block.syntax.name, block.file, block.syntax.span);
+        Self { name, file, span, blocks: vec![block], entries, range }
+    }
+
+    /// Takes in a later definition.
+    ///
+    /// Automatic values of earlier files make way for it, but only where its values overlap those of the very first
+    /// definition: pymavlink never updates that range. Automatic values of the later file never move.
+    fn add(&mut self, mut block: Block<'a>) {
+        if let (Some((first, last)), Some(start)) = (self.range, block.start())
+            && self.blocks.len() < MOST_DEFINITIONS
+            && first <= block.highest
+            && last >= start
+        {
+            for entry in self.entries.iter_mut().filter(|entry| entry.auto) {
+                if entry.value <= block.highest {
+                    entry.value = block.highest + 1;
+                    block.highest = entry.value;
+                }
+            }
+        }
+        self.entries.append(&mut block.entries);
+        self.blocks.push(block);
+    }
+
+    /// Whether the values are combined bit by bit: as the first definition in the file that owns the enum says.
+    pub(super) fn bitmask(&self, owner: FileIndex) -> bool {
+        self.owner_block(owner).is_some_and(|block| block.bitmask)
+    }
+
+    /// The name at the first definition in `owner`.
+    pub(super) fn owner_span(&self, owner: FileIndex) -> Span {
+        self.owner_block(owner).map_or(self.name.span, |block| block.syntax.name.span)
+    }
+
+    fn owner_block(&self, owner: FileIndex) -> Option<&Block<'a>> {
+        self.blocks.iter().find(|block| block.file == owner)
+    }
+
+    /// The largest value; zero if there is none.
+    pub(super) fn largest(&self) -> u64 {
+        self.entries.last().map_or(0, |entry| u64::try_from(entry.value).unwrap_or(u64::MAX))
+    }
+
+    /// Whether every entry is there, and has its value.
+    fn is_exact(&self) -> bool {
+        self.blocks.iter().all(|block| block.exact)
+    }
+}
+
+/// Reports automatic values, and names and values that stand twice. The entries are still in merge order, so that the second
+/// of two is the one that came later.
+fn check(merged: &Merged<'_>, diagnostics: &mut Diagnostics) {
+    let exact = merged.is_exact();
+    let mut names = HashMap::new();
+    let mut values = HashMap::new();
+    for entry in &merged.entries {
+        let same_name = names.insert(entry.syntax.name.value.as_str(), entry);
+        // A value that was guessed beside one that could not be read says nothing.
+        let known = exact || !entry.auto;
+        let same_value = if known { values.insert(entry.value, entry) } else { None };
+        match (same_name, same_value) {
+            (Some(first), _) => diagnostics.push(duplicate_name(merged, entry, first)),
+            (None, Some(first)) => diagnostics.push(duplicate_value(entry, first)),
+            (None, None) if known && entry.auto => automatic(entry, diagnostics),
+            (None, None) => {}
+        }
+    }
+}
+
+fn too_many(block: &Block<'_>) -> Diagnostic {
+    let name = &block.syntax.name;
+    let message = format!("enum `{}` has more than {MOST_DEFINITIONS} definitions", name.value);
+    Diagnostic::new(Code::TooLarge, name.span, message)
+}
+
+fn duplicate_name(merged: &Merged<'_>, entry: &Entry<'_>, first: &Entry<'_>) -> Diagnostic {
+    let name = &entry.syntax.name;
+    let message = format!("entry `{}` stands twice in enum `{}`", name.value, merged.name.value);
+    let problem = Diagnostic::new(Code::DuplicateEntry, name.span, message).label("second entry of this name");
+    problem.related(first.syntax.name.span, "first entry of this name")
+}
+
+fn duplicate_value(entry: &Entry<'_>, first: &Entry<'_>) -> Diagnostic {
+    let (name, value) = (&entry.syntax.name.value, entry.value);
+    let message = format!("`{name}` has the value {value}, which `{}` has already", first.syntax.name.value);
+    let place = |entry: &Entry<'_>| entry.syntax.value.as_ref().map_or(entry.syntax.name.span, |text| text.span);
+    let label = |entry: &Entry<'_>| if entry.auto { "given automatically" } else { "" };
+    let problem = Diagnostic::new(Code::DuplicateValue, place(entry), message).label(label(entry));
+    let problem = problem.related(place(first), format!("{value} is first used here"));
+    if entry.auto || first.auto { problem.help("write both values out") } else { problem }
+}
+
+/// Says which value an entry was given (pymavlink prints a note), or that there was none left.
+fn automatic(entry: &Entry<'_>, diagnostics: &mut Diagnostics) {
+    let (name, value) = (&entry.syntax.name, entry.value);
+    diagnostics.push(if u64::try_from(value).is_ok() {
+        let message = format!("`{}` has no value and is given {value}", name.value);
+        let problem = Diagnostic::new(Code::AutomaticValue, name.span, message);
+        problem.help(format!("write `value=\"{value}\"`: a new entry elsewhere can move an automatic value"))
+    } else {
+        let message = format!("`{}` would be given {value}, which is above 2^64 - 1", name.value);
+        Diagnostic::new(Code::BadValue, name.span, message).help("write a value out")
+    });
+}

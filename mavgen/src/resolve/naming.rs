@@ -1,0 +1,178 @@
+//! Names: which Rust name everything gets, and that no two become one.
+//!
+//! The spelling is [`crate::names`]'s; here is what depends on other names.
+
+use std::collections::hash_map::Entry;
+use std::collections::{HashMap, HashSet};
+
+use super::merge::{Enums, Merged};
+use super::width::Width;
+use crate::diag::{Code, Diagnostic, Diagnostics};
+use crate::ir::{FileIndex, Name};
+use crate::names;
+use crate::read::Loaded;
+use crate::syntax::{Message, Text};
+
+/// The name of a message.
+pub(super) fn message(xml: &str) -> Name {
+    Name { xml: xml.to_owned(), rust: names::type_name(xml) }
+}
+
+/// The name of a field.
+pub(super) fn field(xml: &str) -> Name {
+    Name { xml: xml.to_owned(), rust: names::field_name(xml) }
+}
+
+/// The names of an enum's constants, in the order of its entries.
+pub(super) fn constants(merged: &Merged<'_>, owner: FileIndex) -> Vec<String> {
+    let named = |owner: Option<FileIndex>| -> Vec<&str> {
+        let entries = merged.entries.iter().filter(|entry| owner.is_none_or(|owner| entry.file == owner));
+        entries.map(|entry| entry.syntax.name.value.as_str()).collect()
+    };
+    names::constant_names(&merged.name.value, &named(Some(owner)), &named(None))
+}
+
+/// The names of all types of a dialect.
+pub(super) struct Types {
+    /// Of the enums, in their order. One that a message has already takes the suffix `Enum`.
+    pub(super) enums: Vec<String>,
+    /// Of the dialect itself. One that a message or an enum has already takes the suffix `Dialect`.
+    pub(super) dialect: String,
+}
+
+/// Names the types and reports those that share a name.
+pub(super) fn types(loaded: &Loaded, enums: &Enums<'_>, diagnostics: &mut Diagnostics) -> Types {
+    let mut scope = Scope::default();
+    for message in all_messages(loaded) {
+        scope.claim(names::type_name(&message.name.value), &message.name, "messages", diagnostics);
+    }
+    let messages: HashSet<String> = scope.taken.keys().cloned().collect();
+    let suffixed = |rust: String, taken: bool, suffix: &str| {
+        // `Option_` is spelled so only to differ from `Option`, which `OptionEnum` does anyway.
+        if taken { rust.trim_end_matches('_').to_owned() + suffix } else { rust }
+    };
+    let mut types = Types { enums: Vec::with_capacity(enums.list.len()), dialect: String::new() };
+    for merged in &enums.list {
+        let rust = names::type_name(&merged.name.value);
+        let taken = messages.contains(&rust);
+        let rust = suffixed(rust, taken, "Enum");
+        scope.claim(rust.clone(), merged.name, "types", diagnostics);
+        types.enums.push(rust);
+    }
+    let rust = names::dialect_type_name(&loaded.name);
+    let taken = scope.taken.contains_key(&rust);
+    types.dialect = suffixed(rust, taken, "Dialect");
+    check_dialect(&loaded.name, &types.dialect, &scope, diagnostics);
+    types
+}
+
+/// The dialect's type is named after its file, which can be called anything.
+fn check_dialect(name: &str, rust: &str, scope: &Scope<'_>, diagnostics: &mut Diagnostics) {
+    if let Some(other) = scope.taken.get(rust) {
+        let message = format!("the dialect `{name}` and `{}` are both `{rust}` in Rust", other.value);
+        diagnostics.push(
+            Diagnostic::new(Code::NameCollision, other.span, message)
+                .help("rename the file, or give the dialect another name"),
+        );
+    } else if !is_name(rust) {
+        let message = format!("`{name}` makes no Rust name for a dialect");
+        diagnostics.push(
+            Diagnostic::without_place(Code::BadName, message)
+                .help("name the file, or the dialect, with letters and digits"),
+        );
+    }
+}
+
+/// Reports names that are none, wherever they stand, and fields and constants that share a name.
+pub(super) fn check(loaded: &Loaded, enums: &Enums<'_>, widths: &[Width], diagnostics: &mut Diagnostics) {
+    for element in loaded.files.iter().flat_map(|file| &file.enums) {
+        check_spelling(&element.name, "an enum", diagnostics);
+        element.entries.iter().for_each(|entry| check_spelling(&entry.name, "an entry", diagnostics));
+    }
+    for message in all_messages(loaded) {
+        check_spelling(&message.name, "a message", diagnostics);
+        let mut scope = Scope::default();
+        for field in &message.fields {
+            check_spelling(&field.name, "a field", diagnostics);
+            scope.claim(names::field_name(&field.name.value), &field.name, "fields", diagnostics);
+        }
+    }
+    for (merged, width) in enums.list.iter().zip(widths) {
+        let mut scope = Scope::default();
+        for (entry, rust) in merged.entries.iter().zip(constants(merged, width.owner)) {
+            scope.claim(rust, &entry.syntax.name, "entries", diagnostics);
+        }
+    }
+}
+
+fn all_messages(loaded: &Loaded) -> impl Iterator<Item = &Message> {
+    loaded.files.iter().flat_map(|file| &file.messages)
+}
+
+fn check_spelling(name: &Text, what: &str, diagnostics: &mut Diagnostics) {
+    if let Some(fault) = fault(&name.value) {
+        let message = format!("`{}` cannot be the name of {what}", name.value);
+        let problem = Diagnostic::new(Code::BadName, name.span, message).label(fault);
+        diagnostics.push(problem.help("names are letters, digits and underscores, a letter first"));
+    }
+}
+
+/// What keeps a text from being a name in the XML, or from leaving something to be a name in Rust.
+fn fault(text: &str) -> Option<&'static str> {
+    if text.is_empty() {
+        Some("empty")
+    } else if !text.bytes().all(|byte| byte == b'_' || byte.is_ascii_alphanumeric()) {
+        Some("has other characters")
+    } else if text.starts_with(|first: char| first.is_ascii_digit()) {
+        Some("begins with a digit")
+    } else if text.bytes().all(|byte| byte == b'_') {
+        Some("nothing but underscores")
+    } else {
+        None
+    }
+}
+
+fn is_name(text: &str) -> bool {
+    fault(text).is_none()
+}
+
+/// Names that have to differ from each other.
+#[derive(Default)]
+struct Scope<'a> {
+    taken: HashMap<String, &'a Text>,
+}
+
+impl<'a> Scope<'a> {
+    /// Takes a name, or reports who has it. Equal spellings are duplicates, and what is no name is none: both are reported
+    /// elsewhere.
+    fn claim(&mut self, rust: String, name: &'a Text, what: &str, diagnostics: &mut Diagnostics) {
+        let (first, rust) = match self.taken.entry(rust) {
+            Entry::Occupied(taken) => (*taken.get(), taken.key().clone()),
+            Entry::Vacant(free) => {
+                free.insert(name);
+                return;
+            }
+        };
+        if first.value == name.value || !is_name(&name.value) || !is_name(&first.value) {
+            return;
+        }
+        let message = format!("{what} `{}` and `{}` are both `{rust}` in Rust", first.value, name.value);
+        let problem = Diagnostic::new(Code::NameCollision, name.span, message);
+        diagnostics.push(problem.related(first.span, "the other one").help("rename one of them"));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn spellings() {
+        for name in ["A", "_a", "a1", "GPS_RAW_INT", "_1"] {
+            assert!(is_name(name), "{name}");
+        }
+        for name in ["", "_", "__", "1A", "a-b", "a b", "é", "a.b"] {
+            assert!(!is_name(name), "{name}");
+        }
+    }
+}

@@ -1,0 +1,37 @@
+//! Optional texts of the syntax as the model keeps them, and what every item says of itself.
+
+use super::lifecycle;
+use crate::diag::Diagnostics;
+use crate::ir::{FileIndex, Origin};
+use crate::source::Span;
+use crate::syntax::{Lifecycle, Text};
+
+/// The text, if it says anything.
+pub(super) fn non_empty(text: Option<&Text>) -> Option<String> {
+    text.map(|text| text.value.clone()).filter(|value| !value.is_empty())
+}
+
+/// The text, or an empty one.
+pub(super) fn or_empty(text: Option<&Text>) -> String {
+    text.map(|text| text.value.clone()).unwrap_or_default()
+}
+
+/// The parts of an element that become its origin.
+pub(super) struct Described<'a> {
+    /// The file it stands in.
+    pub(super) file: FileIndex,
+    /// Its start tag.
+    pub(super) span: Span,
+    /// Its text.
+    pub(super) description: Option<&'a Text>,
+    /// Its stage of life.
+    pub(super) lifecycle: Option<&'a Lifecycle>,
+}
+
+impl Described<'_> {
+    /// The origin.
+    pub(super) fn origin(self, diagnostics: &mut Diagnostics) -> Origin {
+        let lifecycle = self.lifecycle.map(|element| lifecycle::resolve(element, diagnostics));
+        Origin { file: self.file, span: self.span, description: or_empty(self.description), lifecycle }
+    }
+}

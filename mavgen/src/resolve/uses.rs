@@ -1,0 +1,82 @@
+//! Uses: which fields carry which enum.
+
+use super::merge::Enums;
+use super::message::Draft;
+use super::suggest::suggest;
+use super::width::{self, Width};
+use crate::diag::{Code, Diagnostic, Diagnostics};
+use crate::ir::{self, EnumId, FileIndex, Repr, Values};
+use crate::syntax::{self, Text};
+
+/// A field that carries an enum.
+pub(super) struct Use<'a> {
+    /// The file of the message.
+    pub(super) file: FileIndex,
+    /// The integer of the field, or of its elements.
+    pub(super) repr: Repr,
+    /// The message.
+    pub(super) message: &'a syntax::Message,
+    /// The field.
+    pub(super) field: &'a syntax::Field,
+    /// The `enum` attribute.
+    pub(super) name: &'a Text,
+}
+
+/// The uses of every enum, in the order of the enums.
+pub(super) fn collect<'a>(drafts: &[Draft<'a>], enums: &Enums<'a>, diagnostics: &mut Diagnostics) -> Vec<Vec<Use<'a>>> {
+    let mut uses: Vec<Vec<Use<'a>>> = enums.list.iter().map(|_| Vec::new()).collect();
+    for draft in drafts {
+        for (field, syntax) in draft.fields() {
+            let Some(name) = named(syntax) else { continue };
+            let list = enums.id(&name.value).and_then(|EnumId(index)| uses.get_mut(index));
+            match (list, width::integer(field.ty.scalar)) {
+                (Some(list), Some(repr)) => {
+                    list.push(Use { file: field.origin.file, repr, message: draft.syntax, field: syntax, name });
+                }
+                (Some(_), None) => diagnostics.push(unsuitable(syntax, name)),
+                (None, _) if enums.complete => {
+                    let problem = unknown(draft.syntax, syntax, name);
+                    let problem = suggest(problem, &name.value, enums.names(), diagnostics);
+                    diagnostics.push(problem);
+                }
+                (None, _) => {}
+            }
+        }
+    }
+    uses
+}
+
+/// Fills in what the fields carry, now that every enum has its integer.
+pub(super) fn link(drafts: &mut [Draft<'_>], enums: &Enums<'_>, widths: &[Width]) {
+    for draft in drafts {
+        for (field, syntax) in draft.message.fields.iter_mut().zip(&draft.syntax.fields) {
+            field.values = values(field, syntax, enums, widths);
+        }
+    }
+}
+
+fn values(field: &ir::Field, syntax: &syntax::Field, enums: &Enums<'_>, widths: &[Width]) -> Option<Values> {
+    let id = enums.id(&named(syntax)?.value)?;
+    let own = width::integer(field.ty.scalar)?;
+    Some(if widths.get(id.0).is_some_and(|width| width.repr == own) {
+        Values::Typed(id)
+    } else {
+        Values::Converted(id)
+    })
+}
+
+/// The `enum` attribute; pymavlink takes an empty one for none.
+fn named(field: &syntax::Field) -> Option<&Text> {
+    field.values.as_ref().filter(|name| !name.value.is_empty())
+}
+
+fn unknown(message: &syntax::Message, field: &syntax::Field, name: &Text) -> Diagnostic {
+    let text = format!("enum `{}` of `{}.{}` does not exist", name.value, message.name.value, field.name.value);
+    Diagnostic::new(Code::UnknownEnum, name.span, text).label("no such enum")
+}
+
+fn unsuitable(field: &syntax::Field, name: &Text) -> Diagnostic {
+    let message = format!("a field of type `{}` cannot carry enum `{}`", field.ty.value, name.value);
+    let problem = Diagnostic::new(Code::EnumOnField, name.span, message).label("ignored");
+    problem.related(field.ty.span, "not a plain integer")
+}

@@ -1,0 +1,101 @@
+//! Width and sign of the integer behind an enum.
+
+use super::enums::Entry;
+use super::merge::Merged;
+use super::uses::Use;
+use crate::diag::{Code, Diagnostic, Diagnostics};
+use crate::ir::{FileIndex, Repr, Scalar};
+
+/// The integer of a field; `None` for fields that carry no enum: floats, characters and the version.
+pub(super) fn integer(scalar: Scalar) -> Option<Repr> {
+    Some(match scalar {
+        Scalar::U8 => Repr::U8,
+        Scalar::I8 => Repr::I8,
+        Scalar::U16 => Repr::U16,
+        Scalar::I16 => Repr::I16,
+        Scalar::U32 => Repr::U32,
+        Scalar::I32 => Repr::I32,
+        Scalar::U64 => Repr::U64,
+        Scalar::I64 => Repr::I64,
+        Scalar::Char | Scalar::Version(_) | Scalar::F32 | Scalar::F64 => return None,
+    })
+}
+
+/// Who decides on the integer behind an enum, and which one it is.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Width {
+    /// The file that owns the enum.
+    pub(super) owner: FileIndex,
+    /// The integer that the owner's fields and entries ask for.
+    own: Repr,
+    /// The integer that all entries fit.
+    pub(super) repr: Repr,
+}
+
+impl Width {
+    /// Decides, from the fields and entries of the owner.
+    ///
+    /// Entries of other files that do not fit make it wider, which is said: it changes a type of the file they include.
+    pub(super) fn of(merged: &Merged<'_>, owner: FileIndex, uses: &[Use<'_>], diagnostics: &mut Diagnostics) -> Self {
+        let own = own_repr(merged, owner, uses);
+        let width = Self { owner, own, repr: widened(own, merged.largest()) };
+        if let Some(entry) = merged.entries.iter().find(|entry| width.is_widened_by(entry)) {
+            diagnostics.push(width.widening(merged, entry));
+        }
+        width
+    }
+
+    /// Whether the entry is one that made the enum wider.
+    pub(super) fn is_widened_by(self, entry: &Entry<'_>) -> bool {
+        entry.file != self.owner && entry.value > u128::from(self.own.highest())
+    }
+
+    fn widening(self, merged: &Merged<'_>, entry: &Entry<'_>) -> Diagnostic {
+        let (name, value, of) = (&entry.syntax.name, entry.value, &merged.name.value);
+        let (from, to) = (self.own.rust_name(), self.repr.rust_name());
+        let message = format!("`{}` = {value} does not fit `{of}`, which becomes {to} instead of {from}", name.value);
+        let problem = Diagnostic::new(Code::WidenedEnum, name.span, message);
+        problem.related(merged.owner_span(self.owner), format!("the enum is {from} here"))
+    }
+}
+
+/// The widest field of the owner's messages, unsigned before signed, or else the smallest unsigned; wide enough for the
+/// owner's entries.
+fn own_repr(merged: &Merged<'_>, owner: FileIndex, uses: &[Use<'_>]) -> Repr {
+    let fields = uses.iter().filter(|one| one.file == owner).map(|one| one.repr);
+    let widest = fields.max_by_key(|repr| (repr.size(), !repr.is_signed()));
+    let entries = merged.entries.iter().filter(|entry| entry.file == owner);
+    let largest = entries.map(|entry| u64::try_from(entry.value).unwrap_or(u64::MAX)).max();
+    widened(widest.unwrap_or(Repr::U8), largest.unwrap_or_default())
+}
+
+/// The smallest type of the sign of `repr`, at least as wide, that holds `value`; unsigned if no signed one does.
+fn widened(repr: Repr, value: u64) -> Repr {
+    if value <= repr.highest() {
+        return repr;
+    }
+    let signed =
+        [Repr::I16, Repr::I32, Repr::I64].into_iter().find(|wider| repr.is_signed() && value <= wider.highest());
+    signed.unwrap_or_else(|| Repr::smallest_for(value))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn widening_keeps_the_sign_while_it_can() {
+        for (repr, value, wide) in [
+            (Repr::U8, 255, Repr::U8),
+            (Repr::U8, 256, Repr::U16),
+            (Repr::U8, 1 << 32, Repr::U64),
+            (Repr::I8, 127, Repr::I8),
+            (Repr::I8, 128, Repr::I16),
+            (Repr::I16, 40_000, Repr::I32),
+            (Repr::I32, u64::MAX / 2, Repr::I64),
+            (Repr::I8, u64::MAX, Repr::U64),
+        ] {
+            assert_eq!(widened(repr, value), wide, "{repr:?} {value}");
+        }
+    }
+}
