@@ -1,0 +1,87 @@
+//! The build script: generates into `OUT_DIR` and tells cargo what it needs to know.
+
+use std::env;
+use std::path::{Path, PathBuf};
+
+use crate::builder::{Builder, Failure, Resolved};
+use crate::diag::{Diagnostic, Diagnostics, Severity, Style, render};
+use crate::emit::MARK;
+use crate::ir::Dialect;
+use crate::names::module_name;
+use crate::output::{write, write_file};
+use crate::source::Sources;
+
+impl Builder {
+    /// The whole of a `build.rs`: generates into `OUT_DIR` and tells cargo what it needs to know.
+    ///
+    /// The crate takes the result in with `mavlink_wire::include_dialect!("acme")`. Problems are printed as cargo's own
+    /// errors and warnings, with file, line and column; errors make cargo fail the build after this returns. Warnings
+    /// about included files are not printed: they are for those who maintain them.
+    pub fn build_script(&self) {
+        let out_dir = env::var_os("OUT_DIR").map(PathBuf::from);
+        for line in self.cargo_directives(out_dir.as_deref()) {
+            println!("{line}");
+        }
+    }
+
+    fn cargo_directives(&self, out_dir: Option<&Path>) -> Vec<String> {
+        let mut directives = vec!["cargo::rerun-if-changed=build.rs".to_owned()];
+        let mut watch = |watched: &[PathBuf]| {
+            directives.extend(watched.iter().map(|path| format!("cargo::rerun-if-changed={}", path.display())));
+        };
+        let (problems, failure) = match self.resolve() {
+            Ok(resolved) => {
+                watch(&resolved.watched);
+                (for_cargo(&resolved.diagnostics, &resolved.sources), self.write_out_dir(&resolved, out_dir).err())
+            }
+            Err(Failure::Definitions(problems)) => {
+                watch(&problems.watched);
+                (for_cargo(&problems.diagnostics, &problems.sources), None)
+            }
+            Err(failure) => (Vec::new(), Some(failure)),
+        };
+        directives.extend(problems);
+        directives.extend(failure.map(|failure| format!("cargo::error={failure}")));
+        directives
+    }
+
+    /// Writes the tree and the one-line file that `include_dialect!` names.
+    fn write_out_dir(&self, resolved: &Resolved, out_dir: Option<&Path>) -> Result<(), Failure> {
+        let out = out_dir.ok_or_else(|| Failure::Usage("OUT_DIR is not set: this is no build script".into()))?;
+        let module = module_name(&resolved.dialect.name);
+        let tree = self.out_dir.clone().unwrap_or_else(|| out.join(&module));
+        write(&tree, &self.emit(resolved)?).map_err(Failure::Output)?;
+        let entry_point = (out.join(format!("{module}.rs")), entry_point(&resolved.dialect, &module));
+        write_file(&entry_point.0, &entry_point.1).map_err(Failure::Output)?;
+        Ok(())
+    }
+}
+
+/// `OUT_DIR/acme.rs`: the module, for `include!` to take in.
+fn entry_point(dialect: &Dialect, module: &str) -> String {
+    let docs = format!(
+        "/// The `{}` dialect: its messages, its enums, and [`{}`]({module}::{1}) over all messages.",
+        dialect.name, dialect.type_name
+    );
+    let docs = if dialect.messages.is_empty() { format!("/// The `{}` dialect.", dialect.name) } else { docs };
+    format!("{MARK}; do not edit.\n\n{docs}\n#[path = \"{module}/mod.rs\"]\npub mod {module};\n")
+}
+
+/// Errors, and warnings about the file that the user asked for, one directive a line.
+fn for_cargo(diagnostics: &Diagnostics, sources: &Sources) -> Vec<String> {
+    let own = sources.iter().next().map(|(id, _)| id);
+    let kind = |diagnostic: &Diagnostic| match diagnostic.severity() {
+        Severity::Error => Some("error"),
+        Severity::Warning if diagnostic.span.is_none_or(|span| Some(span.file) == own) => Some("warning"),
+        Severity::Warning | Severity::Note => None,
+    };
+    let kinds = diagnostics.iter().filter_map(|diagnostic| Some((kind(diagnostic)?, diagnostic)));
+    let directives = |(kind, diagnostic): (&str, &Diagnostic)| -> Vec<String> {
+        let drawn = render(diagnostic, sources, Style::Plain);
+        drawn.lines().map(|line| format!("cargo::{kind}={line}")).collect()
+    };
+    kinds.flat_map(directives).collect()
+}
+
+#[cfg(test)]
+mod tests;

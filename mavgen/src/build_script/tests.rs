@@ -1,0 +1,83 @@
+//! What a build script writes, and what it tells cargo.
+
+use std::fs;
+
+use super::*;
+
+const ACME: &str = r#"<mavlink>
+  <include>base.xml</include>
+  <messages>
+    <message id="4711" name="SPRAYER">
+      <description>What the sprayer does.</description>
+      <field type="uint8_t" name="state" enum="SPRAY_STATE">Whether it sprays.</field>
+    </message>
+  </messages>
+</mavlink>
+"#;
+
+const BASE: &str = r#"<mavlink>
+  <enums>
+    <enum name="SPRAY_STATE">
+      <entry name="SPRAY_STATE_ON"/>
+    </enum>
+  </enums>
+  <messages/>
+</mavlink>
+"#;
+
+/// A folder with `acme.xml` and `base.xml`, and what a build script for it says.
+fn build(acme: &str, base: &str) -> (tempfile::TempDir, Vec<String>) {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("acme.xml"), acme).unwrap();
+    fs::write(folder.path().join("base.xml"), base).unwrap();
+    let out = folder.path().join("out");
+    fs::create_dir(&out).unwrap();
+    fs::write(out.join("of-another-build-script"), "").unwrap();
+    let said = Builder::new(folder.path().join("acme.xml")).cargo_directives(Some(&out));
+    (folder, said)
+}
+
+fn starting<'a>(said: &'a [String], start: &str) -> Vec<&'a str> {
+    said.iter().filter_map(|line| line.strip_prefix(start)).collect()
+}
+
+#[test]
+fn every_file_is_watched() {
+    let (folder, said) = build(ACME, BASE);
+    let path = |name: &str| folder.path().join(name).display().to_string();
+    let watched = starting(&said, "cargo::rerun-if-changed=");
+    assert_eq!(watched, ["build.rs".to_owned(), path("acme.xml"), path("base.xml")]);
+    let out = folder.path().join("out");
+    let entry = fs::read_to_string(out.join("acme.rs")).unwrap();
+    assert!(entry.contains("#[path = \"acme/mod.rs\"]\npub mod acme;"), "{entry}");
+    assert!(out.join("acme/messages/sprayer.rs").exists() && out.join("of-another-build-script").exists());
+}
+
+#[test]
+fn a_mistake_is_an_error_with_its_place() {
+    let (folder, said) = build(&ACME.replace("uint8_t", "uint9_t"), BASE);
+    let errors = starting(&said, "cargo::error=");
+    assert!(errors.iter().any(|line| line.contains("error[M304]")), "{said:?}");
+    assert!(errors.iter().any(|line| line.contains("acme.xml:6:20")), "{said:?}");
+    assert!(!said.iter().any(|line| line.contains("M404")), "a note is not for cargo: {said:?}");
+    assert_eq!(starting(&said, "cargo::rerun-if-changed=").len(), 3);
+    assert!(!folder.path().join("out/acme.rs").exists());
+}
+
+#[test]
+fn a_missing_include_is_watched() {
+    let (folder, said) = build(&ACME.replace("base.xml", "bass.xml"), BASE);
+    let missing = folder.path().join("bass.xml").display().to_string();
+    assert!(starting(&said, "cargo::rerun-if-changed=").contains(&missing.as_str()), "{said:?}");
+    assert!(!starting(&said, "cargo::error=").is_empty());
+}
+
+#[test]
+fn a_name_can_be_given() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("my fork.xml"), BASE).unwrap();
+    let builder = Builder::new(folder.path().join("my fork.xml"));
+    let resolved = builder.clone().name("acme").resolve().unwrap();
+    assert_eq!((resolved.dialect.name.as_str(), resolved.dialect.type_name.as_str()), ("acme", "Acme"));
+    assert!(matches!(builder.name("---").resolve(), Err(Failure::Definitions(_))));
+}

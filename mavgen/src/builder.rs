@@ -1,0 +1,225 @@
+//! The library's front door: from a path to a resolved dialect, to files, to a build script.
+
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+use crate::diag::{Diagnostics, Style, render};
+use crate::emit::{GeneratedFile, Options, emit};
+use crate::ir::Dialect;
+use crate::output::{Differences, OutputError, Report, check, write};
+use crate::read::load;
+use crate::resolve::resolve;
+use crate::source::Sources;
+
+/// Generates Rust from a dialect.
+///
+/// ```no_run
+/// // build.rs
+/// mavgen::Builder::new("xml/acme.xml").build_script();
+/// ```
+///
+/// ```no_run
+/// // Sources in a repository, and the test that holds them current.
+/// let builder = mavgen::Builder::new("xml/acme.xml").out_dir("src/acme");
+/// builder.generate().unwrap();
+/// assert!(builder.check().unwrap().is_empty());
+/// ```
+#[derive(Clone, Debug)]
+pub struct Builder {
+    xml: PathBuf,
+    name: Option<String>,
+    include_dirs: Vec<PathBuf>,
+    pub(crate) out_dir: Option<PathBuf>,
+    runtime: String,
+    deprecated: bool,
+}
+
+/// A dialect that was read and resolved without errors.
+#[derive(Clone, Debug)]
+pub struct Resolved {
+    /// The model.
+    pub dialect: Dialect,
+    /// What is worth a look: warnings and notes.
+    pub diagnostics: Diagnostics,
+    /// The texts that the spans point into.
+    pub sources: Sources,
+    /// Every file that was read.
+    pub watched: Vec<PathBuf>,
+}
+
+/// Why nothing was generated. `Display` shows every problem with its place.
+#[derive(Debug)]
+#[non_exhaustive]
+pub enum Failure {
+    /// The definitions are wrong.
+    Definitions(Box<Problems>),
+    /// The output folder could not be read or written.
+    Output(OutputError),
+    /// The builder was told something impossible.
+    Usage(String),
+}
+
+/// The problems of a set of definitions.
+#[derive(Debug)]
+pub struct Problems {
+    /// The problems; at least one is an error.
+    pub diagnostics: Diagnostics,
+    /// The texts that the spans point into.
+    pub sources: Sources,
+    /// Every file that was read, and every place where a missing include was looked for.
+    pub watched: Vec<PathBuf>,
+}
+
+impl Builder {
+    /// A builder for the dialect in this file.
+    pub fn new(xml: impl Into<PathBuf>) -> Self {
+        Self {
+            xml: xml.into(),
+            name: None,
+            include_dirs: Vec::new(),
+            out_dir: None,
+            runtime: "::mavlink_wire".to_owned(),
+            deprecated: true,
+        }
+    }
+
+    /// Names the dialect; without this it is called after its file. `acme` gives the module `acme` and the type `Acme`.
+    #[must_use]
+    pub fn name(mut self, name: impl Into<String>) -> Self {
+        self.name = Some(name.into());
+        self
+    }
+
+    /// Adds a folder where includes are looked for that do not lie beside the file that names them.
+    #[must_use]
+    pub fn include_dir(mut self, folder: impl Into<PathBuf>) -> Self {
+        self.include_dirs.push(folder.into());
+        self
+    }
+
+    /// Where [`Builder::generate`] writes. In a build script that is a folder in `OUT_DIR`, and need not be said.
+    #[must_use]
+    pub fn out_dir(mut self, folder: impl Into<PathBuf>) -> Self {
+        self.out_dir = Some(folder.into());
+        self
+    }
+
+    /// The path by which generated code finds the runtime; without this `::mavlink_wire`.
+    #[must_use]
+    pub fn runtime_path(mut self, path: impl Into<String>) -> Self {
+        self.runtime = path.into();
+        self
+    }
+
+    /// Whether `<deprecated>` becomes `#[deprecated]` (the default), or is only said in the documentation.
+    #[must_use]
+    pub fn deprecated(mut self, attribute: bool) -> Self {
+        self.deprecated = attribute;
+        self
+    }
+
+    /// Reads and resolves; writes nothing.
+    ///
+    /// # Errors
+    /// [`Failure::Definitions`] with every problem.
+    pub fn resolve(&self) -> Result<Resolved, Failure> {
+        let (mut sources, mut diagnostics) = (Sources::default(), Diagnostics::default());
+        let mut loaded = load(&self.xml, &self.include_dirs, &mut sources, &mut diagnostics);
+        if let Some(name) = &self.name {
+            loaded.name.clone_from(name);
+        }
+        let dialect = resolve(&loaded, &sources, &mut diagnostics);
+        let watched = loaded.watched;
+        let Some(dialect) = dialect else {
+            return Err(Failure::Definitions(Box::new(Problems { diagnostics, sources, watched })));
+        };
+        Ok(Resolved { dialect, diagnostics, sources, watched })
+    }
+
+    /// Generates into memory.
+    ///
+    /// # Errors
+    /// As [`Builder::resolve`]; [`Failure::Usage`] if the runtime path is not a path.
+    pub fn files(&self) -> Result<Vec<GeneratedFile>, Failure> {
+        self.emit(&self.resolve()?)
+    }
+
+    /// Generates into the output folder: see [`Builder::out_dir`].
+    ///
+    /// # Errors
+    /// As [`Builder::files`]; [`Failure::Output`] if something cannot be written, [`Failure::Usage`] if no folder is set.
+    pub fn generate(&self) -> Result<Report, Failure> {
+        self.write(&self.resolve()?)
+    }
+
+    /// Writes what was resolved into the output folder; [`Builder::generate`] in two steps.
+    ///
+    /// # Errors
+    /// As [`Builder::generate`].
+    pub fn write(&self, resolved: &Resolved) -> Result<Report, Failure> {
+        write(self.folder()?, &self.emit(resolved)?).map_err(Failure::Output)
+    }
+
+    /// Compares the output folder with what would be generated; writes nothing.
+    ///
+    /// # Errors
+    /// As [`Builder::generate`].
+    pub fn check(&self) -> Result<Differences, Failure> {
+        let files = self.files()?;
+        check(self.folder()?, &files).map_err(Failure::Output)
+    }
+
+    pub(crate) fn emit(&self, resolved: &Resolved) -> Result<Vec<GeneratedFile>, Failure> {
+        if syn::parse_str::<syn::Path>(&self.runtime).is_err() {
+            return Err(Failure::Usage(format!("`{}` is not a path to a crate or module", self.runtime)));
+        }
+        let sources = provenance(&resolved.sources);
+        Ok(emit(&resolved.dialect, &Options { runtime: self.runtime.clone(), deprecated: self.deprecated, sources }))
+    }
+
+    fn folder(&self) -> Result<&Path, Failure> {
+        self.out_dir.as_deref().ok_or_else(|| Failure::Usage("no output folder: call Builder::out_dir first".into()))
+    }
+}
+
+/// The names of the sources, and one number that changes with any of them (FNV-1a, 64 bits).
+fn provenance(sources: &Sources) -> String {
+    let mut digest = 0xcbf2_9ce4_8422_2325_u64;
+    let mut names = Vec::new();
+    for (_, file) in sources.iter() {
+        for byte in file.name().bytes().chain(file.text().bytes()) {
+            digest = (digest ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
+        }
+        names.push(file.name());
+    }
+    format!("{}; sources {digest:016x}", names.join(", "))
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Definitions(problems) => problems.fmt(f),
+            Self::Output(error) => error.fmt(f),
+            Self::Usage(text) => f.write_str(text),
+        }
+    }
+}
+
+impl fmt::Display for Problems {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (index, diagnostic) in self.diagnostics.iter().enumerate() {
+            let gap = if index == 0 { "" } else { "\n\n" };
+            write!(f, "{gap}{}", render(diagnostic, &self.sources, Style::Plain))?;
+        }
+        Ok(())
+    }
+}
+
+impl std::error::Error for Failure {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        match self {
+            Self::Output(error) => Some(error),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,111 @@
+//! `mavgen dump`: the resolved dialect as JSON in a stable schema, and as text.
+
+use std::fmt::Write;
+
+use mavgen::ir::{Dialect, Enum, Field, Message, Scalar};
+use serde_json::{Value, json};
+
+/// The dialect as JSON.
+///
+/// Enums stand in merge order with their entries by value, messages by id, fields in the order of the XML. An enum that
+/// several files define is `defined_in` the first of them, as in pymavlink's model.
+pub(crate) fn json(dialect: &Dialect) -> String {
+    let files: Vec<&str> = dialect.files.iter().map(|file| file.name.as_str()).collect();
+    let enums: Vec<Value> = dialect.enums.iter().map(|values| enum_json(dialect, values)).collect();
+    let messages: Vec<Value> = dialect.messages.iter().map(|message| message_json(dialect, message)).collect();
+    let value = json!({
+        "dialect": dialect.name,
+        "version": dialect.version,
+        "files": files,
+        "enums": enums,
+        "messages": messages,
+    });
+    format!("{value:#}\n")
+}
+
+fn enum_json(dialect: &Dialect, values: &Enum) -> Value {
+    let entries: Vec<Value> = values
+        .entries
+        .iter()
+        .map(|entry| json!({ "name": entry.name.xml, "value": entry.value, "auto": entry.auto }))
+        .collect();
+    json!({
+        "name": values.name.xml,
+        "bitmask": values.bitmask,
+        "defined_in": dialect.file(values.origin.file).map(|file| file.name.as_str()),
+        "entries": entries,
+    })
+}
+
+fn message_json(dialect: &Dialect, message: &Message) -> Value {
+    let fields: Vec<Value> = message.fields.iter().map(|field| field_json(dialect, field)).collect();
+    json!({
+        "id": message.id,
+        "name": message.name.xml,
+        "crc_extra": message.crc_extra,
+        "len_v1": message.len_v1,
+        "len_v2": message.len_v2,
+        "defined_in": dialect.file(message.origin.file).map(|file| file.name.as_str()),
+        "fields": fields,
+    })
+}
+
+fn field_json(dialect: &Dialect, field: &Field) -> Value {
+    let (ty, version) = match field.ty.scalar {
+        Scalar::Version(version) => ("uint8_t_mavlink_version", Some(version)),
+        other => (other.wire_name(), None),
+    };
+    json!({
+        "name": field.name.xml,
+        "type": ty,
+        "array": field.ty.array,
+        "offset": field.offset,
+        "extension": field.extension,
+        "enum": enum_name(dialect, field),
+        "units": field.units,
+        "version": version,
+    })
+}
+
+fn enum_name<'d>(dialect: &'d Dialect, field: &Field) -> Option<&'d str> {
+    let values = dialect.enum_by_id(field.values?.id())?;
+    Some(values.name.xml.as_str())
+}
+
+/// The dialect as lines for a person: messages with their wire layout, then enums.
+pub(crate) fn text(dialect: &Dialect) -> String {
+    let mut text = String::new();
+    for message in &dialect.messages {
+        let Message { id, name, crc_extra, len_v1, len_v2, .. } = message;
+        line(
+            &mut text,
+            format_args!("{id} {}: {len_v2} bytes ({len_v1} in MAVLink 1), crc_extra {crc_extra}", name.xml),
+        );
+        for field in message.wire_order() {
+            field_line(&mut text, dialect, field);
+        }
+    }
+    for values in &dialect.enums {
+        let kind = if values.bitmask { "flags" } else { "enum" };
+        line(&mut text, format_args!("{kind} {}: {}", values.name.xml, values.repr.rust_name()));
+        for entry in &values.entries {
+            let auto = if entry.auto { " (automatic)" } else { "" };
+            line(&mut text, format_args!("  {:>10} {}{auto}", entry.value, entry.name.xml));
+        }
+    }
+    text
+}
+
+fn field_line(text: &mut String, dialect: &Dialect, field: &Field) {
+    let array = field.ty.array.map_or_else(String::new, |n| format!("[{n}]"));
+    let units = field.units.as_ref().map_or_else(String::new, |units| format!(" {units}"));
+    let values = enum_name(dialect, field).map_or_else(String::new, |name| format!(" {name}"));
+    let extension = if field.extension { " extension" } else { "" };
+    let (offset, name, ty) = (field.offset, &field.name.xml, field.ty.scalar.wire_name());
+    line(text, format_args!("  {offset:>3} {name}: {ty}{array}{units}{values}{extension}"));
+}
+
+fn line(text: &mut String, line: std::fmt::Arguments<'_>) {
+    // Writing into a String cannot fail.
+    let _ = writeln!(text, "{line}");
+}

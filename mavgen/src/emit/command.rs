@@ -1,0 +1,113 @@
+//! Commands: the parameters of `MAV_CMD` entries, as documentation and as metadata.
+//!
+//! ```text
+//! impl MavCmd {
+//!     /// The parameters that the command documents, by index; those left out are reserved.
+//!     pub fn params(self) -> &'static [wire::ParamInfo] {
+//!         …
+//!     }
+//! }
+//!
+//! static PARAMS: [(u16, &[wire::ParamInfo]); 1] =
+//!     [(16, &[wire::ParamInfo::new(1).label("Hold").units("s").min(0.0)])];
+//! ```
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use crate::docs::{line, words, wrap};
+use crate::emit::token::{decimal, float, ident, repr};
+use crate::emit::{Context, doc};
+use crate::ir::{Command, Entry, Enum, Param};
+
+/// The metadata of an enum's commands; nothing if it has none.
+pub(crate) fn params(context: &Context<'_>, values: &Enum) -> TokenStream {
+    let rows: Vec<TokenStream> = values.entries.iter().filter_map(|entry| row(context, entry)).collect();
+    if rows.is_empty() {
+        return TokenStream::new();
+    }
+    let (name, int, count) = (ident(&values.name.rust), repr(values.repr), decimal(rows.len() as u64));
+    quote! {
+        impl #name {
+            /// The parameters that the command documents, by index; those left out are reserved.
+            pub fn params(self) -> &'static [wire::ParamInfo] {
+                let found = PARAMS.binary_search_by_key(&self.0, |&(command, _)| command);
+                found.ok().and_then(|at| PARAMS.get(at)).map_or(&[], |&(_, params)| params)
+            }
+        }
+        static PARAMS: [(#int, &[wire::ParamInfo]); #count] = [#(#rows),*];
+    }
+}
+
+fn row(context: &Context<'_>, entry: &Entry) -> Option<TokenStream> {
+    let params = &entry.command.as_ref().filter(|command| !command.params.is_empty())?.params;
+    let (value, params) = (decimal(entry.value), params.iter().map(|param| info(context, param)));
+    Some(quote!((#value, &[#(#params),*])))
+}
+
+/// `wire::ParamInfo::new(1).label("Hold").units("s").min(0.0)`
+fn info(context: &Context<'_>, param: &Param) -> TokenStream {
+    let index = decimal(param.index);
+    let label = param.label.as_ref().map(|label| quote!(.label(#label)));
+    let units = param.units.as_ref().map(|units| quote!(.units(#units)));
+    let values = enum_of(context, param).map(|values| {
+        let name = &values.name.xml;
+        quote!(.values(#name))
+    });
+    let number = |name: &str, value: Option<f64>| {
+        let (name, value) = (ident(name), float(value?));
+        Some(quote!(.#name(#value)))
+    };
+    let min = number("min", param.limits.min);
+    let max = number("max", param.limits.max);
+    let increment = number("increment", param.limits.increment);
+    let default = number("default", param.default);
+    let reserved = param.reserved.then(|| quote!(.reserved()));
+    quote!(wire::ParamInfo::new(#index)#label #units #values #min #max #increment #default #reserved)
+}
+
+fn enum_of<'a>(context: &Context<'a>, param: &Param) -> Option<&'a Enum> {
+    context.dialect.enum_by_id(param.values?)
+}
+
+/// A list of the parameters that mean something, and what the command is for.
+pub(crate) fn documentation(context: &Context<'_>, command: &Command) -> Vec<String> {
+    let place = match (command.has_location, command.is_destination) {
+        (true, true) => Some("Params 5, 6 and 7 are a place to go to."),
+        (true, false) => Some("Params 5, 6 and 7 are a place."),
+        _ => None,
+    };
+    let mission = command.mission_only.then_some("Only for missions: not to be sent as a command.");
+    let notes = [place, mission].into_iter().flatten().map(str::to_owned).collect();
+    let used = command.params.iter().filter(|param| !param.reserved);
+    let list = used.filter_map(|param| item(context, param)).flatten().collect();
+    doc::join([notes, list])
+}
+
+/// `- 1, Hold: time to stay. In s; at least 0.`; nothing where nothing is known.
+fn item(context: &Context<'_>, param: &Param) -> Option<Vec<String>> {
+    let label = param.label.as_ref().map_or_else(String::new, |label| format!(", {}", line(label)));
+    let mut text = words(&param.origin.description);
+    if matches!(text.as_slice(), [only] if ["Empty", "Empty.", "Reserved", "Reserved.", "Unused", "Unused."].contains(&only.as_str()))
+    {
+        text.clear();
+    }
+    let mut facts = doc::quantity(param.units.as_deref(), None, &param.limits);
+    facts.extend(param.default.map(|default| format!("default {default}")));
+    if !facts.is_empty() {
+        let sentence = doc::capitalised(&format!("{}.", facts.join("; ")));
+        text.extend(sentence.split(' ').map(str::to_owned));
+    }
+    text.extend(
+        enum_of(context, param).map(|values| format!("A [`{0}`](super::super::enums::{0}).", values.name.rust)),
+    );
+    if text.is_empty() && label.is_empty() {
+        return None;
+    }
+    let end = if text.is_empty() { "" } else { ":" };
+    let mut item: Vec<String> = format!("{}{label}{end}", param.index).split(' ').map(str::to_owned).collect();
+    item.append(&mut text);
+    let mut lines = wrap(&item, 92).into_iter();
+    let first = lines.next().map(|line| format!("- {line}"));
+    Some(first.into_iter().chain(lines.map(|line| format!("  {line}"))).collect())
+}

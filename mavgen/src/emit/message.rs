@@ -1,0 +1,211 @@
+//! A message: its struct, and how it becomes bytes and back.
+//!
+//! ```text
+//! /// Distance to an obstacle.
+//! /// …
+//! #[derive(Clone, Copy, Debug, PartialEq)]
+//! pub struct Sonar {
+//!     /// In cm; 65535 means not known.
+//!     pub distance: u16,
+//! }
+//!
+//! impl wire::Message for Sonar {
+//!     const ID: u32 = 4711;
+//!     const INFO: &'static wire::MessageInfo = &wire::MessageInfo { id: 4711, name: "SONAR", … };
+//!     const FIELDS: &'static [wire::FieldInfo] = &[wire::FieldInfo::new("distance", wire::Kind::U16, 0).units("cm")];
+//!     const DEFAULT: Self = Self { distance: 0 };
+//!
+//!     #[inline(always)]
+//!     fn decode(payload: &[u8]) -> Self {
+//!         let padded;
+//!         let p = match payload.first_chunk::<2>() {
+//!             Some(p) => p,
+//!             None => {
+//!                 padded = wire::zero_extended::<2>(payload);
+//!                 &padded
+//!             }
+//!         };
+//!         Self { distance: wire::get(p, 0) }
+//!     }
+//! }
+//!
+//! impl wire::Encode for Sonar {
+//!     fn info(&self) -> &'static wire::MessageInfo { <Self as wire::Message>::INFO }
+//!     #[inline]
+//!     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) { wire::put(p, 0, self.distance); }
+//! }
+//!
+//! wire::message!(Sonar);
+//! ```
+
+use std::collections::BTreeSet;
+
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
+
+use crate::docs::line;
+use crate::emit::field::{FieldTokens, field, xml_type};
+use crate::emit::token::{decimal, ident};
+use crate::emit::{Context, accessor, doc};
+use crate::ir::{Field, Message};
+
+/// The items of a message's file.
+pub(crate) fn message(context: &Context<'_>, message: &Message) -> TokenStream {
+    let imports = imports(context, message);
+    let declaration = declaration(context, message);
+    let message_impl = message_impl(context, message);
+    let encode_impl = encode_impl(context, message);
+    let targeted = targeted(message);
+    let accessors = accessor::accessors(context, message);
+    let name = ident(&message.name.rust);
+    quote! {
+        #imports
+        #declaration
+        #accessors
+        #message_impl
+        #encode_impl
+        #targeted
+        wire::message!(#name);
+    }
+}
+
+fn imports(context: &Context<'_>, message: &Message) -> TokenStream {
+    let enums = message.fields.iter().filter_map(|field| context.dialect.enum_by_id(field.values?.id()));
+    let names: BTreeSet<Ident> = enums.map(|values| ident(&values.name.rust)).collect();
+    let (names, runtime) = (names.iter(), context.use_runtime());
+    let enums = if names.len() == 0 { quote!() } else { quote!(use super::super::enums::{#(#names),*};) };
+    quote!(#enums #runtime)
+}
+
+/// The struct, in the order of the XML.
+fn declaration(context: &Context<'_>, message: &Message) -> TokenStream {
+    let docs = doc::attributes(&documentation(context, message));
+    let deprecated = doc::deprecated(context, &message.origin);
+    let (name, alias) = (ident(&message.name.rust), doc::alias(&message.name));
+    let fields = message.fields.iter().map(|f| field(context, f).declaration);
+    quote! {
+        #docs
+        #alias
+        #deprecated
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub struct #name { #(#fields)* }
+    }
+}
+
+/// The description, the facts of the frame and the wire table.
+fn documentation(context: &Context<'_>, message: &Message) -> Vec<String> {
+    let file = context.dialect.file(message.origin.file).map_or("", |file| file.name.as_str());
+    let Message { id, name, crc_extra, len_v1, len_v2, .. } = message;
+    let length = match (len_v1 == len_v2, *id > 255) {
+        (true, _) => format!("{len_v2} bytes"),
+        (false, true) => format!("{len_v2} bytes, {len_v1} without extensions"),
+        (false, false) => format!("{len_v2} bytes, {len_v1} in MAVLink 1"),
+    };
+    let reach = if *id > 255 { "; MAVLink 2 only" } else { "" };
+    let facts = format!("`{}`, message {id} of `{file}`: {length}, CRC_EXTRA {crc_extra}{reach}.", name.xml);
+    let facts = match doc::reference(file, &name.xml) {
+        Some(link) => vec![facts, format!("See the {link}.")],
+        None => vec![facts],
+    };
+    doc::join([doc::description(&message.origin), facts, wire_table(message)])
+}
+
+/// What lies where in the payload.
+fn wire_table(message: &Message) -> Vec<String> {
+    let row = |field: &Field| {
+        let extension = if field.extension { " (extension)" } else { "" };
+        let units = field.units.as_deref().map(line).unwrap_or_default();
+        [field.offset.to_string(), format!("`{}`{extension}", field.name.xml), format!("`{}`", xml_type(field)), units]
+    };
+    let rows: Vec<_> = message.wire_order().into_iter().map(row).collect();
+    doc::table(["offset", "field", "type", "units"], &rows)
+}
+
+/// The implementation of `wire::Message`.
+///
+/// `decode` goes on after padding instead of calling itself, and is always inlined, so that the dialect's `match` builds
+/// the message in place: 4 ns against 12 for a call and a move.
+fn message_impl(context: &Context<'_>, message: &Message) -> TokenStream {
+    let (name, id, length) = (ident(&message.name.rust), decimal(message.id), decimal(message.len_v2));
+    let fields: Vec<FieldTokens> = message.fields.iter().map(|f| field(context, f)).collect();
+    let info = info(message);
+    let infos = fields.iter().map(|field| &field.info);
+    let defaults = fields.iter().map(|field| &field.default);
+    let decode = fields.iter().map(|field| &field.decode);
+    quote! {
+        impl wire::Message for #name {
+            const ID: u32 = #id;
+            const INFO: &'static wire::MessageInfo = #info;
+            const FIELDS: &'static [wire::FieldInfo] = &[#(#infos)*];
+            const DEFAULT: Self = Self { #(#defaults)* };
+            #[inline(always)]
+            fn decode(payload: &[u8]) -> Self {
+                let padded;
+                let p = match payload.first_chunk::<#length>() {
+                    Some(p) => p,
+                    None => {
+                        padded = wire::zero_extended::<#length>(payload);
+                        &padded
+                    }
+                };
+                Self { #(#decode)* }
+            }
+        }
+    }
+}
+
+/// `&wire::MessageInfo { id: 24, name: "GPS_RAW_INT", crc_extra: 24, … }`
+fn info(message: &Message) -> TokenStream {
+    let (id, name, crc_extra) = (decimal(message.id), &message.name.xml, decimal(message.crc_extra));
+    let (len_v1, len_v2) = (decimal(message.len_v1), decimal(message.len_v2));
+    let offset = |field: Option<&Field>| {
+        let offset = field.map(|field| decimal(field.offset));
+        offset.map_or_else(|| quote!(None), |offset| quote!(Some(#offset)))
+    };
+    let (system, component) = (offset(message.target_system()), offset(message.target_component()));
+    quote! {
+        &wire::MessageInfo {
+            id: #id,
+            name: #name,
+            crc_extra: #crc_extra,
+            len_v1: #len_v1,
+            len_v2: #len_v2,
+            target_system: #system,
+            target_component: #component,
+        }
+    }
+}
+
+/// The stores, in wire order.
+fn encode_impl(context: &Context<'_>, message: &Message) -> TokenStream {
+    let name = ident(&message.name.rust);
+    let stores = message.wire_order().into_iter().map(|f| field(context, f).encode);
+    quote! {
+        impl wire::Encode for #name {
+            fn info(&self) -> &'static wire::MessageInfo {
+                <Self as wire::Message>::INFO
+            }
+            #[inline]
+            fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
+                #(#stores)*
+            }
+        }
+    }
+}
+
+/// `.to(system, component)`, for a message that names whom it is meant for.
+fn targeted(message: &Message) -> TokenStream {
+    let (Some(system), Some(component)) = (message.target_system(), message.target_component()) else {
+        return TokenStream::new();
+    };
+    let (name, system, component) = (ident(&message.name.rust), ident(&system.name.rust), ident(&component.name.rust));
+    quote! {
+        impl wire::Targeted for #name {
+            fn to(mut self, system: impl Into<u8>, component: impl Into<u8>) -> Self {
+                self.#system = system.into();
+                self.#component = component.into();
+                self
+            }
+        }
+    }
+}

@@ -1,0 +1,84 @@
+//! Small tokens: identifiers and literals, printed as a person would write them.
+
+use proc_macro2::{Ident, Literal, Span, TokenStream};
+use quote::{ToTokens, quote};
+
+use crate::ir::{Repr, Scalar};
+use crate::names::is_keyword;
+
+/// An identifier; a keyword becomes a raw one.
+pub(crate) fn ident(name: &str) -> Ident {
+    if is_keyword(name) { Ident::new_raw(name, Span::call_site()) } else { Ident::new(name, Span::call_site()) }
+}
+
+/// A decimal number without a type suffix.
+pub(crate) fn decimal(value: impl Into<u64>) -> Literal {
+    Literal::u64_unsuffixed(value.into())
+}
+
+/// A number as a hexadecimal mask: `0x8000_0000`.
+pub(crate) fn mask(value: u64) -> TokenStream {
+    if value < 10 {
+        return decimal(value).into_token_stream();
+    }
+    let digits = format!("{value:x}");
+    let mut grouped = String::from("0x");
+    for (at, digit) in digits.chars().enumerate() {
+        if at > 0 && (digits.len() - at) % 4 == 0 {
+            grouped.push('_');
+        }
+        grouped.push(digit);
+    }
+    grouped.parse::<Literal>().map_or_else(|_| decimal(value).into_token_stream(), ToTokens::into_token_stream)
+}
+
+/// An integer that may be negative, without a type suffix.
+pub(crate) fn integer(value: i128) -> TokenStream {
+    let magnitude = Literal::u128_unsuffixed(value.unsigned_abs());
+    if value < 0 { quote!(-#magnitude) } else { quote!(#magnitude) }
+}
+
+/// A float without a type suffix.
+pub(crate) fn float(value: f64) -> TokenStream {
+    if value.is_nan() {
+        return quote!(f32::NAN);
+    }
+    let magnitude = Literal::f64_unsuffixed(value.abs());
+    if value < 0.0 { quote!(-#magnitude) } else { quote!(#magnitude) }
+}
+
+/// The Rust integer behind an enum.
+pub(crate) fn repr(repr: Repr) -> Ident {
+    ident(repr.rust_name())
+}
+
+/// The Rust type of an element that is no enum.
+pub(crate) fn scalar(scalar: Scalar) -> Ident {
+    ident(match scalar {
+        Scalar::Char | Scalar::U8 | Scalar::Version(_) => "u8",
+        Scalar::I8 => "i8",
+        Scalar::U16 => "u16",
+        Scalar::I16 => "i16",
+        Scalar::U32 => "u32",
+        Scalar::I32 => "i32",
+        Scalar::U64 => "u64",
+        Scalar::I64 => "i64",
+        Scalar::F32 => "f32",
+        Scalar::F64 => "f64",
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers() {
+        assert_eq!(mask(8).to_string(), "8");
+        assert_eq!(mask(0x8000_0000).to_string(), "0x8000_0000");
+        assert_eq!(mask(0x10000).to_string(), "0x1_0000");
+        assert_eq!(integer(-32768).to_string(), "- 32768");
+        assert_eq!(float(-1.5).to_string(), "- 1.5");
+        assert_eq!(ident("type").to_string(), "r#type");
+    }
+}

@@ -1,0 +1,101 @@
+//! Every diagnostic as a user sees it: each `ui/*.xml`, and each folder with a `main.xml`, has its rendering beside it.
+//!
+//! `MAVGEN_BLESS=1 cargo test -p mavgen --test ui` writes the renderings anew; review them like code.
+
+#![expect(clippy::unwrap_used, clippy::indexing_slicing, reason = "a test may panic")]
+
+use std::collections::BTreeSet;
+use std::fmt::Write;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use mavgen::diag::{Diagnostics, Style, one_line, render};
+use mavgen::read::load;
+use mavgen::resolve::resolve;
+use mavgen::source::Sources;
+
+/// Relative to the crate, which is where cargo runs tests: no rendering names a folder of the machine.
+const FOLDER: &str = "tests/ui";
+
+/// What a user sees of a dialect: every diagnostic, drawn, and in one line.
+fn rendering(top: &Path) -> String {
+    let (mut sources, mut diagnostics) = (Sources::default(), Diagnostics::default());
+    let loaded = load(top, &[], &mut sources, &mut diagnostics);
+    let dialect = resolve(&loaded, &sources, &mut diagnostics);
+    assert_eq!(dialect.is_none(), diagnostics.has_errors(), "{}", top.display());
+    let mut text = String::new();
+    for diagnostic in diagnostics.iter() {
+        writeln!(text, "{}\n", render(diagnostic, &sources, Style::Plain)).unwrap();
+    }
+    for diagnostic in diagnostics.iter() {
+        writeln!(text, "{}", one_line(diagnostic, &sources)).unwrap();
+    }
+    text
+}
+
+/// The inputs, each with the place of its rendering.
+fn cases() -> Vec<(PathBuf, PathBuf)> {
+    let mut cases = Vec::new();
+    for entry in fs::read_dir(FOLDER).unwrap() {
+        let path = entry.unwrap().path();
+        let golden = path.with_extension("stderr");
+        if path.is_dir() {
+            cases.push((path.join("main.xml"), golden));
+        } else if path.extension().is_some_and(|extension| extension == "xml") {
+            cases.push((path, golden));
+        }
+    }
+    cases.sort();
+    cases
+}
+
+/// The two texts as lines, with those that differ marked.
+fn difference(expected: &str, actual: &str) -> String {
+    let (old, new): (Vec<_>, Vec<_>) = (expected.lines().collect(), actual.lines().collect());
+    let same = old.iter().zip(&new).take_while(|(old, new)| old == new).count();
+    let rest = old.len().min(new.len()) - same;
+    let tail = old.iter().rev().zip(new.iter().rev()).take(rest).take_while(|(o, n)| o == n).count();
+    let mut text = String::new();
+    for (mark, line) in (old[..same].iter().map(|line| (' ', line)))
+        .chain(old[same..old.len() - tail].iter().map(|line| ('-', line)))
+        .chain(new[same..new.len() - tail].iter().map(|line| ('+', line)))
+        .chain(new[new.len() - tail..].iter().map(|line| (' ', line)))
+    {
+        writeln!(text, "{mark} {line}").unwrap();
+    }
+    text
+}
+
+#[test]
+fn renderings_are_as_recorded() {
+    let bless = std::env::var_os("MAVGEN_BLESS").is_some();
+    let mut wrong = String::new();
+    let cases = cases();
+    assert!(cases.len() > 40, "only {} cases were found", cases.len());
+    for (input, golden) in &cases {
+        let actual = rendering(input);
+        if bless {
+            fs::write(golden, actual).unwrap();
+            continue;
+        }
+        match fs::read_to_string(golden) {
+            Ok(expected) if expected == actual => {}
+            Ok(expected) => {
+                writeln!(wrong, "{}:\n{}", golden.display(), difference(&expected, &actual)).unwrap();
+            }
+            Err(_) => writeln!(wrong, "{} is missing", golden.display()).unwrap(),
+        }
+    }
+    assert!(wrong.is_empty(), "\n{wrong}MAVGEN_BLESS=1 records what is printed now");
+}
+
+#[test]
+fn no_rendering_is_without_input() {
+    let known: BTreeSet<PathBuf> = cases().into_iter().map(|(_, golden)| golden).collect();
+    let found = fs::read_dir(FOLDER).unwrap().map(|entry| entry.unwrap().path());
+    let orphans: Vec<PathBuf> = found
+        .filter(|path| path.extension().is_some_and(|extension| extension == "stderr"))
+        .filter(|path| !known.contains(path))
+        .collect();
+    assert!(orphans.is_empty(), "{orphans:?}");
+}
