@@ -1,0 +1,75 @@
+//! The AutoQuad dialect of MAVLink, with the common, standard and minimal messages it includes: typed, lossless, `no_std`,
+//! without an allocator, and proven byte for byte against pymavlink.
+//!
+//! # Receiving
+//!
+//! ```
+//! use mavlink_autoquad::autoquad::{Autoquad, AqEscTelemetry, MavAutopilot};
+//! use mavlink_autoquad::wire::{Dialect, Parser};
+//!
+//! # let bytes = [0xfd, 9, 0, 0, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 6, 8, 0, 4, 3, 0x0a, 0x80];
+//! let mut parser = Parser::new(Autoquad::TABLE);
+//! let mut chunk: &[u8] = &bytes; // whatever came in, cut anywhere
+//! while let Some(frame) = parser.next(&mut chunk) {
+//!     match frame.message() {
+//!         Some(Autoquad::Heartbeat(beat)) if beat.autopilot == MavAutopilot::AUTOQUAD => println!("an AutoQuad"),
+//!         Some(Autoquad::AqEscTelemetry(AqEscTelemetry { seq, .. })) => println!("ESC batch {seq}"),
+//!         Some(other) => println!("{other:?}"),
+//!         None => println!("unknown message {}: {:02x?}", frame.id(), frame.bytes()),
+//!     }
+//! }
+//! ```
+//!
+//! # Sending
+//!
+//! ```
+//! use mavlink_autoquad::autoquad::{Heartbeat, MavComponent, MavState, MavType};
+//! use mavlink_autoquad::wire::{EncodeError, MAX_FRAME, Message, Sender};
+//!
+//! const BEAT: Heartbeat =
+//!     Heartbeat { r#type: MavType::QUADROTOR, system_status: MavState::ACTIVE, ..Heartbeat::DEFAULT };
+//!
+//! fn main() -> Result<(), EncodeError> {
+//!     let (mut sender, mut buffer) = (Sender::v1(1, MavComponent::AUTOPILOT1), [0; MAX_FRAME]);
+//!     let frame = sender.encode(&BEAT, &mut buffer)?;
+//!     assert_eq!(frame[0], 0xfe);
+//!     Ok(())
+//! }
+//! ```
+//!
+//! # On firmware
+//!
+//! With `default-features = false` the crate is the committed sources and nothing else: no build script work, no build
+//! dependency, and a checksum without a table. A [`wire::Table`] of just the messages you read keeps the others out of the
+//! flash:
+//!
+//! ```
+//! use mavlink_autoquad::autoquad::{AqEscTelemetry, Heartbeat};
+//! use mavlink_autoquad::wire::{Message, Parser, Table};
+//!
+//! static RECEIVED: Table<'static> = Table::of(&[Heartbeat::INFO, AqEscTelemetry::INFO]);
+//! let parser = Parser::new(&RECEIVED);
+//! # let _ = parser;
+//! ```
+//!
+//! # What AutoQuad does differently
+//!
+//! * Message ids 150 and 152 are others in ArduPilot's dialect. Their checksums differ, so neither is taken for the other,
+//!   but a bridge has to convert them: a ground station of today discards them.
+//! * `time_boot_ms` of [`autoquad::AqEscTelemetry`] comes from a 32-bit microsecond counter: it wraps every 71 min 35 s.
+//!   In the messages of `common.xml` AutoQuad's firmware sends *micro*seconds in fields of that name.
+//! * Array slots at and behind `num_in_seq` hold stale data.
+//! * The stream starts with [`autoquad::RequestDataStream`], `req_stream_id` 13 ([`autoquad::MavDataStream::PROPULSION`]).
+
+#![no_std]
+
+pub use mavlink_wire as wire;
+
+#[cfg(feature = "generate")]
+mavlink_wire::include_dialect!("autoquad");
+
+/// The `autoquad` dialect: its messages, its enums, and [`Autoquad`](autoquad::Autoquad) over all messages.
+#[cfg(not(feature = "generate"))]
+#[rustfmt::skip]
+#[path = "generated/mod.rs"]
+pub mod autoquad;
