@@ -127,3 +127,30 @@ impl fmt::Display for OutOfRange {
 }
 
 impl Error for OutOfRange {}
+
+/// Packed bits cannot take a value, or a message a slot.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum ViewError {
+    /// The value is NaN, or does not fit the bits.
+    OutOfRange,
+    /// The layout that the view has now lacks these bits.
+    Absent,
+    /// The message has no such slot, or it is not in use.
+    NoSuchSlot,
+    /// All slots of the message are in use.
+    Full,
+}
+
+impl fmt::Display for ViewError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::OutOfRange => "the value does not fit the bits: nothing was set",
+            Self::Absent => "this layout does not have the bits: make the view with another switch value",
+            Self::NoSuchSlot => "there is no such slot in use: add one first",
+            Self::Full => "all slots are in use: start another message",
+        })
+    }
+}
+
+impl Error for ViewError {}
