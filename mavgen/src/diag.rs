@@ -89,6 +89,11 @@ impl Diagnostics {
         self.list.push(diagnostic);
     }
 
+    /// Adds several, or the one that there may be.
+    pub fn extend(&mut self, diagnostics: impl IntoIterator<Item = Diagnostic>) {
+        self.list.extend(diagnostics);
+    }
+
     /// Whether one of them is an error.
     pub fn has_errors(&self) -> bool {
         self.list.iter().any(|diagnostic| diagnostic.severity() == Severity::Error)

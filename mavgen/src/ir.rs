@@ -6,9 +6,14 @@
 
 mod message;
 mod values;
+mod view;
 
 pub use message::{Field, FieldType, Invalid, Limits, Message, Scalar, Scope, Sentinel, Values};
 pub use values::{Command, Entry, Enum, Param, Repr};
+pub use view::{
+    Access, Binding, Blank, Condition, Exact, FieldIndex, Key, Meaning, Member, Place, Presence, Repeat, Scaled, Slots,
+    Switch, SwitchOn, View, Word,
+};
 
 use crate::source::Span;
 
@@ -102,4 +107,14 @@ pub struct Origin {
     pub description: String,
     /// Its stage of life, if the XML names one.
     pub lifecycle: Option<Lifecycle>,
+}
+
+impl Origin {
+    /// Adds a paragraph to the description.
+    pub(crate) fn append(&mut self, paragraph: &str) {
+        if !self.description.trim().is_empty() {
+            self.description.push_str("\n\n");
+        }
+        self.description.push_str(paragraph);
+    }
 }

@@ -7,6 +7,10 @@ use heck::{ToShoutySnakeCase, ToSnakeCase, ToUpperCamelCase};
 /// The word that no identifier can be, raw or not, and names of the prelude that the generated code itself needs.
 const RESERVED_TYPES: [&str; 8] = ["Self", "Option", "Some", "None", "Result", "Ok", "Err", "Into"];
 
+/// Methods that every message has, and names that readers and lints take for something else: no getter can be called so.
+pub(crate) const MESSAGE_METHODS: [&str; 9] =
+    ["clone", "cmp", "decode", "default", "info", "new", "payload", "to", "write"];
+
 /// The type name of a message or enum: `GPS_RAW_INT` becomes `GpsRawInt`.
 ///
 /// A name that starts with a digit, or that would shadow what generated code or its readers rely on, takes an underscore.
@@ -33,7 +37,7 @@ pub(crate) fn field_name(xml: &str) -> String {
 /// The names of the modules around it take an underscore: one inside another of the same name confuses readers, and clippy.
 pub(crate) fn item_module_name(xml: &str) -> String {
     let name = module_name(xml);
-    if ["messages", "enums"].contains(&name.as_str()) { name + "_" } else { name }
+    if ["messages", "enums", "views"].contains(&name.as_str()) { name + "_" } else { name }
 }
 
 /// The name of the module of a dialect, and of its folder: `my-dialect` becomes `my_dialect`.

@@ -10,12 +10,14 @@ mod enums;
 mod fault;
 mod include;
 mod message;
+mod overlay;
 mod prose;
 mod range;
 mod tag;
 mod xml;
 
 pub use include::{Loaded, load};
+pub use overlay::read as read_overlay;
 
 use crate::diag::Diagnostics;
 use crate::source::{FileId, Sources, Span, Spanned};

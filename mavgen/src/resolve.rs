@@ -4,6 +4,7 @@
 //! This file is the order of the passes. Each collects every problem it finds; what depends on a broken part is left out, so
 //! that one mistake is reported once.
 
+mod accessors;
 mod check;
 mod command;
 mod crc;
@@ -21,22 +22,25 @@ mod message;
 mod naming;
 mod number;
 mod origin;
+mod overlay;
 mod owner;
 mod suggest;
 mod uses;
 mod version;
+mod view;
 mod width;
 
 #[cfg(test)]
 mod tests;
 
 use crate::diag::Diagnostics;
-use crate::ir::{Dialect, File};
+use crate::ir::{Dialect, EnumId, File};
 use crate::read::Loaded;
-use crate::source::Sources;
+use crate::source::{FileId, Sources};
 
 use losses::Losses;
 use merge::Enums;
+use overlay::Carrier;
 use uses::Use;
 use version::Version;
 use width::Width;
@@ -44,17 +48,22 @@ use width::Width;
 /// Resolves the files of a dialect; `None` if there was an error, here or in reading them, or if there is no file.
 pub fn resolve(loaded: &Loaded, sources: &Sources, diagnostics: &mut Diagnostics) -> Option<Dialect> {
     let losses = Losses::behind(diagnostics);
-    let enums = Enums::merge(loaded, &losses, diagnostics);
+    overlay::check_heads(loaded, sources, diagnostics);
+    let mut enums = Enums::merge(loaded, &losses, diagnostics);
+    overlay::refine(loaded, &mut enums, diagnostics);
     let versions: Vec<Version> = loaded.files.iter().map(|file| Version::of(file, diagnostics)).collect();
     duplicates::check(loaded, diagnostics);
     let mut drafts = message::drafts(loaded, &versions, &losses, diagnostics);
     let uses = uses::collect(&drafts, &enums, diagnostics);
-    let widths = widths(loaded, &enums, &uses, diagnostics);
+    let carriers = overlay::resolve(loaded, &mut drafts, &enums, &losses, diagnostics);
+    let widths = widths(loaded, &enums, &uses, &carriers, diagnostics);
+    overlay::check_carriers(&carriers, &enums, &widths, diagnostics);
     uses::link(&mut drafts, &enums, &widths);
     invalid::link(&mut drafts, &enums, diagnostics);
 
     let types = naming::types(loaded, &enums, diagnostics);
     naming::check(loaded, &enums, &widths, diagnostics);
+    accessors::check(loaded, &drafts, diagnostics);
     check::check_entry_names(&enums.list, diagnostics);
     for ((merged, &width), uses) in enums.list.iter().zip(&widths).zip(&uses) {
         check::check(merged, width, uses, diagnostics);
@@ -65,7 +74,7 @@ pub fn resolve(loaded: &Loaded, sources: &Sources, diagnostics: &mut Diagnostics
     let mut messages: Vec<_> = drafts.into_iter().map(|draft| draft.message).collect();
     messages.sort_by_key(|message| message.id);
     let version = versions.first().map_or(0, |version| version.number());
-    let dialect = Dialect {
+    let mut dialect = Dialect {
         name: loaded.name.clone(),
         type_name: types.dialect,
         version,
@@ -73,23 +82,36 @@ pub fn resolve(loaded: &Loaded, sources: &Sources, diagnostics: &mut Diagnostics
         enums: models,
         messages,
     };
+    overlay::note(loaded, &mut dialect, &losses, diagnostics);
     if diagnostics.has_errors() { None } else { Some(dialect) }
 }
 
 /// Owner and integer of every enum.
-fn widths(loaded: &Loaded, enums: &Enums<'_>, uses: &[Vec<Use<'_>>], diagnostics: &mut Diagnostics) -> Vec<Width> {
+fn widths(
+    loaded: &Loaded,
+    enums: &Enums<'_>,
+    uses: &[Vec<Use<'_>>],
+    carriers: &[Carrier<'_>],
+    diagnostics: &mut Diagnostics,
+) -> Vec<Width> {
     let mut includes = owner::Includes::new(loaded);
-    let each = enums.list.iter().zip(uses);
-    each.map(|(merged, uses)| {
+    let each = enums.list.iter().zip(uses).enumerate();
+    each.map(|(index, (merged, uses))| {
         let owner = owner::owner(merged, uses, &mut includes);
-        Width::of(merged, owner, uses, diagnostics)
+        let mut asked = Vec::new();
+        if owner.0 >= loaded.files.len() {
+            let own = carriers.iter().filter(|carrier| carrier.values == EnumId(index));
+            asked.extend(own.map(Carrier::repr));
+        }
+        Width::of(merged, owner, uses, &asked, diagnostics)
     })
     .collect()
 }
 
-/// The files of the model.
+/// The files of the model: those of the dialect, then the overlays.
 fn files(loaded: &Loaded, sources: &Sources) -> Vec<File> {
-    let name = |file: &crate::syntax::File| sources.get(file.id).map(|source| source.name()).unwrap_or_default();
+    let name = |id: FileId| sources.get(id).map(|source| source.name()).unwrap_or_default();
+    let ids = loaded.files.iter().map(|file| file.id).chain(loaded.overlays.iter().map(|overlay| overlay.id));
     let includes = loaded.includes.iter().cloned().chain(std::iter::repeat_with(Vec::new));
-    loaded.files.iter().zip(includes).map(|(file, includes)| File { name: name(file), includes }).collect()
+    ids.zip(includes).map(|(id, includes)| File { name: name(id), includes }).collect()
 }

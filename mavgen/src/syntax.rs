@@ -1,7 +1,11 @@
 //! The spanned syntax: what a file says, spelled as it is spelled.
 //!
-//! One type per element of `mavlink.xsd`. Nothing is defaulted, converted or checked beyond what XML and the presence of
+//! One type per element of `mavlink.xsd`; those of overlays are in [`overlay`]. Nothing is defaulted, converted or checked beyond what XML and the presence of
 //! required attributes demand; that is the work of [`crate::resolve`].
+
+pub mod overlay;
+
+pub use overlay::Overlay;
 
 use crate::source::{FileId, Span, Spanned};
 

@@ -105,6 +105,23 @@ fn dump_as_json() {
 }
 
 #[test]
+fn an_overlay_is_part_of_the_model() {
+    let folder = folder(ACME);
+    let overlay = "<mavlink-overlay version='1' for='acme.xml'><enums><enum name='LEVEL'><entry value='0' name='LEVEL_LOW'/>\
+                   </enum></enums></mavlink-overlay>";
+    fs::write(folder.path().join("acme.overlay.xml"), overlay).unwrap();
+    let dumped = mavgen(folder.path(), &["dump", "acme.xml", "--overlay", "acme.overlay.xml", "--json"]);
+    assert_eq!(dumped.status.code(), Some(0), "{}", stderr(&dumped));
+    let model: serde_json::Value = serde_json::from_slice(&dumped.stdout).unwrap();
+    assert_eq!(model["files"], serde_json::json!(["acme.xml", "acme.overlay.xml"]));
+    assert_eq!(
+        (&model["enums"][1]["name"], &model["enums"][1]["defined_in"]),
+        (&"LEVEL".into(), &"acme.overlay.xml".into())
+    );
+    assert_eq!(mavgen(folder.path(), &["dump", "acme.xml", "--overlay", "none.xml"]).status.code(), Some(2));
+}
+
+#[test]
 fn wrong_usage_is_2() {
     let folder = folder(ACME);
     assert_eq!(mavgen(folder.path(), &["generate", "acme.xml"]).status.code(), Some(2));

@@ -59,7 +59,7 @@ const MESSAGES: [(&str, u32, u8, u8, u8); 43] = [
 
 fn autoquad() -> (Dialect, Vec<(Code, String)>) {
     let (mut sources, mut diagnostics) = (Sources::default(), Diagnostics::default());
-    let loaded = load(Path::new("../xml/autoquad.xml"), &[], &mut sources, &mut diagnostics);
+    let loaded = load(Path::new("../xml/autoquad.xml"), &[], &[], &mut sources, &mut diagnostics);
     let dialect = resolve(&loaded, &sources, &mut diagnostics).unwrap();
     let problems = diagnostics.iter().map(|problem| (problem.code, problem.message.clone()));
     (dialect, problems.collect())

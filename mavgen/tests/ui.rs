@@ -1,4 +1,5 @@
-//! Every diagnostic as a user sees it: each `ui/*.xml`, and each folder with a `main.xml`, has its rendering beside it.
+//! Every diagnostic as a user sees it: each `ui/*.xml`, and each folder with a `main.xml`, has its rendering beside it. The
+//! `*.overlay.xml` of a folder are overlays of its `main.xml`.
 //!
 //! `MAVGEN_BLESS=1 cargo test -p mavgen --test ui` writes the renderings anew; review them like code.
 
@@ -20,7 +21,7 @@ const FOLDER: &str = "tests/ui";
 /// What a user sees of a dialect: every diagnostic, drawn, and in one line.
 fn rendering(top: &Path) -> String {
     let (mut sources, mut diagnostics) = (Sources::default(), Diagnostics::default());
-    let loaded = load(top, &[], &mut sources, &mut diagnostics);
+    let loaded = load(top, &[], &overlays(top), &mut sources, &mut diagnostics);
     let dialect = resolve(&loaded, &sources, &mut diagnostics);
     assert_eq!(dialect.is_none(), diagnostics.has_errors(), "{}", top.display());
     let mut text = String::new();
@@ -31,6 +32,17 @@ fn rendering(top: &Path) -> String {
         writeln!(text, "{}", one_line(diagnostic, &sources)).unwrap();
     }
     text
+}
+
+/// The overlays in the folder of a `main.xml`, by name.
+fn overlays(top: &Path) -> Vec<PathBuf> {
+    if !top.ends_with("main.xml") {
+        return Vec::new();
+    }
+    let files = fs::read_dir(top.parent().unwrap()).unwrap().map(|entry| entry.unwrap().path());
+    let mut overlays: Vec<PathBuf> = files.filter(|path| path.to_string_lossy().ends_with(".overlay.xml")).collect();
+    overlays.sort();
+    overlays
 }
 
 /// The inputs, each with the place of its rendering.

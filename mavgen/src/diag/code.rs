@@ -1,7 +1,7 @@
 //! The catalogue of diagnostics: one stable number each.
 //!
 //! Numbers are never used again for something else. `M0xx` is XML and the file system, `M1xx` a file's grammar, `M2xx` files
-//! together, `M3xx` messages, `M4xx` enums, `M5xx` commands, `M6xx` names.
+//! together, `M3xx` messages, `M4xx` enums, `M5xx` commands, `M6xx` names, `M7xx` overlays.
 
 use std::fmt;
 
@@ -50,9 +50,9 @@ catalogue! {
     6 DocumentType Error "A document type declaration is refused: nothing is expanded or fetched.";
     7 TooLarge Error "A file is larger or deeper than any dialect.";
 
-    100 WrongRoot Error "The root element is not `mavlink`.";
-    101 UnknownElement Warning "An element is not part of the MAVLink grammar.";
-    102 UnknownAttribute Warning "An attribute is not part of the MAVLink grammar.";
+    100 WrongRoot Error "The root element is not the one of such a file.";
+    101 UnknownElement Warning "An element is not part of the grammar.";
+    102 UnknownAttribute Warning "An attribute is not part of the grammar.";
     103 MissingAttribute Error "A required attribute is missing.";
     104 DuplicateAttribute Error "An attribute stands twice in one tag.";
     105 DuplicateElement Error "An element that may stand once stands twice.";
@@ -103,6 +103,53 @@ catalogue! {
     600 BadName Error "A name is not letters, digits and underscores after a first letter.";
     601 NameCollision Error "Two names become one in Rust.";
     602 Lifecycle Warning "A lifecycle element lacks its date, or its date is not `YYYY-MM`.";
+    603 AccessorLost Warning "A field has no getter and setter, because another field's have their names.";
+
+    700 OverlayVersion Error "An overlay is of a version that is not known.";
+    701 OverlayBase Error "An overlay belongs to a file that is not part of the dialect.";
+    702 OverlayMessage Error "An overlay names a message that does not exist.";
+    703 OverlayField Error "An overlay names a field that does not exist.";
+    704 OverlayEnum Error "An overlay names an enum that does not exist.";
+    705 OverlayEntry Error "An overlay names an enum entry that does not exist.";
+    706 RedefinedEnum Error "An overlay defines an enum that exists.";
+    707 Refinement Error "A refinement says nothing, says it twice, or asks for what cannot be.";
+    708 NeedlessRefinement Warning "A refinement says what the definitions say.";
+    709 Note Error "A note has no text, or does not say what it is about.";
+    710 Condition Error "A condition asks a field for a value that it cannot have.";
+    711 Bind Error "An enum is bound to a field that cannot carry it.";
+
+    720 Words Error "The words of a view are none, or stand there twice.";
+    721 Index Error "An array stands without an index, or a scalar with one.";
+    722 WordType Error "A word of a view is not an unsigned integer.";
+    723 WordLengths Error "Arrays that a view reads side by side have different lengths.";
+    724 WordsTooWide Error "The words of a view are wider than 128 bits.";
+    725 WordsMixed Error "A view is read from elements of arrays and from whole fields.";
+    726 Slots Error "An attribute or element of a view belongs to slots, and there are none, or is missing where there are.";
+    727 Count Error "A count is not a scalar unsigned integer.";
+    728 UnsuitableField Error "A field is not of a type that it is used for.";
+    729 Sentinel Error "A value that means nothing is not understood, or does not fit.";
+
+    740 BitsPlace Error "Bits have no width, or lie outside of the words.";
+    741 BitsOverlap Error "Bits are in two members of one layout.";
+    742 BitsUncovered Error "Bits of a layout are in no member and not reserved.";
+    743 EmptyView Error "A view has no members.";
+    744 BitsKind Error "Attributes of bits contradict each other.";
+    745 EnumTooNarrow Error "An enum is narrower than the bits that carry it.";
+    746 ValueBeyondBits Warning "An enum has values that do not fit the bits that carry it.";
+    747 Repeat Error "A repetition is none, or overlaps itself.";
+    748 Scale Error "A scale or bias is not a fraction, is zero, or is beyond 64 bits.";
+    749 NotExact Error "An exact getter would not be whole for every value.";
+    750 ExactUnits Error "The unit of an exact getter is no decimal fraction of the unit of the value.";
+
+    760 NestedSwitch Error "A switch stands inside another switch.";
+    761 SecondSwitch Error "A view has two switches.";
+    762 SwitchOn Error "A switch does not say what it looks at, or cannot look at it.";
+    763 CaseValue Error "The values of a case are not understood.";
+    764 CaseOverlap Error "Two cases have a value in common.";
+    765 UnreachableCase Error "A case is never reached.";
+    766 MissingCase Error "A switch has neither a case for every value nor a default.";
+    767 SecondDefault Error "A switch has two defaults.";
+    768 LayoutDiffers Error "A name stands for different bits in two cases.";
 }
 
 impl Code {

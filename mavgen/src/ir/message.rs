@@ -2,7 +2,7 @@
 
 use std::num::NonZeroU8;
 
-use super::{EnumId, Name, Origin};
+use super::{Binding, EnumId, Name, Origin, View};
 
 /// A message.
 #[derive(Clone, Debug)]
@@ -19,6 +19,10 @@ pub struct Message {
     pub len_v2: u8,
     /// The fields in the order of the XML.
     pub fields: Vec<Field>,
+    /// Views of packed bits, from overlays.
+    pub views: Vec<View>,
+    /// Enums that overlays bind to fields.
+    pub bindings: Vec<Binding>,
     /// Where it comes from.
     pub origin: Origin,
 }

@@ -115,11 +115,17 @@ impl<'t, 'd> Elements<'t, 'd> {
 
     /// Like [`Self::text`], without blanks at both ends; blanks alone are no text.
     pub(super) fn trimmed_text(&mut self) -> Result<Option<Text>, Broken> {
-        let text = self.text(&Grammar::prose(&[]))?;
-        Ok(text.filter(|text| !text.value.trim().is_empty()).map(|text| {
-            let range = trimmed(self.xml.text(), text.span.range());
-            Text::new(text.value.trim().to_owned(), self.xml.span(range))
-        }))
+        while self.next_child(&Grammar::prose(&[]))?.is_some() {
+            self.skip()?;
+        }
+        Ok(self.trimmed_content())
+    }
+
+    /// The text that stood in the element that was closed last, without blanks at both ends; blanks alone are no text.
+    pub(super) fn trimmed_content(&mut self) -> Option<Text> {
+        let text = self.closed.text.take().filter(|text| !text.value.trim().is_empty())?;
+        let range = trimmed(self.xml.text(), text.span.range());
+        Some(Text::new(text.value.trim().to_owned(), self.xml.span(range)))
     }
 
     /// Reads to the end of the element that is open.
@@ -133,6 +139,11 @@ impl<'t, 'd> Elements<'t, 'd> {
             }
         }
         Ok(())
+    }
+
+    /// Reports a fault of the grammar that the caller found. The text is read on.
+    pub(super) fn refuse(&mut self, problem: Diagnostic) {
+        self.diagnostics.push(problem);
     }
 
     /// Reports an element that may stand once and stood at `first` already.

@@ -12,7 +12,7 @@ use super::bytes::{self, NoText};
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::FileIndex;
 use crate::source::{Sources, Span};
-use crate::syntax::{File, Text};
+use crate::syntax::{File, Overlay, Text};
 
 /// How many levels of includes pymavlink follows below the top file.
 const MAX_LEVEL: usize = 5;
@@ -26,6 +26,8 @@ pub struct Loaded {
     pub files: Vec<File>,
     /// For each file, those that it includes, in the order of its `<include>` elements.
     pub includes: Vec<Vec<FileIndex>>,
+    /// The overlays, in the order in which they were given.
+    pub overlays: Vec<Overlay>,
     /// Every path that was read, and every place where a missing include was looked for.
     pub watched: Vec<PathBuf>,
 }
@@ -34,10 +36,16 @@ pub struct Loaded {
 ///
 /// Include paths are relative to the file that names them; one that leads nowhere is looked for in `include_dirs`, in
 /// order. Paths are compared as absolute paths without `.` and `..`; symbolic links are not resolved. The order is that
-/// of pymavlink: breadth first.
+/// of pymavlink: breadth first. Then the `overlays` are read; one that was read before is not read again.
 ///
 /// Problems go to `diagnostics`; a file that cannot be read is missing in the result.
-pub fn load(top: &Path, include_dirs: &[PathBuf], sources: &mut Sources, diagnostics: &mut Diagnostics) -> Loaded {
+pub fn load(
+    top: &Path,
+    include_dirs: &[PathBuf],
+    overlays: &[PathBuf],
+    sources: &mut Sources,
+    diagnostics: &mut Diagnostics,
+) -> Loaded {
     let mut loader = Loader {
         include_dirs,
         sources,
@@ -54,6 +62,7 @@ pub fn load(top: &Path, include_dirs: &[PathBuf], sources: &mut Sources, diagnos
         next += 1;
     }
     circle::report(&loader.edges, &loader.names(), loader.diagnostics);
+    overlays.iter().for_each(|path| loader.overlay(path));
     loader.loaded.name = top.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     loader.loaded.includes = loader.edges.iter().map(|edges| targets(edges)).collect();
     loader.loaded
@@ -94,11 +103,33 @@ struct Loader<'a> {
 
 impl Loader<'_> {
     fn top(&mut self, path: &Path) {
-        match self.open(path, Found { level: 0, by: None }) {
-            Ok(_) => {}
-            Err(NoText::NotText(diagnostic)) => self.diagnostics.push(*diagnostic),
-            Err(NoText::Io(error)) => {
+        if let Err(why) = self.open(path, Found { level: 0, by: None }) {
+            if matches!(why, NoText::Io(_)) {
                 self.loaded.watched.push(path.to_owned());
+            }
+            self.unreadable(path, why);
+        }
+    }
+
+    fn overlay(&mut self, path: &Path) {
+        if self.seen.insert(paths::absolute(path), None).is_some() {
+            return;
+        }
+        self.loaded.watched.push(path.to_owned());
+        match bytes::read(path, self.sources) {
+            Ok(id) => {
+                let overlay = super::read_overlay(id, self.sources, self.diagnostics);
+                self.loaded.overlays.push(overlay);
+            }
+            Err(why) => self.unreadable(path, why),
+        }
+    }
+
+    /// Reports a file that was asked for by name and is no text, or not there.
+    fn unreadable(&mut self, path: &Path, why: NoText) {
+        match why {
+            NoText::NotText(diagnostic) => self.diagnostics.push(*diagnostic),
+            NoText::Io(error) => {
                 let message = format!("`{}` cannot be read: {}", path.display(), bytes::reason(&error));
                 self.diagnostics.push(Diagnostic::without_place(Code::Unreadable, message));
             }

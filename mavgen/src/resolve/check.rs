@@ -31,7 +31,7 @@ pub(super) fn check(merged: &Merged<'_>, width: Width, uses: &[Use<'_>], diagnos
 
 /// Files should agree on what the enum is, and its values should look like it. Zero names the empty set.
 fn check_bitmask(merged: &Merged<'_>, owner: FileIndex, diagnostics: &mut Diagnostics) {
-    let bitmask = merged.bitmask(owner);
+    let bitmask = merged.declared_bitmask(owner);
     let owner_span = merged.owner_span(owner);
     let attribute = |given: bool| if given { "a bitmask" } else { "not a bitmask" };
     for block in merged.blocks.iter().filter(|block| block.bitmask != bitmask) {
@@ -42,9 +42,9 @@ fn check_bitmask(merged: &Merged<'_>, owner: FileIndex, diagnostics: &mut Diagno
         let problem = problem.label(attribute(block.bitmask));
         diagnostics.push(problem.related(owner_span, format!("{}: this file decides", attribute(bitmask))));
     }
-    if bitmask {
+    if merged.bitmask(owner) {
         check_bits(merged, diagnostics);
-    } else if looks_like_bitmask(merged) {
+    } else if merged.refined.bitmask.is_none() && looks_like_bitmask(merged) {
         let message = format!("the values of enum `{}` are single bits, but it is not a bitmask", merged.name.value);
         let problem = Diagnostic::new(Code::LikelyBitmask, owner_span, message);
         diagnostics.push(problem.help("if they are combined, add `bitmask=\"true\"`"));

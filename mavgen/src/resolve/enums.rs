@@ -4,7 +4,7 @@ use super::losses::Losses;
 use super::merge::{Enums, Merged};
 use super::origin::Described;
 use super::width::Width;
-use super::{command, naming, number};
+use super::{command, lifecycle, naming, number};
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{self, FileIndex, Lifecycle, Name, Origin};
 use crate::syntax;
@@ -104,7 +104,10 @@ pub(super) fn model(
         });
     }
     let name = Name { xml: merged.name.value.clone(), rust };
-    let origin = origin(merged, owner, diagnostics);
+    let mut origin = origin(merged, owner, diagnostics);
+    if merged.refined.in_use {
+        lifecycle::tell(&mut origin);
+    }
     ir::Enum { name, bitmask: merged.bitmask(owner), repr, entries, defined_in: owner, origin }
 }
 

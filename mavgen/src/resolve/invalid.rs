@@ -30,14 +30,14 @@ const LIMITS: [(&str, i128); 16] = [
 ];
 
 /// The entries of all enums, by name: a sentinel may be one of them.
-struct Entries<'a> {
+pub(super) struct Entries<'a> {
     values: HashMap<&'a str, u64>,
     /// Whether none was lost before: only then is an unknown name worth a word.
-    complete: bool,
+    pub(super) complete: bool,
 }
 
 impl<'a> Entries<'a> {
-    fn of(enums: &Enums<'a>) -> Self {
+    pub(super) fn of(enums: &Enums<'a>) -> Self {
         let entries = enums.list.iter().flat_map(|merged| &merged.entries);
         let valued =
             entries.filter_map(|entry| Some((entry.syntax.name.value.as_str(), u64::try_from(entry.value).ok()?)));
@@ -85,7 +85,7 @@ fn resolve(text: &Text, ty: FieldType, entries: &Entries<'_>, diagnostics: &mut 
 
 /// Why an attribute means nothing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Refusal {
+pub(super) enum Refusal {
     /// The value is no number and no name of one.
     Unknown,
     /// The field cannot have the value.
@@ -117,11 +117,16 @@ fn scope(text: &str, ty: FieldType) -> Result<(Scope, &str), Refusal> {
     }
 }
 
-/// The value, if an element of that type can have it.
-fn sentinel(text: &str, scalar: Scalar, entries: &Entries<'_>) -> Result<Sentinel, Refusal> {
-    let integer = number::signed(text)
+/// An integer: a number, a limit as C names it, or the name of an entry.
+pub(super) fn integer(text: &str, entries: &Entries<'_>) -> Option<i128> {
+    number::signed(text)
         .or_else(|| LIMITS.iter().find(|(name, _)| *name == text).map(|(_, value)| *value))
-        .or_else(|| entries.values.get(text).copied().map(i128::from));
+        .or_else(|| entries.values.get(text).copied().map(i128::from))
+}
+
+/// The value, if an element of that type can have it.
+pub(super) fn sentinel(text: &str, scalar: Scalar, entries: &Entries<'_>) -> Result<Sentinel, Refusal> {
+    let integer = integer(text, entries);
     let float = number::float(text);
     match (range(scalar), integer, float) {
         (None, Some(integer), _) => Ok(Sentinel::Float(integer as f64)),

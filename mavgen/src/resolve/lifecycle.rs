@@ -2,7 +2,7 @@
 
 use super::origin;
 use crate::diag::{Code, Diagnostic, Diagnostics};
-use crate::ir::{Lifecycle, Successor};
+use crate::ir::{Lifecycle, Origin, Successor};
 use crate::syntax::{self, Stage};
 
 /// Reads a lifecycle element. A missing or odd date is worth a warning, since only people read it.
@@ -18,6 +18,21 @@ pub(super) fn resolve(element: &syntax::Lifecycle, diagnostics: &mut Diagnostics
         Stage::Superseded => Lifecycle::Superseded(successor),
         Stage::Deprecated => Lifecycle::Deprecated(successor),
     }
+}
+
+/// Turns "deprecated" into a paragraph of the description: an overlay says that the item is in use all the same.
+pub(super) fn tell(origin: &mut Origin) {
+    let Some(Lifecycle::Deprecated(successor)) = &origin.lifecycle else { return };
+    let mut text = "Deprecated".to_owned();
+    if let Some(since) = &successor.since {
+        text += &format!(" since {since}");
+    }
+    if let Some(other) = &successor.replaced_by {
+        text += &format!(", replaced by {other}");
+    }
+    let why = successor.description.trim();
+    origin.append(&if why.is_empty() { format!("{text}.") } else { format!("{text}: {why}") });
+    origin.lifecycle = None;
 }
 
 fn check_date(element: &syntax::Lifecycle, diagnostics: &mut Diagnostics) {

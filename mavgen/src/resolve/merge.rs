@@ -9,7 +9,7 @@ use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{EnumId, FileIndex};
 use crate::read::Loaded;
 use crate::source::Span;
-use crate::syntax::Text;
+use crate::syntax::{self, Text};
 
 /// More definitions of one enum than any dialect has: every one can move every automatic value before it.
 const MOST_DEFINITIONS: usize = 256;
@@ -26,11 +26,22 @@ pub(super) struct Merged<'a> {
     pub(super) blocks: Vec<Block<'a>>,
     /// The entries by value.
     pub(super) entries: Vec<Entry<'a>>,
+    /// What overlays say of it.
+    pub(super) refined: Refined,
     /// Smallest and largest value of the first definition; as in pymavlink, later ones do not count.
     range: Option<(u128, u128)>,
 }
 
-/// All enums, in the order of their first definitions.
+/// What overlays say of an enum: it takes precedence over the definitions.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Refined {
+    /// Whether the values are combined bit by bit.
+    pub(super) bitmask: Option<bool>,
+    /// Whether it is in use, although deprecated.
+    pub(super) in_use: bool,
+}
+
+/// All enums, in the order of their first definitions; those of overlays come last.
 pub(super) struct Enums<'a> {
     /// The enums.
     pub(super) list: Vec<Merged<'a>>,
@@ -48,6 +59,10 @@ impl<'a> Enums<'a> {
                 let block = Block::read(FileIndex(index), element, losses, diagnostics);
                 enums.add(block, diagnostics);
             }
+        }
+        for (index, overlay) in loaded.overlays.iter().enumerate() {
+            let file = FileIndex(loaded.files.len() + index);
+            overlay.enums.iter().for_each(|element| enums.add_new(file, element, losses, diagnostics));
         }
         for merged in &mut enums.list {
             check(merged, diagnostics);
@@ -72,6 +87,17 @@ impl<'a> Enums<'a> {
         }
     }
 
+    /// Takes an enum of an overlay, which has to be new: what includes the dialect elsewhere may not know the overlay.
+    fn add_new(&mut self, file: FileIndex, element: &'a syntax::Enum, losses: &Losses, diagnostics: &mut Diagnostics) {
+        let first = self.id(&element.name.value).and_then(|id| self.list.get(id.0));
+        if let Some(first) = first {
+            diagnostics.push(redefined(&element.name, first));
+            return;
+        }
+        let block = Block::read(file, element, losses, diagnostics);
+        self.add(block, diagnostics);
+    }
+
     /// The enum of that name.
     pub(super) fn id(&self, name: &str) -> Option<EnumId> {
         self.by_name.get(name).copied()
@@ -93,7 +119,7 @@ impl<'a> Merged<'a> {
         let range = block.start().map(|start| (start, block.highest));
         let entries = std::mem::take(&mut block.entries);
         let (name, file, span) = (&block.syntax.name, block.file, block.syntax.span);
-        Self { name, file, span, blocks: vec![block], entries, range }
+        Self { name, file, span, blocks: vec![block], entries, refined: Refined::default(), range }
     }
 
     /// Takes in a later definition.
@@ -117,8 +143,13 @@ impl<'a> Merged<'a> {
         self.blocks.push(block);
     }
 
-    /// Whether the values are combined bit by bit: as the first definition in the file that owns the enum says.
+    /// Whether the values are combined bit by bit: as an overlay says, or else the file that owns the enum.
     pub(super) fn bitmask(&self, owner: FileIndex) -> bool {
+        self.refined.bitmask.unwrap_or_else(|| self.declared_bitmask(owner))
+    }
+
+    /// What the first definition in the file that owns the enum says.
+    pub(super) fn declared_bitmask(&self, owner: FileIndex) -> bool {
         self.owner_block(owner).is_some_and(|block| block.bitmask)
     }
 
@@ -166,6 +197,13 @@ fn too_many(block: &Block<'_>) -> Diagnostic {
     let name = &block.syntax.name;
     let message = format!("enum `{}` has more than {MOST_DEFINITIONS} definitions", name.value);
     Diagnostic::new(Code::TooLarge, name.span, message)
+}
+
+fn redefined(name: &Text, first: &Merged<'_>) -> Diagnostic {
+    let message = format!("enum `{}` is defined already", name.value);
+    let problem = Diagnostic::new(Code::RedefinedEnum, name.span, message);
+    let problem = problem.related(first.name.span, "the definition");
+    problem.help("an overlay can define new enums; of others it can say more with `<refine>` and `<note>`")
 }
 
 fn duplicate_name(merged: &Merged<'_>, entry: &Entry<'_>, first: &Entry<'_>) -> Diagnostic {

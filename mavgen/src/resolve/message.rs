@@ -87,6 +87,8 @@ fn resolve(syntax: &Message, around: Surroundings, whole: bool, diagnostics: &mu
         len_v1,
         len_v2,
         fields,
+        views: Vec::new(),
+        bindings: Vec::new(),
         origin,
     };
     message.crc_extra = crc::crc_extra(&message.name.xml, message.wire_order());

@@ -59,11 +59,23 @@ pub(super) fn types(loaded: &Loaded, enums: &Enums<'_>, diagnostics: &mut Diagno
         scope.claim(rust.clone(), merged.name, "types", diagnostics);
         types.enums.push(rust);
     }
+    for name in view_types(loaded) {
+        scope.claim_new(names::type_name(&name.value), name, diagnostics);
+    }
     let rust = names::dialect_type_name(&loaded.name);
     let taken = scope.taken.contains_key(&rust);
     types.dialect = suffixed(rust, taken, "Dialect");
     check_dialect(&loaded.name, &types.dialect, &scope, diagnostics);
     types
+}
+
+/// The names that overlays give to types: those of views and, where there are slots, of their items.
+fn view_types(loaded: &Loaded) -> impl Iterator<Item = &Text> {
+    let messages = loaded.overlays.iter().flat_map(|overlay| &overlay.messages);
+    messages.flat_map(|message| &message.views).flat_map(|view| {
+        let item = view.item.as_ref().filter(|_| view.items.is_some());
+        std::iter::once(&view.name).chain(item)
+    })
 }
 
 /// The dialect's type is named after its file, which can be called anything.
@@ -85,7 +97,8 @@ fn check_dialect(name: &str, rust: &str, scope: &Scope<'_>, diagnostics: &mut Di
 
 /// Reports names that are none, wherever they stand, and fields and constants that share a name.
 pub(super) fn check(loaded: &Loaded, enums: &Enums<'_>, widths: &[Width], diagnostics: &mut Diagnostics) {
-    for element in loaded.files.iter().flat_map(|file| &file.enums) {
+    let overlaid = loaded.overlays.iter().flat_map(|overlay| &overlay.enums);
+    for element in loaded.files.iter().flat_map(|file| &file.enums).chain(overlaid) {
         check_spelling(&element.name, "an enum", diagnostics);
         element.entries.iter().for_each(|entry| check_spelling(&entry.name, "an entry", diagnostics));
     }
@@ -109,7 +122,7 @@ fn all_messages(loaded: &Loaded) -> impl Iterator<Item = &Message> {
     loaded.files.iter().flat_map(|file| &file.messages)
 }
 
-fn check_spelling(name: &Text, what: &str, diagnostics: &mut Diagnostics) {
+pub(super) fn check_spelling(name: &Text, what: &str, diagnostics: &mut Diagnostics) {
     if let Some(fault) = fault(&name.value) {
         let message = format!("`{}` cannot be the name of {what}", name.value);
         let problem = Diagnostic::new(Code::BadName, name.span, message).label(fault);
@@ -156,10 +169,29 @@ impl<'a> Scope<'a> {
         if first.value == name.value || !is_name(&name.value) || !is_name(&first.value) {
             return;
         }
-        let message = format!("{what} `{}` and `{}` are both `{rust}` in Rust", first.value, name.value);
-        let problem = Diagnostic::new(Code::NameCollision, name.span, message);
-        diagnostics.push(problem.related(first.span, "the other one").help("rename one of them"));
+        diagnostics.push(collision(first, name, &rust, what));
     }
+
+    /// Takes a name that has to be new, even if it is spelled like another.
+    fn claim_new(&mut self, rust: String, name: &'a Text, diagnostics: &mut Diagnostics) {
+        match self.taken.get(&rust) {
+            Some(first) if is_name(&name.value) => diagnostics.push(collision(first, name, &rust, "types")),
+            Some(_) => {}
+            None => {
+                self.taken.insert(rust, name);
+            }
+        }
+    }
+}
+
+fn collision(first: &Text, name: &Text, rust: &str, what: &str) -> Diagnostic {
+    let message = if first.value == name.value {
+        format!("there is a type `{rust}` already")
+    } else {
+        format!("{what} `{}` and `{}` are both `{rust}` in Rust", first.value, name.value)
+    };
+    let problem = Diagnostic::new(Code::NameCollision, name.span, message);
+    problem.related(first.span, "the other one").help("rename one of them")
 }
 
 #[cfg(test)]

@@ -70,14 +70,18 @@ pub(super) fn float(text: &str) -> Option<f64> {
 
 /// A truth value (`xs:boolean`); absent is false.
 pub(super) fn boolean(text: Option<&Text>, diagnostics: &mut Diagnostics) -> bool {
-    let Some(text) = text else { return false };
+    text.and_then(|text| truth(text, diagnostics)).unwrap_or_default()
+}
+
+/// A truth value that is there; `None` if it is not one, which is reported.
+pub(super) fn truth(text: &Text, diagnostics: &mut Diagnostics) -> Option<bool> {
     match text.value.trim() {
-        "true" | "1" => true,
-        "false" | "0" => false,
+        "true" | "1" => Some(true),
+        "false" | "0" => Some(false),
         other => {
             let message = format!("`{other}` is not a truth value");
             diagnostics.push(Diagnostic::new(Code::BadBoolean, text.span, message).help("write `true` or `false`"));
-            false
+            None
         }
     }
 }

@@ -1,12 +1,15 @@
 //! What whole dialects resolve to; the parts have their tests beside them.
 
+mod bits;
 mod enums;
+mod hostile;
 mod messages;
+mod overlays;
 mod problems;
 
 use crate::diag::{Code, Diagnostics};
 use crate::ir::{Dialect, Enum, FileIndex};
-use crate::read::{Loaded, read};
+use crate::read::{Loaded, read, read_overlay};
 use crate::resolve::resolve;
 use crate::source::Sources;
 
@@ -40,11 +43,21 @@ impl Outcome {
 
 /// Resolves files, given as name and content of `<mavlink>`, in merge order.
 fn outcome(files: &[(&str, &str)]) -> Outcome {
+    overlaid(files, &[])
+}
+
+/// Resolves files, with overlays, given as the content of `<mavlink-overlay>`.
+fn overlaid(files: &[(&str, &str)], overlays: &[&str]) -> Outcome {
     let (mut sources, mut diagnostics, mut loaded) = (Sources::default(), Diagnostics::default(), Loaded::default());
     loaded.name = files[0].0.trim_end_matches(".xml").to_owned();
     for (name, content) in files {
         let id = sources.add(*name, format!("<mavlink>{content}</mavlink>"));
         loaded.files.push(read(id, &sources, &mut diagnostics));
+    }
+    for (index, content) in overlays.iter().enumerate() {
+        let root = format!("<mavlink-overlay version='1' for='{}'>{content}</mavlink-overlay>", files[0].0);
+        let id = sources.add(format!("{index}.overlay.xml"), root);
+        loaded.overlays.push(read_overlay(id, &sources, &mut diagnostics));
     }
     let position = |path: &str| files.iter().position(|(name, _)| *name == path).map(FileIndex);
     let includes = loaded.files.iter().map(|file| &file.includes);

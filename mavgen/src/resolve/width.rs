@@ -36,8 +36,16 @@ impl Width {
     /// Decides, from the fields and entries of the owner.
     ///
     /// Entries of other files that do not fit make it wider, which is said: it changes a type of the file they include.
-    pub(super) fn of(merged: &Merged<'_>, owner: FileIndex, uses: &[Use<'_>], diagnostics: &mut Diagnostics) -> Self {
-        let own = own_repr(merged, owner, uses);
+    ///
+    /// `asked` are the integers that the bits and bindings of an overlay ask its own enums to be.
+    pub(super) fn of(
+        merged: &Merged<'_>,
+        owner: FileIndex,
+        uses: &[Use<'_>],
+        asked: &[Repr],
+        diagnostics: &mut Diagnostics,
+    ) -> Self {
+        let own = own_repr(merged, owner, uses, asked);
         let width = Self { owner, own, repr: widened(own, merged.largest()) };
         if let Some(entry) = merged.entries.iter().find(|entry| width.is_widened_by(entry)) {
             diagnostics.push(width.widening(merged, entry));
@@ -61,9 +69,9 @@ impl Width {
 
 /// The widest field of the owner's messages, unsigned before signed, or else the smallest unsigned; wide enough for the
 /// owner's entries.
-fn own_repr(merged: &Merged<'_>, owner: FileIndex, uses: &[Use<'_>]) -> Repr {
+fn own_repr(merged: &Merged<'_>, owner: FileIndex, uses: &[Use<'_>], asked: &[Repr]) -> Repr {
     let fields = uses.iter().filter(|one| one.file == owner).map(|one| one.repr);
-    let widest = fields.max_by_key(|repr| (repr.size(), !repr.is_signed()));
+    let widest = fields.chain(asked.iter().copied()).max_by_key(|repr| (repr.size(), !repr.is_signed()));
     let entries = merged.entries.iter().filter(|entry| entry.file == owner);
     let largest = entries.map(|entry| u64::try_from(entry.value).unwrap_or(u64::MAX)).max();
     widened(widest.unwrap_or(Repr::U8), largest.unwrap_or_default())

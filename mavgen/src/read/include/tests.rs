@@ -13,6 +13,7 @@ struct Folder(tempfile::TempDir);
 
 struct Run {
     files: Vec<PathBuf>,
+    overlays: Vec<PathBuf>,
     includes: Vec<Vec<usize>>,
     watched: Vec<PathBuf>,
     sources: Sources,
@@ -40,12 +41,18 @@ impl Folder {
     }
 
     fn load(&self, top: &str, include_dirs: &[&str]) -> Run {
+        self.load_with(top, include_dirs, &[])
+    }
+
+    fn load_with(&self, top: &str, include_dirs: &[&str], overlays: &[&str]) -> Run {
         let (mut sources, mut diagnostics) = (Sources::default(), Diagnostics::default());
         let include_dirs: Vec<PathBuf> = include_dirs.iter().map(|name| self.path(name)).collect();
-        let loaded = load(&self.path(top), &include_dirs, &mut sources, &mut diagnostics);
+        let overlays: Vec<PathBuf> = overlays.iter().map(|name| self.path(name)).collect();
+        let loaded = load(&self.path(top), &include_dirs, &overlays, &mut sources, &mut diagnostics);
         let local = |path: &Path| path.strip_prefix(self.0.path()).unwrap_or(path).to_owned();
         Run {
             files: loaded.files.iter().map(|file| local(sources.get(file.id).unwrap().path())).collect(),
+            overlays: loaded.overlays.iter().map(|file| local(sources.get(file.id).unwrap().path())).collect(),
             includes: loaded.includes.iter().map(|to| to.iter().map(|FileIndex(n)| *n).collect()).collect(),
             watched: loaded.watched.iter().map(|path| local(path)).collect(),
             sources,
@@ -149,6 +156,26 @@ fn files_that_cannot_be_read() {
         let line = one_line(run.diagnostics.iter().next().unwrap(), &run.sources);
         assert!(line.starts_with("error[M001]: `") && line.ends_with(reason), "{line}");
     }
+}
+
+#[test]
+fn overlays_are_read_after_the_dialect_and_once() {
+    let folder = Folder::new(&[("top.xml", &["base.xml"]), ("base.xml", &[])]);
+    for name in ["b.overlay.xml", "a.overlay.xml"] {
+        folder.write(name, b"<mavlink-overlay version='1' for='top.xml'/>");
+    }
+    let run = folder.load_with("top.xml", &[], &["b.overlay.xml", "a.overlay.xml", "./b.overlay.xml"]);
+    assert!(run.diagnostics.is_empty(), "{:?}", run.diagnostics);
+    assert_eq!(run.overlays, paths(["b.overlay.xml", "a.overlay.xml"]));
+    assert_eq!(run.watched, paths(["top.xml", "base.xml", "b.overlay.xml", "a.overlay.xml"]));
+}
+
+#[test]
+fn an_overlay_that_is_not_there_is_an_error_and_watched() {
+    let folder = Folder::new(&[("top.xml", &[])]);
+    let run = folder.load_with("top.xml", &[], &["none.overlay.xml"]);
+    assert_eq!((codes(&run), run.overlays.len()), (vec![Code::Unreadable], 0));
+    assert_eq!(run.watched, paths(["top.xml", "none.overlay.xml"]));
 }
 
 #[test]

@@ -1,0 +1,124 @@
+//! Overlays: `<mavlink-overlay>` and what stands directly in it.
+
+mod parts;
+#[cfg(test)]
+mod tests;
+mod view;
+
+use super::elements::{Broken, Elements, Grammar};
+use super::{ENUMS, enums};
+use crate::diag::Diagnostics;
+use crate::source::{FileId, Sources};
+use crate::syntax::Overlay;
+use crate::syntax::overlay::{Additions, Bind, Condition, Note, Refinement};
+
+use super::tag::Tag;
+
+const OVERLAY: Grammar = Grammar::parts(&["enums", "refine", "note", "message"]);
+const REFINE: Grammar = Grammar::parts(&[]);
+const MESSAGE: Grammar = Grammar::parts(&["bind", "view"]);
+
+/// Reads one overlay, as [`super::read`] reads a dialect file.
+pub fn read(id: FileId, sources: &Sources, diagnostics: &mut Diagnostics) -> Overlay {
+    let mut overlay = Overlay {
+        id,
+        version: None,
+        base: None,
+        enums: Vec::new(),
+        refinements: Vec::new(),
+        notes: Vec::new(),
+        messages: Vec::new(),
+    };
+    if let Some(source) = sources.get(id) {
+        let mut elements = Elements::new(id, source.text(), diagnostics);
+        match document(&mut elements, &mut overlay) {
+            Ok(()) | Err(Broken) => {}
+        }
+    }
+    overlay
+}
+
+/// The root element, and nothing after it.
+fn document(elements: &mut Elements<'_, '_>, overlay: &mut Overlay) -> Result<(), Broken> {
+    let mut root = elements.root("mavlink-overlay")?;
+    let (version, base) = (root.require("version"), root.require("for"));
+    if elements.close_tag(root) {
+        (overlay.version, overlay.base) = (Some(version), Some(base));
+    }
+    while let Some(tag) = elements.next_child(&OVERLAY)? {
+        match tag.name {
+            "enums" => {
+                elements.close_tag(tag);
+                while let Some(tag) = elements.next_child(&ENUMS)? {
+                    overlay.enums.extend(enums::read(elements, tag)?);
+                }
+            }
+            "refine" => overlay.refinements.extend(read_refinement(elements, tag)?),
+            "note" => overlay.notes.push(read_note(elements, tag)?),
+            _ => overlay.messages.extend(read_message(elements, tag)?),
+        }
+    }
+    elements.end()
+}
+
+fn read_refinement<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>) -> Result<Option<Refinement>, Broken> {
+    let refinement = Refinement {
+        values: tag.require("enum"),
+        bitmask: tag.take("bitmask"),
+        deprecated: tag.take("deprecated"),
+        span: tag.span,
+    };
+    let complete = elements.close_tag(tag);
+    elements.text(&REFINE)?;
+    Ok(complete.then_some(refinement))
+}
+
+fn read_note<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>) -> Result<Note, Broken> {
+    let mut note = Note {
+        message: tag.take("message"),
+        field: tag.take("field"),
+        values: tag.take("enum"),
+        entry: tag.take("entry"),
+        text: None,
+        span: tag.span,
+    };
+    elements.close_tag(tag);
+    note.text = elements.trimmed_text()?;
+    Ok(note)
+}
+
+fn read_message<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>) -> Result<Option<Additions>, Broken> {
+    let mut message = Additions { name: tag.require("name"), bindings: Vec::new(), views: Vec::new(), span: tag.span };
+    let complete = elements.close_tag(tag);
+    while let Some(tag) = elements.next_child(&MESSAGE)? {
+        match tag.name {
+            "bind" => message.bindings.extend(read_bind(elements, tag)?),
+            _ => message.views.extend(view::read(elements, tag)?),
+        }
+    }
+    Ok(complete.then_some(message))
+}
+
+fn read_bind<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>) -> Result<Option<Bind>, Broken> {
+    let mut bind = Bind {
+        name: tag.require("name"),
+        field: tag.require("field"),
+        values: tag.require("enum"),
+        condition: read_condition(&mut tag),
+        description: None,
+        span: tag.span,
+    };
+    let complete = elements.close_tag(tag);
+    bind.description = elements.trimmed_text()?;
+    Ok(complete.then_some(bind))
+}
+
+/// `if` and `is`, of which each demands the other.
+fn read_condition(tag: &mut Tag<'_>) -> Condition {
+    let (field, value) = (tag.take("if"), tag.take("is"));
+    match (field, value) {
+        (Some(field), None) => Condition { field: Some(field), value: Some(tag.require("is")) },
+        (None, Some(value)) => Condition { field: Some(tag.require("if")), value: Some(value) },
+        (field, value) => Condition { field, value },
+    }
+}

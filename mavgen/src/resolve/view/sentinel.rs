@@ -1,0 +1,79 @@
+//! `invalid`: the values that say that a view or a key means nothing.
+
+use super::place;
+use super::words::Words;
+use crate::diag::{Code, Diagnostic, Diagnostics};
+use crate::ir::{Blank, Scalar, Sentinel};
+use crate::resolve::invalid::{self, Refusal};
+use crate::resolve::overlay::{Found, Scene};
+use crate::resolve::width::integer;
+use crate::syntax::Text;
+use crate::syntax::overlay::{Invalid, View};
+
+/// Resolves all `<invalid>` of a view.
+pub(super) fn blanks(
+    scene: &Scene<'_, '_>,
+    element: &View,
+    words: &Words,
+    diagnostics: &mut Diagnostics,
+) -> Vec<Blank> {
+    element.invalids.iter().filter_map(|invalid| blank(scene, invalid, words, diagnostics)).collect()
+}
+
+fn blank(scene: &Scene<'_, '_>, element: &Invalid, words: &Words, diagnostics: &mut Diagnostics) -> Option<Blank> {
+    let Some(field) = &element.field else {
+        return of_words(scene, &element.value, words, diagnostics);
+    };
+    let (place, found) = place::beside(scene, field, words, diagnostics)?;
+    of_field(scene, &element.value, found, diagnostics).map(|value| Blank::Field(place, value))
+}
+
+/// A value of the joined words.
+fn of_words(scene: &Scene<'_, '_>, text: &Text, words: &Words, diagnostics: &mut Diagnostics) -> Option<Blank> {
+    let largest = u128::MAX >> (128 - u32::from(words.width));
+    let number = invalid::integer(text.value.trim(), scene.entries);
+    let problem = match number.map(u128::try_from) {
+        Some(Ok(number)) if number <= largest => return Some(Blank::Words(number)),
+        Some(_) => {
+            let message = format!("`{}` does not fit the {} bits of the words", text.value, words.width);
+            Diagnostic::new(Code::Sentinel, text.span, message).help("leave it out, or correct it")
+        }
+        None => not_understood(text),
+    };
+    diagnostics.push(problem.related(words.span, "the words"));
+    None
+}
+
+/// A value of an integer field.
+pub(super) fn of_field(
+    scene: &Scene<'_, '_>,
+    text: &Text,
+    found: Found<'_>,
+    diagnostics: &mut Diagnostics,
+) -> Option<i128> {
+    let (ty, name) = (&found.syntax.ty, &found.syntax.name.value);
+    let scalar = found.field.ty.scalar;
+    if integer(scalar).is_none() && !matches!(scalar, Scalar::Version(_)) {
+        let message = format!("`{}.{name}` is `{}`, which is compared with no number", scene.name(), ty.value);
+        let problem = Diagnostic::new(Code::UnsuitableField, text.span, message).related(ty.span, "the field");
+        diagnostics.push(problem.help("`invalid` compares integers"));
+        return None;
+    }
+    let problem = match invalid::sentinel(text.value.trim(), scalar, scene.entries) {
+        Ok(Sentinel::Integer(value)) => return Some(value),
+        Err(Refusal::Unknown) if !scene.entries.complete => return None,
+        Err(Refusal::Range) => {
+            let message = format!("`{}.{name}` is never `{}`: it is `{}`", scene.name(), text.value, ty.value);
+            Diagnostic::new(Code::Sentinel, text.span, message).help("leave it out, or correct it")
+        }
+        Ok(_) | Err(_) => not_understood(text),
+    };
+    diagnostics.push(problem.related(ty.span, "the field"));
+    None
+}
+
+fn not_understood(text: &Text) -> Diagnostic {
+    let message = format!("`{}` is not a number", text.value);
+    let problem = Diagnostic::new(Code::Sentinel, text.span, message);
+    problem.help("write a number, a limit like `UINT16_MAX`, or the name of an enum entry")
+}

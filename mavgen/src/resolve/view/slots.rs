@@ -1,0 +1,101 @@
+//! How a message gives a view: once, or once a slot with the slot's keys.
+
+use super::place;
+use super::sentinel;
+use super::units::suffix;
+use super::words::{Shape, Words};
+use super::{named, origin};
+use crate::diag::{Code, Diagnostic, Diagnostics};
+use crate::ir::{Access, FieldIndex, Key, Scalar, Slots};
+use crate::names::field_name;
+use crate::resolve::overlay::Scene;
+use crate::source::Span;
+use crate::syntax::Text;
+use crate::syntax::overlay::{self, View};
+
+/// Resolves `item`, `items`, `count` and the keys.
+pub(super) fn access(
+    scene: &Scene<'_, '_>,
+    element: &View,
+    words: &Words,
+    diagnostics: &mut Diagnostics,
+) -> Option<Access> {
+    match words.shape {
+        Some(shape) => slots(scene, element, words, shape, diagnostics).map(Access::Slots),
+        None => once(element, words, diagnostics),
+    }
+}
+
+fn once(element: &View, words: &Words, diagnostics: &mut Diagnostics) -> Option<Access> {
+    let mut stray = |span: Span, what: &str| {
+        let message = format!("{what} belongs to slots, and the view has none");
+        let problem = Diagnostic::new(Code::Slots, span, message).related(words.span, "no word is `x[i]`");
+        diagnostics.push(problem.help("leave it out, or read the view from elements of arrays"));
+    };
+    for (text, what) in [(&element.items, "`items`"), (&element.count, "`count`")] {
+        text.iter().for_each(|text| stray(text.span, what));
+    }
+    element.keys.iter().for_each(|key| stray(key.span, "a key"));
+    let item = element.item.as_ref();
+    if item.is_none() {
+        let message = format!("view `{}` has no `item`", element.name.value);
+        let problem = Diagnostic::new(Code::Slots, element.span, message);
+        diagnostics.push(problem.help("`item=\"…\"` names the getter that the message has for it"));
+    }
+    Some(Access::Once { getter: field_name(&item?.value) })
+}
+
+fn slots(
+    scene: &Scene<'_, '_>,
+    element: &View,
+    words: &Words,
+    shape: Shape,
+    diagnostics: &mut Diagnostics,
+) -> Option<Slots> {
+    let mut required = |text: &Option<Text>, name: &str, help: &str| -> Option<Text> {
+        if text.is_none() {
+            let message = format!("view `{}` has {} slots and no `{name}`", element.name.value, shape.length);
+            let problem = Diagnostic::new(Code::Slots, element.span, message).related(shape.span, "the slots");
+            diagnostics.push(problem.help(format!("`{name}=\"…\"` names {help}")));
+        }
+        text.clone()
+    };
+    let item = required(&element.item, "item", "the type of a slot, and the method that gives one: `esc`");
+    let items = required(&element.items, "items", "the iterator over the slots: `escs`");
+    let count = element.count.as_ref().and_then(|text| count(scene, text, diagnostics));
+    let keys = element.keys.iter().filter_map(|key| self::key(scene, key, words, diagnostics)).collect();
+    Some(Slots { item: named(&item?), items: field_name(&items?.value), length: shape.length, count, keys })
+}
+
+fn count(scene: &Scene<'_, '_>, text: &Text, diagnostics: &mut Diagnostics) -> Option<FieldIndex> {
+    let found = scene.field(text, diagnostics)?;
+    let ty = found.field.ty;
+    if ty.array.is_none() && matches!(ty.scalar, Scalar::U8 | Scalar::U16 | Scalar::U32 | Scalar::U64) {
+        return Some(found.index);
+    }
+    let spelled = &found.syntax.ty;
+    let message = format!("`{}.{}` is `{}`, which is no count", scene.name(), text.value, spelled.value);
+    let problem = Diagnostic::new(Code::Count, text.span, message).related(spelled.span, "the field");
+    diagnostics.push(problem.help("a count is a scalar unsigned integer"));
+    None
+}
+
+fn key(scene: &Scene<'_, '_>, element: &overlay::Key, words: &Words, diagnostics: &mut Diagnostics) -> Option<Key> {
+    let (place, found) = place::beside(scene, &element.field, words, diagnostics)?;
+    let invalid = element.invalid.as_ref();
+    let invalid = invalid.and_then(|text| sentinel::of_field(scene, text, found, diagnostics));
+    // An integer is mostly in a fraction of the plain unit, which its name should say; a float is in the plain one.
+    let units = element.units.as_ref().filter(|units| !units.value.trim().is_empty());
+    let suffix = units.filter(|_| !found.field.ty.scalar.is_float()).map(|units| suffix(&units.value));
+    let name = field_name(&element.name.value);
+    Some(Key {
+        name: match suffix {
+            Some(suffix) => format!("{name}_{suffix}"),
+            None => name,
+        },
+        place,
+        units: units.map(|units| units.value.clone()).or_else(|| found.field.units.clone()),
+        invalid,
+        description: origin::or_empty(element.description.as_ref()),
+    })
+}

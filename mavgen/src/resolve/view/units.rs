@@ -1,0 +1,101 @@
+//! Units: how many of one make another, and what they are called in a name.
+
+/// Powers of ten that SI has prefixes for.
+const PREFIXES: [(&str, i32); 14] = [
+    ("G", 9),
+    ("M", 6),
+    ("k", 3),
+    ("h", 2),
+    ("da", 1),
+    ("d", -1),
+    ("c", -2),
+    ("m", -3),
+    ("u", -6),
+    ("µ", -6),
+    ("n", -9),
+    ("p", -12),
+    ("", 0),
+    // MAVLink's own: `degE7` is a ten-millionth of a degree.
+    ("E", 0),
+];
+
+/// The power of ten by which `unit` is larger than `other`: 3 for `V` and `mV`, 7 for `deg` and `degE7`.
+///
+/// `None` if they do not measure the same, or it cannot be told: a prefix of a squared unit is squared as well.
+pub(super) fn power_between(unit: &str, other: &str) -> Option<i32> {
+    let (unit, other) = (unit.trim(), other.trim());
+    let (unit, own) = without_exponent(unit);
+    let (other, theirs) = without_exponent(other);
+    for (prefix, power) in PREFIXES {
+        for (other_prefix, other_power) in PREFIXES {
+            let bases = (unit.strip_prefix(prefix), other.strip_prefix(other_prefix));
+            let (Some(base), Some(other_base)) = bases else { continue };
+            if base == other_base && is_plain(base) {
+                return Some((power + own) - (other_power + theirs));
+            }
+        }
+    }
+    None
+}
+
+/// Takes `E7` off `degE7`, and says that it is 10^-7 of it.
+fn without_exponent(unit: &str) -> (&str, i32) {
+    let split = unit.rsplit_once('E').and_then(|(base, digits)| Some((base, digits.parse::<u8>().ok()?)));
+    split.map_or((unit, 0), |(base, digits)| (base, -i32::from(digits)))
+}
+
+/// Whether a prefix before this unit is a plain factor.
+fn is_plain(base: &str) -> bool {
+    let first = base.split(['/', '*']).next().unwrap_or_default();
+    !first.is_empty() && !first.contains('^')
+}
+
+/// What a unit adds to a name: `mv`, `cdegc`, `m_per_s`.
+pub(super) fn suffix(unit: &str) -> String {
+    let spelled = unit.replace('/', " per ").replace('%', " percent ").replace('µ', "u");
+    let words = spelled.split(|letter: char| !letter.is_ascii_alphanumeric()).filter(|word| !word.is_empty());
+    words.map(str::to_ascii_lowercase).collect::<Vec<_>>().join("_")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn powers() {
+        for (unit, other, power) in [
+            ("V", "mV", Some(3)),
+            ("A", "mA", Some(3)),
+            ("degC", "cdegC", Some(2)),
+            ("m", "mm", Some(3)),
+            ("mm", "m", Some(-3)),
+            ("m/s", "cm/s", Some(2)),
+            ("km/h", "m/h", Some(3)),
+            ("m/s^2", "mm/s^2", Some(3)),
+            ("%", "d%", Some(1)),
+            ("%", "c%", Some(2)),
+            ("deg", "degE7", Some(7)),
+            ("degE5", "degE7", Some(2)),
+            ("s", "us", Some(6)),
+            ("ms", "us", Some(3)),
+            ("hPa", "Pa", Some(2)),
+            ("rpm", "rpm", Some(0)),
+            ("V", "mA", None),
+            ("m^2", "mm^2", None),
+            ("m/s", "mm", None),
+            ("V", "", None),
+            ("", "mV", None),
+        ] {
+            assert_eq!(power_between(unit, other), power, "{unit} {other}");
+        }
+    }
+
+    #[test]
+    fn suffixes() {
+        for (unit, expected) in
+            [("mV", "mv"), ("cdegC", "cdegc"), ("m/s", "m_per_s"), ("c%", "c_percent"), ("mm/s^2", "mm_per_s_2")]
+        {
+            assert_eq!(suffix(unit), expected);
+        }
+    }
+}
