@@ -9,7 +9,7 @@ use crate::emit::MARK;
 use crate::ir::Dialect;
 use crate::names::module_name;
 use crate::output::{write, write_file};
-use crate::source::Sources;
+use crate::source::{FileId, Sources};
 
 impl Builder {
     /// The whole of a `build.rs`: generates into `OUT_DIR` and tells cargo what it needs to know.
@@ -32,11 +32,11 @@ impl Builder {
         let (problems, failure) = match self.resolve() {
             Ok(resolved) => {
                 watch(&resolved.watched);
-                (for_cargo(&resolved.diagnostics, &resolved.sources), self.write_out_dir(&resolved, out_dir).err())
+                (self.for_cargo(&resolved.diagnostics, &resolved.sources), self.write_out_dir(&resolved, out_dir).err())
             }
             Err(Failure::Definitions(problems)) => {
                 watch(&problems.watched);
-                (for_cargo(&problems.diagnostics, &problems.sources), None)
+                (self.for_cargo(&problems.diagnostics, &problems.sources), None)
             }
             Err(failure) => (Vec::new(), Some(failure)),
         };
@@ -55,6 +55,22 @@ impl Builder {
         write_file(&entry_point.0, &entry_point.1).map_err(Failure::Output)?;
         Ok(())
     }
+
+    /// Errors, and warnings about the files that the user asked for by name, one directive a line.
+    fn for_cargo(&self, diagnostics: &Diagnostics, sources: &Sources) -> Vec<String> {
+        let is_own = |file: FileId| sources.get(file).is_some_and(|source| self.names(source.path()));
+        let kind = |diagnostic: &Diagnostic| match diagnostic.severity() {
+            Severity::Error => Some("error"),
+            Severity::Warning if diagnostic.span.is_none_or(|span| is_own(span.file)) => Some("warning"),
+            Severity::Warning | Severity::Note => None,
+        };
+        let kinds = diagnostics.iter().filter_map(|diagnostic| Some((kind(diagnostic)?, diagnostic)));
+        let directives = |(kind, diagnostic): (&str, &Diagnostic)| -> Vec<String> {
+            let drawn = render(diagnostic, sources, Style::Plain);
+            drawn.lines().map(|line| format!("cargo::{kind}={line}")).collect()
+        };
+        kinds.flat_map(directives).collect()
+    }
 }
 
 /// `OUT_DIR/acme.rs`: the module, for `include!` to take in.
@@ -65,22 +81,6 @@ fn entry_point(dialect: &Dialect, module: &str) -> String {
     );
     let docs = if dialect.messages.is_empty() { format!("/// The `{}` dialect.", dialect.name) } else { docs };
     format!("{MARK}; do not edit.\n\n{docs}\n#[path = \"{module}/mod.rs\"]\npub mod {module};\n")
-}
-
-/// Errors, and warnings about the file that the user asked for, one directive a line.
-fn for_cargo(diagnostics: &Diagnostics, sources: &Sources) -> Vec<String> {
-    let own = sources.iter().next().map(|(id, _)| id);
-    let kind = |diagnostic: &Diagnostic| match diagnostic.severity() {
-        Severity::Error => Some("error"),
-        Severity::Warning if diagnostic.span.is_none_or(|span| Some(span.file) == own) => Some("warning"),
-        Severity::Warning | Severity::Note => None,
-    };
-    let kinds = diagnostics.iter().filter_map(|diagnostic| Some((kind(diagnostic)?, diagnostic)));
-    let directives = |(kind, diagnostic): (&str, &Diagnostic)| -> Vec<String> {
-        let drawn = render(diagnostic, sources, Style::Plain);
-        drawn.lines().map(|line| format!("cargo::{kind}={line}")).collect()
-    };
-    kinds.flat_map(directives).collect()
 }
 
 #[cfg(test)]

@@ -29,6 +29,7 @@ pub struct Builder {
     xml: PathBuf,
     name: Option<String>,
     include_dirs: Vec<PathBuf>,
+    overlays: Vec<PathBuf>,
     pub(crate) out_dir: Option<PathBuf>,
     runtime: String,
     deprecated: bool,
@@ -77,6 +78,7 @@ impl Builder {
             xml: xml.into(),
             name: None,
             include_dirs: Vec::new(),
+            overlays: Vec::new(),
             out_dir: None,
             runtime: "::mavlink_wire".to_owned(),
             deprecated: true,
@@ -94,6 +96,14 @@ impl Builder {
     #[must_use]
     pub fn include_dir(mut self, folder: impl Into<PathBuf>) -> Self {
         self.include_dirs.push(folder.into());
+        self
+    }
+
+    /// Adds an overlay: a file that says what the dialect's XML cannot, like the meaning of packed bits. It changes nothing
+    /// on the wire.
+    #[must_use]
+    pub fn overlay(mut self, path: impl Into<PathBuf>) -> Self {
+        self.overlays.push(path.into());
         self
     }
 
@@ -124,7 +134,7 @@ impl Builder {
     /// [`Failure::Definitions`] with every problem.
     pub fn resolve(&self) -> Result<Resolved, Failure> {
         let (mut sources, mut diagnostics) = (Sources::default(), Diagnostics::default());
-        let mut loaded = load(&self.xml, &self.include_dirs, &mut sources, &mut diagnostics);
+        let mut loaded = load(&self.xml, &self.include_dirs, &self.overlays, &mut sources, &mut diagnostics);
         if let Some(name) = &self.name {
             loaded.name.clone_from(name);
         }
@@ -175,6 +185,11 @@ impl Builder {
         }
         let sources = provenance(&resolved.sources);
         Ok(emit(&resolved.dialect, &Options { runtime: self.runtime.clone(), deprecated: self.deprecated, sources }))
+    }
+
+    /// Whether this is the dialect's file or an overlay, as opposed to a file that one includes.
+    pub(crate) fn names(&self, path: &Path) -> bool {
+        self.xml == path || self.overlays.iter().any(|overlay| overlay == path)
     }
 
     fn folder(&self) -> Result<&Path, Failure> {

@@ -52,6 +52,9 @@ struct Input {
     /// Where to look for includes that do not lie beside the file that names them; may be given several times.
     #[arg(long, value_name = "DIR")]
     include_dir: Vec<PathBuf>,
+    /// A file that says what the XML cannot, like the meaning of packed bits; may be given several times.
+    #[arg(long, value_name = "FILE")]
+    overlay: Vec<PathBuf>,
 }
 
 #[derive(Args)]
@@ -65,7 +68,9 @@ struct Output {
 
 impl Input {
     fn builder(&self) -> Builder {
-        self.include_dir.iter().fold(Builder::new(&self.xml), |builder, folder| builder.include_dir(folder))
+        let builder = Builder::new(&self.xml);
+        let builder = self.include_dir.iter().fold(builder, |builder, folder| builder.include_dir(folder));
+        self.overlay.iter().fold(builder, |builder, file| builder.overlay(file))
     }
 }
 
@@ -105,7 +110,9 @@ fn check(output: &Output) -> Result<ExitCode, Failure> {
         return Ok(ExitCode::SUCCESS);
     }
     let (xml, out) = (output.input.xml.display(), output.out.display());
-    anstream::eprintln!("run `mavgen generate {xml} --out {out}`");
+    let overlays = output.input.overlay.iter().map(|file| format!(" --overlay {}", file.display()));
+    let overlays: String = overlays.collect();
+    anstream::eprintln!("run `mavgen generate {xml}{overlays} --out {out}`");
     Ok(ExitCode::from(1))
 }
 

@@ -11,11 +11,11 @@ pub(crate) fn prose(text: &str) -> Vec<String> {
     prose_with(text, Vec::new())
 }
 
-/// The paragraphs of a text, the last of which goes on with safe words of our own.
+/// The paragraphs of a text, the first of which goes on with safe words of our own.
 pub(crate) fn prose_with(text: &str, mut more: Vec<String>) -> Vec<String> {
     let mut paragraphs = paragraphs(text);
-    match paragraphs.last_mut() {
-        Some(last) => last.append(&mut more),
+    match paragraphs.first_mut() {
+        Some(first) => first.append(&mut more),
         None => paragraphs.push(more),
     }
     let wrapped: Vec<Vec<String>> = paragraphs.iter().map(|words| wrap(words, WIDTH)).collect();

@@ -12,6 +12,7 @@ mod field;
 mod message;
 mod modules;
 mod token;
+mod view;
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
@@ -20,7 +21,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use crate::format::format;
-use crate::ir::{Dialect, Enum, Lifecycle, Message, Origin};
+use crate::ir::{Dialect, Enum, Lifecycle, Message, Origin, View};
 use crate::names::item_module_name;
 
 /// How to emit.
@@ -105,8 +106,10 @@ enum Job<'a> {
     Dialect,
     Messages,
     Enums,
+    Views,
     Message(&'a Message),
     Enum(&'a Enum),
+    View(&'a Message, &'a View),
 }
 
 /// The files of a dialect: the large ones first, so that no thread is left with one at the end.
@@ -120,9 +123,18 @@ fn jobs(dialect: &Dialect) -> Vec<Job<'_>> {
     if !dialect.enums.is_empty() {
         jobs.push(Job::Enums);
     }
+    if views(dialect).next().is_some() {
+        jobs.push(Job::Views);
+    }
     jobs.extend(enums.into_iter().map(Job::Enum));
     jobs.extend(dialect.messages.iter().map(Job::Message));
+    jobs.extend(views(dialect).map(|(message, view)| Job::View(message, view)));
     jobs
+}
+
+/// Every view with its message.
+pub(crate) fn views(dialect: &Dialect) -> impl Iterator<Item = (&Message, &View)> {
+    dialect.messages.iter().flat_map(|message| message.views.iter().map(move |view| (message, view)))
 }
 
 impl Job<'_> {
@@ -132,6 +144,10 @@ impl Job<'_> {
             Self::Dialect => ("dialect.rs".to_owned(), dialect::dialect(context), None),
             Self::Messages => ("messages.rs".to_owned(), modules::messages(context), None),
             Self::Enums => ("enums.rs".to_owned(), modules::enums(context), None),
+            Self::Views => ("views.rs".to_owned(), modules::views(context), None),
+            Self::View(message, view) => {
+                (path_of("views", &view.name.xml), view::view(context, message, view), Some(&view.origin))
+            }
             Self::Message(message) => {
                 (path_of("messages", &message.name.xml), message::message(context, message), Some(&message.origin))
             }

@@ -20,10 +20,15 @@
 //! [`Builder::generate`] writes the same sources into a folder, and [`Builder::check`] says whether they are current, so
 //! that a test can. The `mavgen` command does both without a line of Rust.
 //!
+//! # Bits inside integers
+//!
+//! What XML cannot say, that an integer is packed with other values, an [`overlay`] says.
+//!
 //! # How it works
 //!
 //! ```text
 //! XML text ─read→ syntax ─resolve→ ir ─emit→ tokens ─format→ files
+//! (+ overlay, read by the same reader, joined in resolve)
 //! ```
 //!
 //! [`syntax`] is what a file says, with a [`source::Span`] on every name and number. [`ir`] is what the files mean together:
@@ -42,6 +47,8 @@ mod format;
 pub mod ir;
 mod names;
 pub mod output;
+#[doc = include_str!("overlay.md")]
+pub mod overlay {}
 pub mod read;
 pub mod resolve;
 pub mod source;

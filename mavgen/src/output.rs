@@ -130,7 +130,7 @@ fn replace(path: &Path, text: &str) -> Result<(), OutputError> {
 /// The generated files in `folder` and the folders below it that we make; none if there is no such folder.
 fn ours(folder: &Path) -> Result<BTreeSet<PathBuf>, OutputError> {
     let mut ours = BTreeSet::new();
-    for folder in [folder.to_owned(), folder.join("messages"), folder.join("enums")] {
+    for folder in [folder.to_owned(), folder.join("messages"), folder.join("enums"), folder.join("views")] {
         let entries = match fs::read_dir(&folder) {
             Ok(entries) => entries,
             Err(error) if error.kind() == io::ErrorKind::NotFound => continue,

@@ -73,6 +73,21 @@ fn a_missing_include_is_watched() {
 }
 
 #[test]
+fn an_overlay_is_watched_and_warned_about() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    fs::write(path("acme.xml"), BASE).unwrap();
+    let refine = "<refine enum='SPRAY_STATE' bitmask='false'/>";
+    fs::write(path("o.xml"), format!("<mavlink-overlay version='1' for='acme.xml'>{refine}</mavlink-overlay>"))
+        .unwrap();
+    let builder = Builder::new(path("acme.xml")).overlay(path("o.xml"));
+    let said = builder.cargo_directives(Some(&path("out")));
+    let watched = starting(&said, "cargo::rerun-if-changed=");
+    assert_eq!(watched.last().copied(), Some(path("o.xml").to_str().unwrap()), "{said:?}");
+    assert!(starting(&said, "cargo::warning=").iter().any(|line| line.contains("M708")), "{said:?}");
+}
+
+#[test]
 fn a_name_can_be_given() {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("my fork.xml"), BASE).unwrap();

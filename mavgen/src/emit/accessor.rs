@@ -1,18 +1,22 @@
 //! Getters and setters beside the plain fields: for sentinels ("not known"), and for enums in fields of another width.
 //!
 //! ```text
-//! /// `temperature`; `None` where it is 32767.
+//! /// `temperature`, or `None` where the sender does not know it.
+//! #[inline]
 //! pub fn temperature(&self) -> Option<i16> {
-//!     Some(self.temperature).filter(|&v| v != 32767)
+//!     if self.temperature == 32767 { None } else { Some(self.temperature) }
 //! }
-//! /// Sets `temperature`; `None` means not known.
+//! /// Sets `temperature`; `None` says that it is not known.
+//! #[inline]
 //! pub fn set_temperature(&mut self, value: Option<i16>) {
 //!     self.temperature = value.unwrap_or(32767);
 //! }
 //! ```
 //!
+//! All of them are inlined: there are hundreds, of which a program uses a few, and code that is not made costs no build time.
+//!
 //! A field `set_temperature` beside it has no accessors, because its getter would have the name of that setter; nor has a field
-//! whose getter would have the name of something that every message has ([`TAKEN`]).
+//! whose getter would have the name of something that every message has ([`MESSAGE_METHODS`]).
 
 use std::collections::HashSet;
 
@@ -23,13 +27,11 @@ use crate::emit::field::{converted_enum, element_type, typed_enum};
 use crate::emit::token::{decimal, float, ident, integer, repr, scalar};
 use crate::emit::{Context, doc};
 use crate::ir::{Enum, Field, Invalid, Message, Repr, Scalar, Scope, Sentinel};
-
-/// Methods that every message has, and names that readers and lints take for something else.
-const TAKEN: [&str; 9] = ["clone", "cmp", "decode", "default", "info", "new", "payload", "to", "write"];
+use crate::names::MESSAGE_METHODS;
 
 /// The `impl` with a message's accessors; nothing if it has none.
 pub(crate) fn accessors(context: &Context<'_>, message: &Message) -> TokenStream {
-    let mut taken = HashSet::from(TAKEN.map(str::to_owned));
+    let mut taken = HashSet::from(MESSAGE_METHODS.map(str::to_owned));
     let mut accessors = Vec::new();
     for field in &message.fields {
         let names = [field.name.rust.clone(), format!("set_{}", field.name.rust)];
@@ -80,18 +82,21 @@ impl Shown {
         }
     }
 
-    /// Whether `v` is a known value: `v != 65535`, `!v.is_nan()`, `v.bits() != 0`.
+    /// Whether a value is the sentinel: `v == 65535`, `v.is_nan()`.
+    fn is_unknown(&self, invalid: &Invalid, value: &TokenStream) -> TokenStream {
+        let sentinel = self.sentinel(invalid);
+        match invalid.sentinel {
+            Sentinel::NotANumber => quote!(#value.is_nan()),
+            Sentinel::Float(_) | Sentinel::Integer(_) => quote!(#value == #sentinel),
+        }
+    }
+
+    /// `v != 65535`, `!v.is_nan()`
     fn is_known(&self, invalid: &Invalid) -> TokenStream {
-        match (invalid.sentinel, self.typed) {
-            (Sentinel::NotANumber, _) => quote!(!v.is_nan()),
-            (Sentinel::Float(value), _) => {
-                let value = float(value);
-                quote!(v != #value)
-            }
-            (Sentinel::Integer(_), _) => {
-                let sentinel = self.sentinel(invalid);
-                quote!(v != #sentinel)
-            }
+        let sentinel = self.sentinel(invalid);
+        match invalid.sentinel {
+            Sentinel::NotANumber => quote!(!v.is_nan()),
+            Sentinel::Float(_) | Sentinel::Integer(_) => quote!(v != #sentinel),
         }
     }
 
@@ -113,6 +118,12 @@ impl Shown {
         }
     }
 
+    /// `self.temperature`
+    fn read(&self) -> TokenStream {
+        let field = &self.field;
+        quote!(self.#field)
+    }
+
     fn docs(&self, get: &str, set: &str) -> (TokenStream, TokenStream) {
         (self.doc(get), self.doc(set))
     }
@@ -125,16 +136,18 @@ impl Shown {
 
 /// A scalar: `Option<u16>`.
 fn optional(shown: &Shown, invalid: &Invalid) -> TokenStream {
-    let (known, sentinel) = (shown.is_known(invalid), shown.sentinel(invalid));
+    let (unknown, sentinel) = (shown.is_unknown(invalid, &shown.read()), shown.sentinel(invalid));
     let (get, set) =
         shown.docs("#, or `None` where the sender does not know it.", "Sets #; `None` says that it is not known.");
     let Shown { field, setter, element, .. } = shown;
     quote! {
         #get
+        #[inline]
         pub fn #field(&self) -> Option<#element> {
-            Some(self.#field).filter(|&v| #known)
+            if #unknown { None } else { Some(self.#field) }
         }
         #set
+        #[inline]
         pub fn #setter(&mut self, value: Option<#element>) {
             self.#field = value.unwrap_or(#sentinel);
         }
@@ -151,10 +164,12 @@ fn optional_element(shown: &Shown, invalid: &Invalid, always: &TokenStream) -> T
     let Shown { field, setter, element, .. } = shown;
     quote! {
         #get
+        #[inline]
         pub fn #field(&self, index: usize) -> Option<#element> {
             self.#field.get(index).copied().filter(|&v| #always #known)
         }
         #set
+        #[inline]
         pub fn #setter(&mut self, index: usize, value: Option<#element>) -> Result<(), wire::OutOfRange> {
             let element = self.#field.get_mut(index).ok_or(wire::OutOfRange)?;
             *element = value.unwrap_or(#sentinel);
@@ -165,16 +180,20 @@ fn optional_element(shown: &Shown, invalid: &Invalid, always: &TokenStream) -> T
 
 /// An array that is known as a whole, or not at all.
 fn optional_array(shown: &Shown, invalid: &Invalid, length: u8) -> TokenStream {
-    let (known, sentinel, n) = (shown.is_known(invalid), shown.sentinel(invalid), decimal(length));
+    let (sentinel, n) = (shown.sentinel(invalid), decimal(length));
+    let value = shown.read();
+    let unknown = shown.is_unknown(invalid, &quote!(#value[0]));
     let (get, set) =
         shown.docs("#, or `None` where the sender does not know it.", "Sets #; `None` says that it is not known.");
     let Shown { field, setter, element, .. } = shown;
     quote! {
         #get
+        #[inline]
         pub fn #field(&self) -> Option<[#element; #n]> {
-            Some(self.#field).filter(|&[v, ..]| #known)
+            if #unknown { None } else { Some(self.#field) }
         }
         #set
+        #[inline]
         pub fn #setter(&mut self, value: Option<[#element; #n]>) {
             self.#field = value.unwrap_or([#sentinel; #n]);
         }
@@ -193,7 +212,7 @@ fn converted_getter(shown: &Shown, field: &Field, values: &Enum) -> TokenStream 
     let known = field.invalid.as_ref().map(|invalid| shown.is_known(invalid));
     if fits && known.is_none() && field.ty.array.is_none() {
         let docs = shown.doc("# as its enum.");
-        return quote!(#docs pub fn #name(&self) -> #target { #target::from(#enum_int::from(self.#name)) });
+        return quote!(#docs #[inline] pub fn #name(&self) -> #target { #target::from(#enum_int::from(self.#name)) });
     }
     let filter = known.map(|known| quote!(.filter(|&v| #known)));
     let number = match field.ty.array {
@@ -211,7 +230,7 @@ fn converted_getter(shown: &Shown, field: &Field, values: &Enum) -> TokenStream 
             quote!(, index: usize),
         ),
     };
-    quote!(#docs pub fn #name(&self #index) -> Option<#target> { #number #filter.#value })
+    quote!(#docs #[inline] pub fn #name(&self #index) -> Option<#target> { #number #filter.#value })
 }
 
 fn converted_setter(shown: &Shown, field: &Field, values: &Enum) -> TokenStream {
@@ -222,25 +241,33 @@ fn converted_setter(shown: &Shown, field: &Field, values: &Enum) -> TokenStream 
         true => quote!(#int::from(#enum_int::from(value))),
         false => quote!(#int::try_from(#enum_int::from(value)).map_err(|_| wire::OutOfRange)?),
     };
-    let (docs, index, place) = match (field.ty.array, fits) {
+    match (field.ty.array, fits) {
         (None, true) => {
             let docs = shown.doc("Sets # from its enum.");
-            return quote!(#docs pub fn #setter(&mut self, value: #target) { self.#name = #number; });
+            quote!(#docs #[inline] pub fn #setter(&mut self, value: #target) { self.#name = #number; })
         }
         (None, false) => {
-            (shown.doc("Sets # from its enum. An error if the value does not fit the field."), quote!(), quote!(self.#name))
+            let docs = shown.doc("Sets # from its enum. An error if the value does not fit the field.");
+            quote! {
+                #docs
+                #[inline]
+                pub fn #setter(&mut self, value: #target) -> Result<(), wire::OutOfRange> {
+                    self.#name = #number;
+                    Ok(())
+                }
+            }
         }
-        (Some(_), _) => (
-            shown.doc("Sets element `index` of # from its enum. An error if the value does not fit, or there is no such element."),
-            quote!(index: usize,),
-            quote!(*self.#name.get_mut(index).ok_or(wire::OutOfRange)?),
-        ),
-    };
-    quote! {
-        #docs
-        pub fn #setter(&mut self, #index value: #target) -> Result<(), wire::OutOfRange> {
-            #place = #number;
-            Ok(())
+        (Some(_), _) => {
+            let docs = shown.doc("Sets element `index` of # from its enum. An error if the value does not fit, or there is no such element.");
+            quote! {
+                #docs
+                #[inline]
+                pub fn #setter(&mut self, index: usize, value: #target) -> Result<(), wire::OutOfRange> {
+                    let element = self.#name.get_mut(index).ok_or(wire::OutOfRange)?;
+                    *element = #number;
+                    Ok(())
+                }
+            }
         }
     }
 }

@@ -66,9 +66,10 @@ pub(crate) fn deprecated(context: &Context<'_>, origin: &Origin) -> TokenStream 
     else {
         return TokenStream::new();
     };
-    let by = successor.replaced_by.as_ref().filter(|by| !by.trim().is_empty());
-    let by = by.map_or_else(|| "do not use".to_owned(), |by| format!("replaced by {}", by.trim()));
-    let note = successor.since.as_ref().map_or_else(|| by.clone(), |since| format!("since {since}: {by}"));
+    // Rustdoc shows the note as markdown, so it is made safe like all other text.
+    let by = successor.replaced_by.as_deref().map(line).filter(|by| !by.is_empty());
+    let by = by.map_or_else(|| "do not use".to_owned(), |by| format!("replaced by {by}"));
+    let note = successor.since.as_ref().map_or_else(|| by.clone(), |since| format!("since {}: {by}", line(since)));
     quote!(#[deprecated(note = #note)])
 }
 

@@ -46,7 +46,7 @@ use quote::quote;
 use crate::docs::line;
 use crate::emit::field::{FieldTokens, field, xml_type};
 use crate::emit::token::{decimal, ident};
-use crate::emit::{Context, accessor, doc};
+use crate::emit::{Context, accessor, doc, view};
 use crate::ir::{Field, Message};
 
 /// The items of a message's file.
@@ -57,11 +57,13 @@ pub(crate) fn message(context: &Context<'_>, message: &Message) -> TokenStream {
     let encode_impl = encode_impl(context, message);
     let targeted = targeted(message);
     let accessors = accessor::accessors(context, message);
+    let bindings = view::bindings(context, message);
     let name = ident(&message.name.rust);
     quote! {
         #imports
         #declaration
         #accessors
+        #bindings
         #message_impl
         #encode_impl
         #targeted
@@ -70,7 +72,9 @@ pub(crate) fn message(context: &Context<'_>, message: &Message) -> TokenStream {
 }
 
 fn imports(context: &Context<'_>, message: &Message) -> TokenStream {
-    let enums = message.fields.iter().filter_map(|field| context.dialect.enum_by_id(field.values?.id()));
+    let fields = message.fields.iter().filter_map(|field| Some(field.values?.id()));
+    let bound = message.bindings.iter().map(|binding| binding.values);
+    let enums = fields.chain(bound).filter_map(|id| context.dialect.enum_by_id(id));
     let names: BTreeSet<Ident> = enums.map(|values| ident(&values.name.rust)).collect();
     let (names, runtime) = (names.iter(), context.use_runtime());
     let enums = if names.len() == 0 { quote!() } else { quote!(use super::super::enums::{#(#names),*};) };

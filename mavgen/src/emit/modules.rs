@@ -5,8 +5,8 @@ use quote::quote;
 
 use crate::docs::first_sentence;
 use crate::emit::token::{decimal, ident};
-use crate::emit::{Context, doc};
-use crate::ir::{Name, Origin};
+use crate::emit::{Context, doc, views as all_views};
+use crate::ir::{Access, Name, Origin};
 use crate::names::item_module_name;
 
 /// `mod.rs`: modules and flat names, of what there is. It begins with an item, so that `include!` takes it.
@@ -34,6 +34,14 @@ pub(crate) fn root(context: &Context<'_>) -> TokenStream {
         ));
         exports.push(quote!(
             pub use messages::*;
+        ));
+    }
+    if all_views(context.dialect).next().is_some() {
+        modules.push(quote!(
+            pub mod views;
+        ));
+        exports.push(quote!(
+            pub use views::*;
         ));
     }
     quote!(#(#modules)* #(#exports)*)
@@ -80,6 +88,28 @@ pub(crate) fn enums(context: &Context<'_>) -> TokenStream {
     });
     let modules = declare(modules.collect());
     quote!(#docs #modules)
+}
+
+/// `views.rs`: the views, and the slots that messages give them in.
+pub(crate) fn views(context: &Context<'_>) -> TokenStream {
+    let docs = doc::inner_attributes(&["Views of bits that are packed into fields.".to_owned()]);
+    let views: Vec<_> = all_views(context.dialect).collect();
+    let modules = views.iter().map(|(message, view)| {
+        let expect = expect_deprecated(context.is_deprecated(&message.origin));
+        let file = ident(&item_module_name(&view.name.xml));
+        quote!(#expect mod #file;)
+    });
+    let exports = views.iter().map(|(_, view)| {
+        let (file, name) = (ident(&item_module_name(&view.name.xml)), ident(&view.name.rust));
+        match &view.access {
+            Access::Once { .. } => quote!(pub use #file::#name;),
+            Access::Slots(slots) => {
+                let item = ident(&slots.item.rust);
+                quote!(pub use #file::{#item, #name};)
+            }
+        }
+    });
+    quote!(#docs #(#modules)* #(#exports)*)
 }
 
 /// A file with one public type.

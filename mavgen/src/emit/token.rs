@@ -43,8 +43,10 @@ pub(crate) fn float(value: f64) -> TokenStream {
     if value.is_nan() {
         return quote!(f32::NAN);
     }
-    let magnitude = Literal::f64_unsuffixed(value.abs());
-    if value < 0.0 { quote!(-#magnitude) } else { quote!(#magnitude) }
+    // Debug formatting writes `1e30` and keeps the point of `2.0`.
+    let text = format!("{:?}", value.abs());
+    let magnitude = text.parse().unwrap_or_else(|_| Literal::f64_unsuffixed(value.abs()));
+    if value.is_sign_negative() { quote!(-#magnitude) } else { quote!(#magnitude) }
 }
 
 /// The Rust integer behind an enum.
@@ -79,6 +81,8 @@ mod tests {
         assert_eq!(mask(0x10000).to_string(), "0x1_0000");
         assert_eq!(integer(-32768).to_string(), "- 32768");
         assert_eq!(float(-1.5).to_string(), "- 1.5");
+        assert_eq!(float(-0.0).to_string(), "- 0.0");
+        assert_eq!(float(1e300).to_string(), "1e300");
         assert_eq!(ident("type").to_string(), "r#type");
     }
 }
