@@ -2,14 +2,30 @@
 
 fn main() {
     println!("cargo::rerun-if-changed=build.rs");
+    println!("cargo::rustc-check-cfg=cfg(without_esc)");
     #[cfg(feature = "generate")]
     generate();
 }
 
+/// A fork's definitions may lack what our overlay describes, so it applies only to our own.
 #[cfg(feature = "generate")]
 fn generate() {
-    println!("cargo::rerun-if-env-changed=MAVLINK_AUTOQUAD_XML");
-    let fork = std::env::var_os("MAVLINK_AUTOQUAD_XML");
-    let xml = fork.map_or("xml/autoquad.xml".into(), std::path::PathBuf::from);
-    mavgen::Builder::new(xml).name("autoquad").build_script();
+    let variable = |name: &str| {
+        println!("cargo::rerun-if-env-changed={name}");
+        std::env::var_os(name)
+    };
+    let (fork, overlay) = (variable("MAVLINK_AUTOQUAD_XML"), variable("MAVLINK_AUTOQUAD_OVERLAY"));
+    let overlay = match (&fork, overlay) {
+        (None, None) => Some("xml/autoquad.overlay.xml".into()),
+        (_, named) => named,
+    };
+    let builder = mavgen::Builder::new(fork.unwrap_or("xml/autoquad.xml".into())).name("autoquad");
+    let builder = match overlay {
+        Some(path) => builder.overlay(path),
+        None => {
+            println!("cargo::rustc-cfg=without_esc");
+            builder
+        }
+    };
+    builder.build_script();
 }

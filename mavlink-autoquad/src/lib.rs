@@ -37,6 +37,33 @@
 //! }
 //! ```
 //!
+//! # Motor controllers
+//!
+//! AutoQuad packs the status of each ESC32 into 64 bits: [`AqEscTelemetry::escs`](autoquad::AqEscTelemetry::escs) reads them
+//! in volts, amperes, rpm and degrees. [`esc`] makes a table of up to 16 controllers from the batches of four, and the
+//! messages that ground stations of today show.
+//!
+//! ```
+//! use mavlink_autoquad::autoquad::{AqEscTelemetry, EscInfo, EscStatus};
+//! use mavlink_autoquad::esc::{Conversion, EscTable};
+//!
+//! /// What a bridge sends for the first four motors.
+//! fn convert(table: &mut EscTable, telemetry: &AqEscTelemetry) -> Option<(EscInfo, EscStatus)> {
+//!     for esc in telemetry.escs() {
+//!         match esc.status {
+//!             Some(status) if status.voltage_mv() < 13_200 => println!("{}: {:.2} V is low", esc.id, status.voltage()),
+//!             Some(_) => {}
+//!             None => println!("{} is silent", esc.id),
+//!         }
+//!     }
+//!     table.update(telemetry);
+//!     let (now_us, options) = (table.uptime_us(), Conversion::DEFAULT);
+//!     Some((table.to_esc_info(0, now_us, &options)?, table.to_esc_status(0, now_us, &options)?))
+//! }
+//! # use mavlink_autoquad::wire::Message;
+//! # assert!(convert(&mut EscTable::new(), &AqEscTelemetry::DEFAULT).is_none());
+//! ```
+//!
 //! # On firmware
 //!
 //! With `default-features = false` the crate is the committed sources and nothing else: no build script work, no build
@@ -57,13 +84,17 @@
 //! * Message ids 150 and 152 are others in ArduPilot's dialect. Their checksums differ, so neither is taken for the other,
 //!   but a bridge has to convert them: a ground station of today discards them.
 //! * `time_boot_ms` of [`autoquad::AqEscTelemetry`] comes from a 32-bit microsecond counter: it wraps every 71 min 35 s.
-//!   In the messages of `common.xml` AutoQuad's firmware sends *micro*seconds in fields of that name.
+//!   [`esc::UptimeClock`] goes on counting. In the messages of `common.xml` AutoQuad's firmware sends *micro*seconds in
+//!   fields of that name.
 //! * Array slots at and behind `num_in_seq` hold stale data.
 //! * The stream starts with [`autoquad::RequestDataStream`], `req_stream_id` 13 ([`autoquad::MavDataStream::PROPULSION`]).
 
 #![no_std]
 
 pub use mavlink_wire as wire;
+
+#[cfg(not(without_esc))]
+pub mod esc;
 
 #[cfg(feature = "generate")]
 mavlink_wire::include_dialect!("autoquad");

@@ -166,6 +166,9 @@
 //! |       8 | [`MavModeFlagDecodePosition`]         | Masks for the bits of `MAV_MODE_FLAG`. |
 //! |       9 | [`MavState`]                          | Life-cycle state of a component. |
 //! |     139 | [`MavComponent`]                      | Ids of components within a system. |
+//! |       5 | [`Esc32State`]                        | What an ESC32 motor controller is doing. |
+//! |       8 | [`Esc32DisarmV2`]                     | Why an ESC32 with firmware before version 3 is disarmed. |
+//! |       8 | [`Esc32DisarmV3`]                     | Why an ESC32 with firmware of version 3 is disarmed. |
 mod actuator_configuration;
 mod actuator_output_function;
 mod adsb_altitude_type;
@@ -194,6 +197,9 @@ mod cellular_status_flag;
 mod computer_status_flags;
 mod comp_metadata_type;
 mod engine_control_options;
+mod esc32_disarm_v2;
+mod esc32_disarm_v3;
+mod esc32_state;
 mod esc_connection_type;
 mod esc_failure_flags;
 mod estimator_status_flags;
@@ -359,6 +365,9 @@ pub use cellular_status_flag::CellularStatusFlag;
 pub use computer_status_flags::ComputerStatusFlags;
 pub use comp_metadata_type::CompMetadataType;
 pub use engine_control_options::EngineControlOptions;
+pub use esc32_disarm_v2::Esc32DisarmV2;
+pub use esc32_disarm_v3::Esc32DisarmV3;
+pub use esc32_state::Esc32State;
 pub use esc_connection_type::EscConnectionType;
 pub use esc_failure_flags::EscFailureFlags;
 pub use estimator_status_flags::EstimatorStatusFlags;

@@ -5,10 +5,10 @@ use ::mavlink_wire as wire;
 /// Flight mode and status of an AutoQuad vehicle, sent as HEARTBEAT custom_mode. The values are
 /// bits to be combined: low ones for modes and alerts, the top byte for features in effect.
 ///
-/// `AUTOQUAD_NAV_STATUS` of `autoquad.xml`: numbers of type `u32`.
+/// `AUTOQUAD_NAV_STATUS` of `autoquad.xml`: flags in a `u32`.
 #[doc(alias = "AUTOQUAD_NAV_STATUS")]
 #[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct AutoquadNavStatus(pub u32);
+pub struct AutoquadNavStatus(u32);
 
 impl AutoquadNavStatus {
     /// Starting up; no bit set.
@@ -22,62 +22,62 @@ impl AutoquadNavStatus {
     /// Holding position.
     pub const POSHOLD: Self = Self(8);
     /// Guided from outside, for instance by a ground station.
-    pub const GUIDED: Self = Self(16);
+    pub const GUIDED: Self = Self(0x10);
     /// Flying a mission.
-    pub const MISSION: Self = Self(32);
+    pub const MISSION: Self = Self(0x20);
     /// Ready to be armed.
-    pub const READY: Self = Self(256);
+    pub const READY: Self = Self(0x100);
     /// Calibrating sensors.
-    pub const CALIBRATING: Self = Self(512);
+    pub const CALIBRATING: Self = Self(0x200);
     /// No usable control input, for instance because the radio link is lost.
-    pub const NO_RC: Self = Self(4096);
+    pub const NO_RC: Self = Self(0x1000);
     /// First battery warning: low.
-    pub const FUEL_LOW: Self = Self(8192);
+    pub const FUEL_LOW: Self = Self(0x2000);
     /// Second battery warning: empty.
-    pub const FUEL_CRITICAL: Self = Self(16384);
+    pub const FUEL_CRITICAL: Self = Self(0x4000);
     /// Dynamic velocity hold: the sticks steer while position hold is on.
-    pub const DVH: Self = Self(16777216);
+    pub const DVH: Self = Self(0x100_0000);
     /// Dynamic altitude override: the throttle stick adjusts a held altitude.
-    pub const DAO: Self = Self(33554432);
+    pub const DAO: Self = Self(0x200_0000);
     /// At the highest altitude allowed.
-    pub const CEILING_REACHED: Self = Self(67108864);
+    pub const CEILING_REACHED: Self = Self(0x400_0000);
     /// An altitude limit is set.
-    pub const CEILING: Self = Self(134217728);
+    pub const CEILING: Self = Self(0x800_0000);
     /// Heading-free flight, with a reference that moves.
-    pub const HF_DYNAMIC: Self = Self(268435456);
+    pub const HF_DYNAMIC: Self = Self(0x1000_0000);
     /// Heading-free flight, with a fixed reference.
-    pub const HF_LOCKED: Self = Self(536870912);
+    pub const HF_LOCKED: Self = Self(0x2000_0000);
     /// Returning home on its own.
-    pub const RTH: Self = Self(1073741824);
+    pub const RTH: Self = Self(0x4000_0000);
     /// Recovering in failsafe.
-    pub const FAILSAFE: Self = Self(2147483648);
+    pub const FAILSAFE: Self = Self(0x8000_0000);
 }
 
 static INFO: wire::EnumInfo = wire::EnumInfo {
     name: "AUTOQUAD_NAV_STATUS",
-    bitmask: false,
+    bitmask: true,
     entries: &[
         (0, "AQ_NAV_STATUS_INIT"),
         (1, "AQ_NAV_STATUS_STANDBY"),
         (2, "AQ_NAV_STATUS_MANUAL"),
         (4, "AQ_NAV_STATUS_ALTHOLD"),
         (8, "AQ_NAV_STATUS_POSHOLD"),
-        (16, "AQ_NAV_STATUS_GUIDED"),
-        (32, "AQ_NAV_STATUS_MISSION"),
-        (256, "AQ_NAV_STATUS_READY"),
-        (512, "AQ_NAV_STATUS_CALIBRATING"),
-        (4096, "AQ_NAV_STATUS_NO_RC"),
-        (8192, "AQ_NAV_STATUS_FUEL_LOW"),
-        (16384, "AQ_NAV_STATUS_FUEL_CRITICAL"),
-        (16777216, "AQ_NAV_STATUS_DVH"),
-        (33554432, "AQ_NAV_STATUS_DAO"),
-        (67108864, "AQ_NAV_STATUS_CEILING_REACHED"),
-        (134217728, "AQ_NAV_STATUS_CEILING"),
-        (268435456, "AQ_NAV_STATUS_HF_DYNAMIC"),
-        (536870912, "AQ_NAV_STATUS_HF_LOCKED"),
-        (1073741824, "AQ_NAV_STATUS_RTH"),
-        (2147483648, "AQ_NAV_STATUS_FAILSAFE"),
+        (0x10, "AQ_NAV_STATUS_GUIDED"),
+        (0x20, "AQ_NAV_STATUS_MISSION"),
+        (0x100, "AQ_NAV_STATUS_READY"),
+        (0x200, "AQ_NAV_STATUS_CALIBRATING"),
+        (0x1000, "AQ_NAV_STATUS_NO_RC"),
+        (0x2000, "AQ_NAV_STATUS_FUEL_LOW"),
+        (0x4000, "AQ_NAV_STATUS_FUEL_CRITICAL"),
+        (0x100_0000, "AQ_NAV_STATUS_DVH"),
+        (0x200_0000, "AQ_NAV_STATUS_DAO"),
+        (0x400_0000, "AQ_NAV_STATUS_CEILING_REACHED"),
+        (0x800_0000, "AQ_NAV_STATUS_CEILING"),
+        (0x1000_0000, "AQ_NAV_STATUS_HF_DYNAMIC"),
+        (0x2000_0000, "AQ_NAV_STATUS_HF_LOCKED"),
+        (0x4000_0000, "AQ_NAV_STATUS_RTH"),
+        (0x8000_0000, "AQ_NAV_STATUS_FAILSAFE"),
     ],
 };
 
-wire::open_enum!(AutoquadNavStatus, u32, INFO);
+wire::flags!(AutoquadNavStatus, u32, INFO);

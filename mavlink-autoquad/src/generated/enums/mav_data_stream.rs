@@ -34,6 +34,8 @@ impl MavDataStream {
     pub const EXTRA3: Self = Self(12);
     /// Motor and ESC telemetry: `AQ_ESC_TELEMETRY`. Numbered automatically, after the entries of
     /// common.xml: 13.
+    ///
+    /// AutoQuad takes 0 to 200 messages a second, and starts with none.
     pub const PROPULSION: Self = Self(13);
 }
 

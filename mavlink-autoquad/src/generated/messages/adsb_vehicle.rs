@@ -56,61 +56,73 @@ pub struct AdsbVehicle {
 
 impl AdsbVehicle {
     /// `lat`, or `None` where the sender does not know it.
+    #[inline]
     pub fn lat(&self) -> Option<i32> {
-        Some(self.lat).filter(|&v| v != 2147483647)
+        if self.lat == 2147483647 { None } else { Some(self.lat) }
     }
 
     /// Sets `lat`; `None` says that it is not known.
+    #[inline]
     pub fn set_lat(&mut self, value: Option<i32>) {
         self.lat = value.unwrap_or(2147483647);
     }
 
     /// `lon`, or `None` where the sender does not know it.
+    #[inline]
     pub fn lon(&self) -> Option<i32> {
-        Some(self.lon).filter(|&v| v != 2147483647)
+        if self.lon == 2147483647 { None } else { Some(self.lon) }
     }
 
     /// Sets `lon`; `None` says that it is not known.
+    #[inline]
     pub fn set_lon(&mut self, value: Option<i32>) {
         self.lon = value.unwrap_or(2147483647);
     }
 
     /// `altitude`, or `None` where the sender does not know it.
+    #[inline]
     pub fn altitude(&self) -> Option<i32> {
-        Some(self.altitude).filter(|&v| v != 2147483647)
+        if self.altitude == 2147483647 { None } else { Some(self.altitude) }
     }
 
     /// Sets `altitude`; `None` says that it is not known.
+    #[inline]
     pub fn set_altitude(&mut self, value: Option<i32>) {
         self.altitude = value.unwrap_or(2147483647);
     }
 
     /// `heading`, or `None` where the sender does not know it.
+    #[inline]
     pub fn heading(&self) -> Option<u16> {
-        Some(self.heading).filter(|&v| v != 65535)
+        if self.heading == 65535 { None } else { Some(self.heading) }
     }
 
     /// Sets `heading`; `None` says that it is not known.
+    #[inline]
     pub fn set_heading(&mut self, value: Option<u16>) {
         self.heading = value.unwrap_or(65535);
     }
 
     /// `hor_velocity`, or `None` where the sender does not know it.
+    #[inline]
     pub fn hor_velocity(&self) -> Option<u16> {
-        Some(self.hor_velocity).filter(|&v| v != 65535)
+        if self.hor_velocity == 65535 { None } else { Some(self.hor_velocity) }
     }
 
     /// Sets `hor_velocity`; `None` says that it is not known.
+    #[inline]
     pub fn set_hor_velocity(&mut self, value: Option<u16>) {
         self.hor_velocity = value.unwrap_or(65535);
     }
 
     /// `ver_velocity`, or `None` where the sender does not know it.
+    #[inline]
     pub fn ver_velocity(&self) -> Option<i16> {
-        Some(self.ver_velocity).filter(|&v| v != 32767)
+        if self.ver_velocity == 32767 { None } else { Some(self.ver_velocity) }
     }
 
     /// Sets `ver_velocity`; `None` says that it is not known.
+    #[inline]
     pub fn set_ver_velocity(&mut self, value: Option<i16>) {
         self.ver_velocity = value.unwrap_or(32767);
     }

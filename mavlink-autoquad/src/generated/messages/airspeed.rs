@@ -32,21 +32,25 @@ pub struct Airspeed {
 
 impl Airspeed {
     /// `temperature`, or `None` where the sender does not know it.
+    #[inline]
     pub fn temperature(&self) -> Option<i16> {
-        Some(self.temperature).filter(|&v| v != 32767)
+        if self.temperature == 32767 { None } else { Some(self.temperature) }
     }
 
     /// Sets `temperature`; `None` says that it is not known.
+    #[inline]
     pub fn set_temperature(&mut self, value: Option<i16>) {
         self.temperature = value.unwrap_or(32767);
     }
 
     /// `raw_press`, or `None` where the sender does not know it.
+    #[inline]
     pub fn raw_press(&self) -> Option<f32> {
-        Some(self.raw_press).filter(|&v| !v.is_nan())
+        if self.raw_press.is_nan() { None } else { Some(self.raw_press) }
     }
 
     /// Sets `raw_press`; `None` says that it is not known.
+    #[inline]
     pub fn set_raw_press(&mut self, value: Option<f32>) {
         self.raw_press = value.unwrap_or(f32::NAN);
     }

@@ -68,101 +68,125 @@ pub struct AisVessel {
 
 impl AisVessel {
     /// `lat`, or `None` where the sender does not know it.
+    #[inline]
     pub fn lat(&self) -> Option<i32> {
-        Some(self.lat).filter(|&v| v != 2147483647)
+        if self.lat == 2147483647 { None } else { Some(self.lat) }
     }
 
     /// Sets `lat`; `None` says that it is not known.
+    #[inline]
     pub fn set_lat(&mut self, value: Option<i32>) {
         self.lat = value.unwrap_or(2147483647);
     }
 
     /// `lon`, or `None` where the sender does not know it.
+    #[inline]
     pub fn lon(&self) -> Option<i32> {
-        Some(self.lon).filter(|&v| v != 2147483647)
+        if self.lon == 2147483647 { None } else { Some(self.lon) }
     }
 
     /// Sets `lon`; `None` says that it is not known.
+    #[inline]
     pub fn set_lon(&mut self, value: Option<i32>) {
         self.lon = value.unwrap_or(2147483647);
     }
 
     /// `cog`, or `None` where the sender does not know it.
+    #[inline]
     pub fn cog(&self) -> Option<u16> {
-        Some(self.cog).filter(|&v| v != 65535)
+        if self.cog == 65535 { None } else { Some(self.cog) }
     }
 
     /// Sets `cog`; `None` says that it is not known.
+    #[inline]
     pub fn set_cog(&mut self, value: Option<u16>) {
         self.cog = value.unwrap_or(65535);
     }
 
     /// `heading`, or `None` where the sender does not know it.
+    #[inline]
     pub fn heading(&self) -> Option<u16> {
-        Some(self.heading).filter(|&v| v != 65535)
+        if self.heading == 65535 { None } else { Some(self.heading) }
     }
 
     /// Sets `heading`; `None` says that it is not known.
+    #[inline]
     pub fn set_heading(&mut self, value: Option<u16>) {
         self.heading = value.unwrap_or(65535);
     }
 
     /// `velocity`, or `None` where the sender does not know it.
+    #[inline]
     pub fn velocity(&self) -> Option<u16> {
-        Some(self.velocity).filter(|&v| v != 65535)
+        if self.velocity == 65535 { None } else { Some(self.velocity) }
     }
 
     /// Sets `velocity`; `None` says that it is not known.
+    #[inline]
     pub fn set_velocity(&mut self, value: Option<u16>) {
         self.velocity = value.unwrap_or(65535);
     }
 
     /// `turn_rate`, or `None` where the sender does not know it.
+    #[inline]
     pub fn turn_rate(&self) -> Option<i8> {
-        Some(self.turn_rate).filter(|&v| v != 127)
+        if self.turn_rate == 127 { None } else { Some(self.turn_rate) }
     }
 
     /// Sets `turn_rate`; `None` says that it is not known.
+    #[inline]
     pub fn set_turn_rate(&mut self, value: Option<i8>) {
         self.turn_rate = value.unwrap_or(127);
     }
 
     /// `dimension_bow`, or `None` where the sender does not know it.
+    #[inline]
     pub fn dimension_bow(&self) -> Option<u16> {
-        Some(self.dimension_bow).filter(|&v| v != 65535)
+        if self.dimension_bow == 65535 { None } else { Some(self.dimension_bow) }
     }
 
     /// Sets `dimension_bow`; `None` says that it is not known.
+    #[inline]
     pub fn set_dimension_bow(&mut self, value: Option<u16>) {
         self.dimension_bow = value.unwrap_or(65535);
     }
 
     /// `dimension_stern`, or `None` where the sender does not know it.
+    #[inline]
     pub fn dimension_stern(&self) -> Option<u16> {
-        Some(self.dimension_stern).filter(|&v| v != 65535)
+        if self.dimension_stern == 65535 { None } else { Some(self.dimension_stern) }
     }
 
     /// Sets `dimension_stern`; `None` says that it is not known.
+    #[inline]
     pub fn set_dimension_stern(&mut self, value: Option<u16>) {
         self.dimension_stern = value.unwrap_or(65535);
     }
 
     /// `dimension_port`, or `None` where the sender does not know it.
+    #[inline]
     pub fn dimension_port(&self) -> Option<u8> {
-        Some(self.dimension_port).filter(|&v| v != 255)
+        if self.dimension_port == 255 { None } else { Some(self.dimension_port) }
     }
 
     /// Sets `dimension_port`; `None` says that it is not known.
+    #[inline]
     pub fn set_dimension_port(&mut self, value: Option<u8>) {
         self.dimension_port = value.unwrap_or(255);
     }
 
     /// `dimension_starboard`, or `None` where the sender does not know it.
+    #[inline]
     pub fn dimension_starboard(&self) -> Option<u8> {
-        Some(self.dimension_starboard).filter(|&v| v != 255)
+        if self.dimension_starboard == 255 {
+            None
+        } else {
+            Some(self.dimension_starboard)
+        }
     }
 
     /// Sets `dimension_starboard`; `None` says that it is not known.
+    #[inline]
     pub fn set_dimension_starboard(&mut self, value: Option<u8>) {
         self.dimension_starboard = value.unwrap_or(255);
     }

@@ -9,6 +9,11 @@ use ::mavlink_wire as wire;
 /// 100 %), 52 to 60 error count in version 2 or temperature in version 3 (quarter degrees Celsius,
 /// with 32 degrees added), 61 to 63 reason for disarming.
 ///
+/// In the ardupilotmega dialect the id 152 is MEMINFO, with another checksum and length: a bridge
+/// has to convert this message, because others drop it.
+///
+/// The stream is off until a `REQUEST_DATA_STREAM` asks for `MAV_DATA_STREAM_PROPULSION`.
+///
 /// `AQ_ESC_TELEMETRY`, message 152 of `autoquad.xml`: 55 bytes, CRC_EXTRA 115.
 ///
 /// | offset | field          | type          | units |
@@ -27,6 +32,9 @@ use ::mavlink_wire as wire;
 pub struct AqEscTelemetry {
     /// Time since boot. It comes from a 32-bit microsecond clock, so it wraps at 2^32 microseconds:
     /// every 4294967 ms, or 71 minutes and 35 seconds.
+    ///
+    /// These are milliseconds indeed; most other messages of AutoQuad carry microseconds under this
+    /// name.
     pub time_boot_ms: u32,
     /// Number of this message within the round, from 1: the first four motors in use are in message 1,
     /// the next four in message 2.
@@ -40,9 +48,15 @@ pub struct AqEscTelemetry {
     pub escid: [u8; 4],
     /// Time since the status of each controller was received; 65535 if there has been none, or none for
     /// too long.
+    ///
+    /// A controller that falls silent has its status set to zero after one second, and is given the age
+    /// 65535 only after three. Where time_boot_ms wraps, one age is wrong.
     pub status_age: [u16; 4],
     /// Firmware version of each controller times ten, which decides the layout of its status word: 30
     /// and above is version 3, lower values version 2, and 0 a controller without telemetry.
+    ///
+    /// Values 3 to 9 are taken for version 3 as well: upstream describes this field as the version
+    /// itself, not times ten.
     pub data_version: [u8; 4],
     /// Low half of each status word, bits 0 to 31.
     pub data0: [u32; 4],

@@ -4,6 +4,9 @@ use ::mavlink_wire as wire;
 
 /// Twenty raw floats of one AutoQuad dataset, switched on by `MAV_CMD_AQ_TELEMETRY`.
 ///
+/// In the ardupilotmega dialect the id 150 is `SENSOR_OFFSETS`, with another checksum and length: a
+/// link carries one dialect or the other.
+///
 /// `AQ_TELEMETRY_F`, message 150 of `autoquad.xml`: 82 bytes, CRC_EXTRA 241.
 ///
 /// | offset | field     | type       | units |

@@ -20,6 +20,8 @@ use ::mavlink_wire as wire;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Attitude {
     /// Time since the sender booted; wraps after about 49.7 days. In ms.
+    ///
+    /// AutoQuad sends microseconds here, in spite of the name.
     pub time_boot_ms: u32,
     /// Roll, right wing down positive, -pi to pi. In rad.
     pub roll: f32,

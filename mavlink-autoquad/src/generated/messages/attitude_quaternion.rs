@@ -45,11 +45,13 @@ pub struct AttitudeQuaternion {
 
 impl AttitudeQuaternion {
     /// Element `index` of `repr_offset_q`, or `None` where the sender does not know it, or there is no such element.
+    #[inline]
     pub fn repr_offset_q(&self, index: usize) -> Option<f32> {
         self.repr_offset_q.get(index).copied().filter(|&v| v != 0.0)
     }
 
     /// Sets element `index` of `repr_offset_q`; `None` says that it is not known. An error if there is no such element.
+    #[inline]
     pub fn set_repr_offset_q(
         &mut self,
         index: usize,

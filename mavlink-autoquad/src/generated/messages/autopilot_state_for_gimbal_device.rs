@@ -57,81 +57,113 @@ pub struct AutopilotStateForGimbalDevice {
 
 impl AutopilotStateForGimbalDevice {
     /// `q_estimated_delay_us`, or `None` where the sender does not know it.
+    #[inline]
     pub fn q_estimated_delay_us(&self) -> Option<u32> {
-        Some(self.q_estimated_delay_us).filter(|&v| v != 0)
+        if self.q_estimated_delay_us == 0 {
+            None
+        } else {
+            Some(self.q_estimated_delay_us)
+        }
     }
 
     /// Sets `q_estimated_delay_us`; `None` says that it is not known.
+    #[inline]
     pub fn set_q_estimated_delay_us(&mut self, value: Option<u32>) {
         self.q_estimated_delay_us = value.unwrap_or(0);
     }
 
     /// `vx`, or `None` where the sender does not know it.
+    #[inline]
     pub fn vx(&self) -> Option<f32> {
-        Some(self.vx).filter(|&v| !v.is_nan())
+        if self.vx.is_nan() { None } else { Some(self.vx) }
     }
 
     /// Sets `vx`; `None` says that it is not known.
+    #[inline]
     pub fn set_vx(&mut self, value: Option<f32>) {
         self.vx = value.unwrap_or(f32::NAN);
     }
 
     /// `vy`, or `None` where the sender does not know it.
+    #[inline]
     pub fn vy(&self) -> Option<f32> {
-        Some(self.vy).filter(|&v| !v.is_nan())
+        if self.vy.is_nan() { None } else { Some(self.vy) }
     }
 
     /// Sets `vy`; `None` says that it is not known.
+    #[inline]
     pub fn set_vy(&mut self, value: Option<f32>) {
         self.vy = value.unwrap_or(f32::NAN);
     }
 
     /// `vz`, or `None` where the sender does not know it.
+    #[inline]
     pub fn vz(&self) -> Option<f32> {
-        Some(self.vz).filter(|&v| !v.is_nan())
+        if self.vz.is_nan() { None } else { Some(self.vz) }
     }
 
     /// Sets `vz`; `None` says that it is not known.
+    #[inline]
     pub fn set_vz(&mut self, value: Option<f32>) {
         self.vz = value.unwrap_or(f32::NAN);
     }
 
     /// `v_estimated_delay_us`, or `None` where the sender does not know it.
+    #[inline]
     pub fn v_estimated_delay_us(&self) -> Option<u32> {
-        Some(self.v_estimated_delay_us).filter(|&v| v != 0)
+        if self.v_estimated_delay_us == 0 {
+            None
+        } else {
+            Some(self.v_estimated_delay_us)
+        }
     }
 
     /// Sets `v_estimated_delay_us`; `None` says that it is not known.
+    #[inline]
     pub fn set_v_estimated_delay_us(&mut self, value: Option<u32>) {
         self.v_estimated_delay_us = value.unwrap_or(0);
     }
 
     /// `feed_forward_angular_velocity_z`, or `None` where the sender does not know it.
+    #[inline]
     pub fn feed_forward_angular_velocity_z(&self) -> Option<f32> {
-        Some(self.feed_forward_angular_velocity_z).filter(|&v| !v.is_nan())
+        if self.feed_forward_angular_velocity_z.is_nan() {
+            None
+        } else {
+            Some(self.feed_forward_angular_velocity_z)
+        }
     }
 
     /// Sets `feed_forward_angular_velocity_z`; `None` says that it is not known.
+    #[inline]
     pub fn set_feed_forward_angular_velocity_z(&mut self, value: Option<f32>) {
         self.feed_forward_angular_velocity_z = value.unwrap_or(f32::NAN);
     }
 
     /// `landed_state`, or `None` where the sender does not know it.
+    #[inline]
     pub fn landed_state(&self) -> Option<MavLandedState> {
-        Some(self.landed_state).filter(|&v| v != MavLandedState(0))
+        if self.landed_state == MavLandedState(0) {
+            None
+        } else {
+            Some(self.landed_state)
+        }
     }
 
     /// Sets `landed_state`; `None` says that it is not known.
+    #[inline]
     pub fn set_landed_state(&mut self, value: Option<MavLandedState>) {
         self.landed_state = value.unwrap_or(MavLandedState(0));
     }
 
     /// `angular_velocity_z`, or `None` where the sender does not know it.
+    #[inline]
     pub fn angular_velocity_z(&self) -> Option<f32> {
-        Some(self.angular_velocity_z).filter(|&v| v != 0.0)
+        if self.angular_velocity_z == 0.0 { None } else { Some(self.angular_velocity_z) }
     }
 
     /// Sets `angular_velocity_z`; `None` says that it is not known.
+    #[inline]
     pub fn set_angular_velocity_z(&mut self, value: Option<f32>) {
         self.angular_velocity_z = value.unwrap_or(0.0);
     }

@@ -79,141 +79,201 @@ pub struct BatteryInfo {
 
 impl BatteryInfo {
     /// `state_of_health`, or `None` where the sender does not know it.
+    #[inline]
     pub fn state_of_health(&self) -> Option<u8> {
-        Some(self.state_of_health).filter(|&v| v != 255)
+        if self.state_of_health == 255 { None } else { Some(self.state_of_health) }
     }
 
     /// Sets `state_of_health`; `None` says that it is not known.
+    #[inline]
     pub fn set_state_of_health(&mut self, value: Option<u8>) {
         self.state_of_health = value.unwrap_or(255);
     }
 
     /// `cells_in_series`, or `None` where the sender does not know it.
+    #[inline]
     pub fn cells_in_series(&self) -> Option<u8> {
-        Some(self.cells_in_series).filter(|&v| v != 0)
+        if self.cells_in_series == 0 { None } else { Some(self.cells_in_series) }
     }
 
     /// Sets `cells_in_series`; `None` says that it is not known.
+    #[inline]
     pub fn set_cells_in_series(&mut self, value: Option<u8>) {
         self.cells_in_series = value.unwrap_or(0);
     }
 
     /// `cycle_count`, or `None` where the sender does not know it.
+    #[inline]
     pub fn cycle_count(&self) -> Option<u16> {
-        Some(self.cycle_count).filter(|&v| v != 65535)
+        if self.cycle_count == 65535 { None } else { Some(self.cycle_count) }
     }
 
     /// Sets `cycle_count`; `None` says that it is not known.
+    #[inline]
     pub fn set_cycle_count(&mut self, value: Option<u16>) {
         self.cycle_count = value.unwrap_or(65535);
     }
 
     /// `weight`, or `None` where the sender does not know it.
+    #[inline]
     pub fn weight(&self) -> Option<u16> {
-        Some(self.weight).filter(|&v| v != 0)
+        if self.weight == 0 { None } else { Some(self.weight) }
     }
 
     /// Sets `weight`; `None` says that it is not known.
+    #[inline]
     pub fn set_weight(&mut self, value: Option<u16>) {
         self.weight = value.unwrap_or(0);
     }
 
     /// `discharge_minimum_voltage`, or `None` where the sender does not know it.
+    #[inline]
     pub fn discharge_minimum_voltage(&self) -> Option<f32> {
-        Some(self.discharge_minimum_voltage).filter(|&v| v != 0.0)
+        if self.discharge_minimum_voltage == 0.0 {
+            None
+        } else {
+            Some(self.discharge_minimum_voltage)
+        }
     }
 
     /// Sets `discharge_minimum_voltage`; `None` says that it is not known.
+    #[inline]
     pub fn set_discharge_minimum_voltage(&mut self, value: Option<f32>) {
         self.discharge_minimum_voltage = value.unwrap_or(0.0);
     }
 
     /// `charging_minimum_voltage`, or `None` where the sender does not know it.
+    #[inline]
     pub fn charging_minimum_voltage(&self) -> Option<f32> {
-        Some(self.charging_minimum_voltage).filter(|&v| v != 0.0)
+        if self.charging_minimum_voltage == 0.0 {
+            None
+        } else {
+            Some(self.charging_minimum_voltage)
+        }
     }
 
     /// Sets `charging_minimum_voltage`; `None` says that it is not known.
+    #[inline]
     pub fn set_charging_minimum_voltage(&mut self, value: Option<f32>) {
         self.charging_minimum_voltage = value.unwrap_or(0.0);
     }
 
     /// `resting_minimum_voltage`, or `None` where the sender does not know it.
+    #[inline]
     pub fn resting_minimum_voltage(&self) -> Option<f32> {
-        Some(self.resting_minimum_voltage).filter(|&v| v != 0.0)
+        if self.resting_minimum_voltage == 0.0 {
+            None
+        } else {
+            Some(self.resting_minimum_voltage)
+        }
     }
 
     /// Sets `resting_minimum_voltage`; `None` says that it is not known.
+    #[inline]
     pub fn set_resting_minimum_voltage(&mut self, value: Option<f32>) {
         self.resting_minimum_voltage = value.unwrap_or(0.0);
     }
 
     /// `charging_maximum_voltage`, or `None` where the sender does not know it.
+    #[inline]
     pub fn charging_maximum_voltage(&self) -> Option<f32> {
-        Some(self.charging_maximum_voltage).filter(|&v| v != 0.0)
+        if self.charging_maximum_voltage == 0.0 {
+            None
+        } else {
+            Some(self.charging_maximum_voltage)
+        }
     }
 
     /// Sets `charging_maximum_voltage`; `None` says that it is not known.
+    #[inline]
     pub fn set_charging_maximum_voltage(&mut self, value: Option<f32>) {
         self.charging_maximum_voltage = value.unwrap_or(0.0);
     }
 
     /// `charging_maximum_current`, or `None` where the sender does not know it.
+    #[inline]
     pub fn charging_maximum_current(&self) -> Option<f32> {
-        Some(self.charging_maximum_current).filter(|&v| v != 0.0)
+        if self.charging_maximum_current == 0.0 {
+            None
+        } else {
+            Some(self.charging_maximum_current)
+        }
     }
 
     /// Sets `charging_maximum_current`; `None` says that it is not known.
+    #[inline]
     pub fn set_charging_maximum_current(&mut self, value: Option<f32>) {
         self.charging_maximum_current = value.unwrap_or(0.0);
     }
 
     /// `nominal_voltage`, or `None` where the sender does not know it.
+    #[inline]
     pub fn nominal_voltage(&self) -> Option<f32> {
-        Some(self.nominal_voltage).filter(|&v| v != 0.0)
+        if self.nominal_voltage == 0.0 { None } else { Some(self.nominal_voltage) }
     }
 
     /// Sets `nominal_voltage`; `None` says that it is not known.
+    #[inline]
     pub fn set_nominal_voltage(&mut self, value: Option<f32>) {
         self.nominal_voltage = value.unwrap_or(0.0);
     }
 
     /// `discharge_maximum_current`, or `None` where the sender does not know it.
+    #[inline]
     pub fn discharge_maximum_current(&self) -> Option<f32> {
-        Some(self.discharge_maximum_current).filter(|&v| v != 0.0)
+        if self.discharge_maximum_current == 0.0 {
+            None
+        } else {
+            Some(self.discharge_maximum_current)
+        }
     }
 
     /// Sets `discharge_maximum_current`; `None` says that it is not known.
+    #[inline]
     pub fn set_discharge_maximum_current(&mut self, value: Option<f32>) {
         self.discharge_maximum_current = value.unwrap_or(0.0);
     }
 
     /// `discharge_maximum_burst_current`, or `None` where the sender does not know it.
+    #[inline]
     pub fn discharge_maximum_burst_current(&self) -> Option<f32> {
-        Some(self.discharge_maximum_burst_current).filter(|&v| v != 0.0)
+        if self.discharge_maximum_burst_current == 0.0 {
+            None
+        } else {
+            Some(self.discharge_maximum_burst_current)
+        }
     }
 
     /// Sets `discharge_maximum_burst_current`; `None` says that it is not known.
+    #[inline]
     pub fn set_discharge_maximum_burst_current(&mut self, value: Option<f32>) {
         self.discharge_maximum_burst_current = value.unwrap_or(0.0);
     }
 
     /// `design_capacity`, or `None` where the sender does not know it.
+    #[inline]
     pub fn design_capacity(&self) -> Option<f32> {
-        Some(self.design_capacity).filter(|&v| v != 0.0)
+        if self.design_capacity == 0.0 { None } else { Some(self.design_capacity) }
     }
 
     /// Sets `design_capacity`; `None` says that it is not known.
+    #[inline]
     pub fn set_design_capacity(&mut self, value: Option<f32>) {
         self.design_capacity = value.unwrap_or(0.0);
     }
 
     /// `full_charge_capacity`, or `None` where the sender does not know it.
+    #[inline]
     pub fn full_charge_capacity(&self) -> Option<f32> {
-        Some(self.full_charge_capacity).filter(|&v| !v.is_nan())
+        if self.full_charge_capacity.is_nan() {
+            None
+        } else {
+            Some(self.full_charge_capacity)
+        }
     }
 
     /// Sets `full_charge_capacity`; `None` says that it is not known.
+    #[inline]
     pub fn set_full_charge_capacity(&mut self, value: Option<f32>) {
         self.full_charge_capacity = value.unwrap_or(f32::NAN);
     }

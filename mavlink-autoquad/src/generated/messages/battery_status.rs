@@ -64,21 +64,25 @@ pub struct BatteryStatus {
 
 impl BatteryStatus {
     /// `temperature`, or `None` where the sender does not know it.
+    #[inline]
     pub fn temperature(&self) -> Option<i16> {
-        Some(self.temperature).filter(|&v| v != 32767)
+        if self.temperature == 32767 { None } else { Some(self.temperature) }
     }
 
     /// Sets `temperature`; `None` says that it is not known.
+    #[inline]
     pub fn set_temperature(&mut self, value: Option<i16>) {
         self.temperature = value.unwrap_or(32767);
     }
 
     /// Element `index` of `voltages`, or `None` where the sender does not know it, or there is no such element.
+    #[inline]
     pub fn voltages(&self, index: usize) -> Option<u16> {
         self.voltages.get(index).copied().filter(|&v| v != 65535)
     }
 
     /// Sets element `index` of `voltages`; `None` says that it is not known. An error if there is no such element.
+    #[inline]
     pub fn set_voltages(
         &mut self,
         index: usize,
@@ -90,61 +94,73 @@ impl BatteryStatus {
     }
 
     /// `current_battery`, or `None` where the sender does not know it.
+    #[inline]
     pub fn current_battery(&self) -> Option<i16> {
-        Some(self.current_battery).filter(|&v| v != -1)
+        if self.current_battery == -1 { None } else { Some(self.current_battery) }
     }
 
     /// Sets `current_battery`; `None` says that it is not known.
+    #[inline]
     pub fn set_current_battery(&mut self, value: Option<i16>) {
         self.current_battery = value.unwrap_or(-1);
     }
 
     /// `current_consumed`, or `None` where the sender does not know it.
+    #[inline]
     pub fn current_consumed(&self) -> Option<i32> {
-        Some(self.current_consumed).filter(|&v| v != -1)
+        if self.current_consumed == -1 { None } else { Some(self.current_consumed) }
     }
 
     /// Sets `current_consumed`; `None` says that it is not known.
+    #[inline]
     pub fn set_current_consumed(&mut self, value: Option<i32>) {
         self.current_consumed = value.unwrap_or(-1);
     }
 
     /// `energy_consumed`, or `None` where the sender does not know it.
+    #[inline]
     pub fn energy_consumed(&self) -> Option<i32> {
-        Some(self.energy_consumed).filter(|&v| v != -1)
+        if self.energy_consumed == -1 { None } else { Some(self.energy_consumed) }
     }
 
     /// Sets `energy_consumed`; `None` says that it is not known.
+    #[inline]
     pub fn set_energy_consumed(&mut self, value: Option<i32>) {
         self.energy_consumed = value.unwrap_or(-1);
     }
 
     /// `battery_remaining`, or `None` where the sender does not know it.
+    #[inline]
     pub fn battery_remaining(&self) -> Option<i8> {
-        Some(self.battery_remaining).filter(|&v| v != -1)
+        if self.battery_remaining == -1 { None } else { Some(self.battery_remaining) }
     }
 
     /// Sets `battery_remaining`; `None` says that it is not known.
+    #[inline]
     pub fn set_battery_remaining(&mut self, value: Option<i8>) {
         self.battery_remaining = value.unwrap_or(-1);
     }
 
     /// `time_remaining`, or `None` where the sender does not know it.
+    #[inline]
     pub fn time_remaining(&self) -> Option<i32> {
-        Some(self.time_remaining).filter(|&v| v != 0)
+        if self.time_remaining == 0 { None } else { Some(self.time_remaining) }
     }
 
     /// Sets `time_remaining`; `None` says that it is not known.
+    #[inline]
     pub fn set_time_remaining(&mut self, value: Option<i32>) {
         self.time_remaining = value.unwrap_or(0);
     }
 
     /// Element `index` of `voltages_ext`, or `None` where the sender does not know it, or there is no such element.
+    #[inline]
     pub fn voltages_ext(&self, index: usize) -> Option<u16> {
         self.voltages_ext.get(index).copied().filter(|&v| v != 0)
     }
 
     /// Sets element `index` of `voltages_ext`; `None` says that it is not known. An error if there is no such element.
+    #[inline]
     pub fn set_voltages_ext(
         &mut self,
         index: usize,

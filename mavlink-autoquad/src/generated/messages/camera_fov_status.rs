@@ -50,81 +50,97 @@ pub struct CameraFovStatus {
 
 impl CameraFovStatus {
     /// `lat_camera`, or `None` where the sender does not know it.
+    #[inline]
     pub fn lat_camera(&self) -> Option<i32> {
-        Some(self.lat_camera).filter(|&v| v != 2147483647)
+        if self.lat_camera == 2147483647 { None } else { Some(self.lat_camera) }
     }
 
     /// Sets `lat_camera`; `None` says that it is not known.
+    #[inline]
     pub fn set_lat_camera(&mut self, value: Option<i32>) {
         self.lat_camera = value.unwrap_or(2147483647);
     }
 
     /// `lon_camera`, or `None` where the sender does not know it.
+    #[inline]
     pub fn lon_camera(&self) -> Option<i32> {
-        Some(self.lon_camera).filter(|&v| v != 2147483647)
+        if self.lon_camera == 2147483647 { None } else { Some(self.lon_camera) }
     }
 
     /// Sets `lon_camera`; `None` says that it is not known.
+    #[inline]
     pub fn set_lon_camera(&mut self, value: Option<i32>) {
         self.lon_camera = value.unwrap_or(2147483647);
     }
 
     /// `alt_camera`, or `None` where the sender does not know it.
+    #[inline]
     pub fn alt_camera(&self) -> Option<i32> {
-        Some(self.alt_camera).filter(|&v| v != 2147483647)
+        if self.alt_camera == 2147483647 { None } else { Some(self.alt_camera) }
     }
 
     /// Sets `alt_camera`; `None` says that it is not known.
+    #[inline]
     pub fn set_alt_camera(&mut self, value: Option<i32>) {
         self.alt_camera = value.unwrap_or(2147483647);
     }
 
     /// `lat_image`, or `None` where the sender does not know it.
+    #[inline]
     pub fn lat_image(&self) -> Option<i32> {
-        Some(self.lat_image).filter(|&v| v != 2147483647)
+        if self.lat_image == 2147483647 { None } else { Some(self.lat_image) }
     }
 
     /// Sets `lat_image`; `None` says that it is not known.
+    #[inline]
     pub fn set_lat_image(&mut self, value: Option<i32>) {
         self.lat_image = value.unwrap_or(2147483647);
     }
 
     /// `lon_image`, or `None` where the sender does not know it.
+    #[inline]
     pub fn lon_image(&self) -> Option<i32> {
-        Some(self.lon_image).filter(|&v| v != 2147483647)
+        if self.lon_image == 2147483647 { None } else { Some(self.lon_image) }
     }
 
     /// Sets `lon_image`; `None` says that it is not known.
+    #[inline]
     pub fn set_lon_image(&mut self, value: Option<i32>) {
         self.lon_image = value.unwrap_or(2147483647);
     }
 
     /// `alt_image`, or `None` where the sender does not know it.
+    #[inline]
     pub fn alt_image(&self) -> Option<i32> {
-        Some(self.alt_image).filter(|&v| v != 2147483647)
+        if self.alt_image == 2147483647 { None } else { Some(self.alt_image) }
     }
 
     /// Sets `alt_image`; `None` says that it is not known.
+    #[inline]
     pub fn set_alt_image(&mut self, value: Option<i32>) {
         self.alt_image = value.unwrap_or(2147483647);
     }
 
     /// `hfov`, or `None` where the sender does not know it.
+    #[inline]
     pub fn hfov(&self) -> Option<f32> {
-        Some(self.hfov).filter(|&v| !v.is_nan())
+        if self.hfov.is_nan() { None } else { Some(self.hfov) }
     }
 
     /// Sets `hfov`; `None` says that it is not known.
+    #[inline]
     pub fn set_hfov(&mut self, value: Option<f32>) {
         self.hfov = value.unwrap_or(f32::NAN);
     }
 
     /// `vfov`, or `None` where the sender does not know it.
+    #[inline]
     pub fn vfov(&self) -> Option<f32> {
-        Some(self.vfov).filter(|&v| !v.is_nan())
+        if self.vfov.is_nan() { None } else { Some(self.vfov) }
     }
 
     /// Sets `vfov`; `None` says that it is not known.
+    #[inline]
     pub fn set_vfov(&mut self, value: Option<f32>) {
         self.vfov = value.unwrap_or(f32::NAN);
     }

@@ -50,21 +50,25 @@ pub struct CameraImageCaptured {
 
 impl CameraImageCaptured {
     /// `time_utc`, or `None` where the sender does not know it.
+    #[inline]
     pub fn time_utc(&self) -> Option<u64> {
-        Some(self.time_utc).filter(|&v| v != 0)
+        if self.time_utc == 0 { None } else { Some(self.time_utc) }
     }
 
     /// Sets `time_utc`; `None` says that it is not known.
+    #[inline]
     pub fn set_time_utc(&mut self, value: Option<u64>) {
         self.time_utc = value.unwrap_or(0);
     }
 
     /// `capture_result` as its enum; `None` where the number cannot be one, or is not known.
+    #[inline]
     pub fn capture_result(&self) -> Option<MavBool> {
         Some(self.capture_result).and_then(|v| u8::try_from(v).ok()).map(MavBool::from)
     }
 
     /// Sets `capture_result` from its enum. An error if the value does not fit the field.
+    #[inline]
     pub fn set_capture_result(
         &mut self,
         value: MavBool,

@@ -64,81 +64,97 @@ pub struct CameraInformation {
 
 impl CameraInformation {
     /// `firmware_version`, or `None` where the sender does not know it.
+    #[inline]
     pub fn firmware_version(&self) -> Option<u32> {
-        Some(self.firmware_version).filter(|&v| v != 0)
+        if self.firmware_version == 0 { None } else { Some(self.firmware_version) }
     }
 
     /// Sets `firmware_version`; `None` says that it is not known.
+    #[inline]
     pub fn set_firmware_version(&mut self, value: Option<u32>) {
         self.firmware_version = value.unwrap_or(0);
     }
 
     /// `focal_length`, or `None` where the sender does not know it.
+    #[inline]
     pub fn focal_length(&self) -> Option<f32> {
-        Some(self.focal_length).filter(|&v| !v.is_nan())
+        if self.focal_length.is_nan() { None } else { Some(self.focal_length) }
     }
 
     /// Sets `focal_length`; `None` says that it is not known.
+    #[inline]
     pub fn set_focal_length(&mut self, value: Option<f32>) {
         self.focal_length = value.unwrap_or(f32::NAN);
     }
 
     /// `sensor_size_h`, or `None` where the sender does not know it.
+    #[inline]
     pub fn sensor_size_h(&self) -> Option<f32> {
-        Some(self.sensor_size_h).filter(|&v| !v.is_nan())
+        if self.sensor_size_h.is_nan() { None } else { Some(self.sensor_size_h) }
     }
 
     /// Sets `sensor_size_h`; `None` says that it is not known.
+    #[inline]
     pub fn set_sensor_size_h(&mut self, value: Option<f32>) {
         self.sensor_size_h = value.unwrap_or(f32::NAN);
     }
 
     /// `sensor_size_v`, or `None` where the sender does not know it.
+    #[inline]
     pub fn sensor_size_v(&self) -> Option<f32> {
-        Some(self.sensor_size_v).filter(|&v| !v.is_nan())
+        if self.sensor_size_v.is_nan() { None } else { Some(self.sensor_size_v) }
     }
 
     /// Sets `sensor_size_v`; `None` says that it is not known.
+    #[inline]
     pub fn set_sensor_size_v(&mut self, value: Option<f32>) {
         self.sensor_size_v = value.unwrap_or(f32::NAN);
     }
 
     /// `resolution_h`, or `None` where the sender does not know it.
+    #[inline]
     pub fn resolution_h(&self) -> Option<u16> {
-        Some(self.resolution_h).filter(|&v| v != 0)
+        if self.resolution_h == 0 { None } else { Some(self.resolution_h) }
     }
 
     /// Sets `resolution_h`; `None` says that it is not known.
+    #[inline]
     pub fn set_resolution_h(&mut self, value: Option<u16>) {
         self.resolution_h = value.unwrap_or(0);
     }
 
     /// `resolution_v`, or `None` where the sender does not know it.
+    #[inline]
     pub fn resolution_v(&self) -> Option<u16> {
-        Some(self.resolution_v).filter(|&v| v != 0)
+        if self.resolution_v == 0 { None } else { Some(self.resolution_v) }
     }
 
     /// Sets `resolution_v`; `None` says that it is not known.
+    #[inline]
     pub fn set_resolution_v(&mut self, value: Option<u16>) {
         self.resolution_v = value.unwrap_or(0);
     }
 
     /// `lens_id`, or `None` where the sender does not know it.
+    #[inline]
     pub fn lens_id(&self) -> Option<u8> {
-        Some(self.lens_id).filter(|&v| v != 0)
+        if self.lens_id == 0 { None } else { Some(self.lens_id) }
     }
 
     /// Sets `lens_id`; `None` says that it is not known.
+    #[inline]
     pub fn set_lens_id(&mut self, value: Option<u8>) {
         self.lens_id = value.unwrap_or(0);
     }
 
     /// `gimbal_device_id`, or `None` where the sender does not know it.
+    #[inline]
     pub fn gimbal_device_id(&self) -> Option<u8> {
-        Some(self.gimbal_device_id).filter(|&v| v != 0)
+        if self.gimbal_device_id == 0 { None } else { Some(self.gimbal_device_id) }
     }
 
     /// Sets `gimbal_device_id`; `None` says that it is not known.
+    #[inline]
     pub fn set_gimbal_device_id(&mut self, value: Option<u8>) {
         self.gimbal_device_id = value.unwrap_or(0);
     }

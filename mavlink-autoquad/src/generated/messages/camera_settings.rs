@@ -35,21 +35,25 @@ pub struct CameraSettings {
 
 impl CameraSettings {
     /// `zoom_level`, or `None` where the sender does not know it.
+    #[inline]
     pub fn zoom_level(&self) -> Option<f32> {
-        Some(self.zoom_level).filter(|&v| !v.is_nan())
+        if self.zoom_level.is_nan() { None } else { Some(self.zoom_level) }
     }
 
     /// Sets `zoom_level`; `None` says that it is not known.
+    #[inline]
     pub fn set_zoom_level(&mut self, value: Option<f32>) {
         self.zoom_level = value.unwrap_or(f32::NAN);
     }
 
     /// `focus_level`, or `None` where the sender does not know it.
+    #[inline]
     pub fn focus_level(&self) -> Option<f32> {
-        Some(self.focus_level).filter(|&v| !v.is_nan())
+        if self.focus_level.is_nan() { None } else { Some(self.focus_level) }
     }
 
     /// Sets `focus_level`; `None` says that it is not known.
+    #[inline]
     pub fn set_focus_level(&mut self, value: Option<f32>) {
         self.focus_level = value.unwrap_or(f32::NAN);
     }

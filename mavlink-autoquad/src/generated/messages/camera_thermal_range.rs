@@ -45,41 +45,49 @@ pub struct CameraThermalRange {
 
 impl CameraThermalRange {
     /// `max_point_x`, or `None` where the sender does not know it.
+    #[inline]
     pub fn max_point_x(&self) -> Option<f32> {
-        Some(self.max_point_x).filter(|&v| !v.is_nan())
+        if self.max_point_x.is_nan() { None } else { Some(self.max_point_x) }
     }
 
     /// Sets `max_point_x`; `None` says that it is not known.
+    #[inline]
     pub fn set_max_point_x(&mut self, value: Option<f32>) {
         self.max_point_x = value.unwrap_or(f32::NAN);
     }
 
     /// `max_point_y`, or `None` where the sender does not know it.
+    #[inline]
     pub fn max_point_y(&self) -> Option<f32> {
-        Some(self.max_point_y).filter(|&v| !v.is_nan())
+        if self.max_point_y.is_nan() { None } else { Some(self.max_point_y) }
     }
 
     /// Sets `max_point_y`; `None` says that it is not known.
+    #[inline]
     pub fn set_max_point_y(&mut self, value: Option<f32>) {
         self.max_point_y = value.unwrap_or(f32::NAN);
     }
 
     /// `min_point_x`, or `None` where the sender does not know it.
+    #[inline]
     pub fn min_point_x(&self) -> Option<f32> {
-        Some(self.min_point_x).filter(|&v| !v.is_nan())
+        if self.min_point_x.is_nan() { None } else { Some(self.min_point_x) }
     }
 
     /// Sets `min_point_x`; `None` says that it is not known.
+    #[inline]
     pub fn set_min_point_x(&mut self, value: Option<f32>) {
         self.min_point_x = value.unwrap_or(f32::NAN);
     }
 
     /// `min_point_y`, or `None` where the sender does not know it.
+    #[inline]
     pub fn min_point_y(&self) -> Option<f32> {
-        Some(self.min_point_y).filter(|&v| !v.is_nan())
+        if self.min_point_y.is_nan() { None } else { Some(self.min_point_y) }
     }
 
     /// Sets `min_point_y`; `None` says that it is not known.
+    #[inline]
     pub fn set_min_point_y(&mut self, value: Option<f32>) {
         self.min_point_y = value.unwrap_or(f32::NAN);
     }

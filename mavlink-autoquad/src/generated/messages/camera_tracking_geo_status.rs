@@ -60,91 +60,109 @@ pub struct CameraTrackingGeoStatus {
 
 impl CameraTrackingGeoStatus {
     /// `h_acc`, or `None` where the sender does not know it.
+    #[inline]
     pub fn h_acc(&self) -> Option<f32> {
-        Some(self.h_acc).filter(|&v| !v.is_nan())
+        if self.h_acc.is_nan() { None } else { Some(self.h_acc) }
     }
 
     /// Sets `h_acc`; `None` says that it is not known.
+    #[inline]
     pub fn set_h_acc(&mut self, value: Option<f32>) {
         self.h_acc = value.unwrap_or(f32::NAN);
     }
 
     /// `v_acc`, or `None` where the sender does not know it.
+    #[inline]
     pub fn v_acc(&self) -> Option<f32> {
-        Some(self.v_acc).filter(|&v| !v.is_nan())
+        if self.v_acc.is_nan() { None } else { Some(self.v_acc) }
     }
 
     /// Sets `v_acc`; `None` says that it is not known.
+    #[inline]
     pub fn set_v_acc(&mut self, value: Option<f32>) {
         self.v_acc = value.unwrap_or(f32::NAN);
     }
 
     /// `vel_n`, or `None` where the sender does not know it.
+    #[inline]
     pub fn vel_n(&self) -> Option<f32> {
-        Some(self.vel_n).filter(|&v| !v.is_nan())
+        if self.vel_n.is_nan() { None } else { Some(self.vel_n) }
     }
 
     /// Sets `vel_n`; `None` says that it is not known.
+    #[inline]
     pub fn set_vel_n(&mut self, value: Option<f32>) {
         self.vel_n = value.unwrap_or(f32::NAN);
     }
 
     /// `vel_e`, or `None` where the sender does not know it.
+    #[inline]
     pub fn vel_e(&self) -> Option<f32> {
-        Some(self.vel_e).filter(|&v| !v.is_nan())
+        if self.vel_e.is_nan() { None } else { Some(self.vel_e) }
     }
 
     /// Sets `vel_e`; `None` says that it is not known.
+    #[inline]
     pub fn set_vel_e(&mut self, value: Option<f32>) {
         self.vel_e = value.unwrap_or(f32::NAN);
     }
 
     /// `vel_d`, or `None` where the sender does not know it.
+    #[inline]
     pub fn vel_d(&self) -> Option<f32> {
-        Some(self.vel_d).filter(|&v| !v.is_nan())
+        if self.vel_d.is_nan() { None } else { Some(self.vel_d) }
     }
 
     /// Sets `vel_d`; `None` says that it is not known.
+    #[inline]
     pub fn set_vel_d(&mut self, value: Option<f32>) {
         self.vel_d = value.unwrap_or(f32::NAN);
     }
 
     /// `vel_acc`, or `None` where the sender does not know it.
+    #[inline]
     pub fn vel_acc(&self) -> Option<f32> {
-        Some(self.vel_acc).filter(|&v| !v.is_nan())
+        if self.vel_acc.is_nan() { None } else { Some(self.vel_acc) }
     }
 
     /// Sets `vel_acc`; `None` says that it is not known.
+    #[inline]
     pub fn set_vel_acc(&mut self, value: Option<f32>) {
         self.vel_acc = value.unwrap_or(f32::NAN);
     }
 
     /// `dist`, or `None` where the sender does not know it.
+    #[inline]
     pub fn dist(&self) -> Option<f32> {
-        Some(self.dist).filter(|&v| !v.is_nan())
+        if self.dist.is_nan() { None } else { Some(self.dist) }
     }
 
     /// Sets `dist`; `None` says that it is not known.
+    #[inline]
     pub fn set_dist(&mut self, value: Option<f32>) {
         self.dist = value.unwrap_or(f32::NAN);
     }
 
     /// `hdg`, or `None` where the sender does not know it.
+    #[inline]
     pub fn hdg(&self) -> Option<f32> {
-        Some(self.hdg).filter(|&v| !v.is_nan())
+        if self.hdg.is_nan() { None } else { Some(self.hdg) }
     }
 
     /// Sets `hdg`; `None` says that it is not known.
+    #[inline]
     pub fn set_hdg(&mut self, value: Option<f32>) {
         self.hdg = value.unwrap_or(f32::NAN);
     }
 
     /// `hdg_acc`, or `None` where the sender does not know it.
+    #[inline]
     pub fn hdg_acc(&self) -> Option<f32> {
-        Some(self.hdg_acc).filter(|&v| !v.is_nan())
+        if self.hdg_acc.is_nan() { None } else { Some(self.hdg_acc) }
     }
 
     /// Sets `hdg_acc`; `None` says that it is not known.
+    #[inline]
     pub fn set_hdg_acc(&mut self, value: Option<f32>) {
         self.hdg_acc = value.unwrap_or(f32::NAN);
     }

@@ -53,71 +53,85 @@ pub struct CameraTrackingImageStatus {
 
 impl CameraTrackingImageStatus {
     /// `point_x`, or `None` where the sender does not know it.
+    #[inline]
     pub fn point_x(&self) -> Option<f32> {
-        Some(self.point_x).filter(|&v| !v.is_nan())
+        if self.point_x.is_nan() { None } else { Some(self.point_x) }
     }
 
     /// Sets `point_x`; `None` says that it is not known.
+    #[inline]
     pub fn set_point_x(&mut self, value: Option<f32>) {
         self.point_x = value.unwrap_or(f32::NAN);
     }
 
     /// `point_y`, or `None` where the sender does not know it.
+    #[inline]
     pub fn point_y(&self) -> Option<f32> {
-        Some(self.point_y).filter(|&v| !v.is_nan())
+        if self.point_y.is_nan() { None } else { Some(self.point_y) }
     }
 
     /// Sets `point_y`; `None` says that it is not known.
+    #[inline]
     pub fn set_point_y(&mut self, value: Option<f32>) {
         self.point_y = value.unwrap_or(f32::NAN);
     }
 
     /// `radius`, or `None` where the sender does not know it.
+    #[inline]
     pub fn radius(&self) -> Option<f32> {
-        Some(self.radius).filter(|&v| !v.is_nan())
+        if self.radius.is_nan() { None } else { Some(self.radius) }
     }
 
     /// Sets `radius`; `None` says that it is not known.
+    #[inline]
     pub fn set_radius(&mut self, value: Option<f32>) {
         self.radius = value.unwrap_or(f32::NAN);
     }
 
     /// `rec_top_x`, or `None` where the sender does not know it.
+    #[inline]
     pub fn rec_top_x(&self) -> Option<f32> {
-        Some(self.rec_top_x).filter(|&v| !v.is_nan())
+        if self.rec_top_x.is_nan() { None } else { Some(self.rec_top_x) }
     }
 
     /// Sets `rec_top_x`; `None` says that it is not known.
+    #[inline]
     pub fn set_rec_top_x(&mut self, value: Option<f32>) {
         self.rec_top_x = value.unwrap_or(f32::NAN);
     }
 
     /// `rec_top_y`, or `None` where the sender does not know it.
+    #[inline]
     pub fn rec_top_y(&self) -> Option<f32> {
-        Some(self.rec_top_y).filter(|&v| !v.is_nan())
+        if self.rec_top_y.is_nan() { None } else { Some(self.rec_top_y) }
     }
 
     /// Sets `rec_top_y`; `None` says that it is not known.
+    #[inline]
     pub fn set_rec_top_y(&mut self, value: Option<f32>) {
         self.rec_top_y = value.unwrap_or(f32::NAN);
     }
 
     /// `rec_bottom_x`, or `None` where the sender does not know it.
+    #[inline]
     pub fn rec_bottom_x(&self) -> Option<f32> {
-        Some(self.rec_bottom_x).filter(|&v| !v.is_nan())
+        if self.rec_bottom_x.is_nan() { None } else { Some(self.rec_bottom_x) }
     }
 
     /// Sets `rec_bottom_x`; `None` says that it is not known.
+    #[inline]
     pub fn set_rec_bottom_x(&mut self, value: Option<f32>) {
         self.rec_bottom_x = value.unwrap_or(f32::NAN);
     }
 
     /// `rec_bottom_y`, or `None` where the sender does not know it.
+    #[inline]
     pub fn rec_bottom_y(&self) -> Option<f32> {
-        Some(self.rec_bottom_y).filter(|&v| !v.is_nan())
+        if self.rec_bottom_y.is_nan() { None } else { Some(self.rec_bottom_y) }
     }
 
     /// Sets `rec_bottom_y`; `None` says that it is not known.
+    #[inline]
     pub fn set_rec_bottom_y(&mut self, value: Option<f32>) {
         self.rec_bottom_y = value.unwrap_or(f32::NAN);
     }

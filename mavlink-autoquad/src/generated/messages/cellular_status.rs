@@ -75,131 +75,157 @@ pub struct CellularStatus {
 
 impl CellularStatus {
     /// `quality`, or `None` where the sender does not know it.
+    #[inline]
     pub fn quality(&self) -> Option<u8> {
-        Some(self.quality).filter(|&v| v != 255)
+        if self.quality == 255 { None } else { Some(self.quality) }
     }
 
     /// Sets `quality`; `None` says that it is not known.
+    #[inline]
     pub fn set_quality(&mut self, value: Option<u8>) {
         self.quality = value.unwrap_or(255);
     }
 
     /// `mcc`, or `None` where the sender does not know it.
+    #[inline]
     pub fn mcc(&self) -> Option<u16> {
-        Some(self.mcc).filter(|&v| v != 65535)
+        if self.mcc == 65535 { None } else { Some(self.mcc) }
     }
 
     /// Sets `mcc`; `None` says that it is not known.
+    #[inline]
     pub fn set_mcc(&mut self, value: Option<u16>) {
         self.mcc = value.unwrap_or(65535);
     }
 
     /// `mnc`, or `None` where the sender does not know it.
+    #[inline]
     pub fn mnc(&self) -> Option<u16> {
-        Some(self.mnc).filter(|&v| v != 65535)
+        if self.mnc == 65535 { None } else { Some(self.mnc) }
     }
 
     /// Sets `mnc`; `None` says that it is not known.
+    #[inline]
     pub fn set_mnc(&mut self, value: Option<u16>) {
         self.mnc = value.unwrap_or(65535);
     }
 
     /// `lac`, or `None` where the sender does not know it.
+    #[inline]
     pub fn lac(&self) -> Option<u16> {
-        Some(self.lac).filter(|&v| v != 0)
+        if self.lac == 0 { None } else { Some(self.lac) }
     }
 
     /// Sets `lac`; `None` says that it is not known.
+    #[inline]
     pub fn set_lac(&mut self, value: Option<u16>) {
         self.lac = value.unwrap_or(0);
     }
 
     /// `link_tx_rate`, or `None` where the sender does not know it.
+    #[inline]
     pub fn link_tx_rate(&self) -> Option<u32> {
-        Some(self.link_tx_rate).filter(|&v| v != 0)
+        if self.link_tx_rate == 0 { None } else { Some(self.link_tx_rate) }
     }
 
     /// Sets `link_tx_rate`; `None` says that it is not known.
+    #[inline]
     pub fn set_link_tx_rate(&mut self, value: Option<u32>) {
         self.link_tx_rate = value.unwrap_or(0);
     }
 
     /// `link_rx_rate`, or `None` where the sender does not know it.
+    #[inline]
     pub fn link_rx_rate(&self) -> Option<u32> {
-        Some(self.link_rx_rate).filter(|&v| v != 0)
+        if self.link_rx_rate == 0 { None } else { Some(self.link_rx_rate) }
     }
 
     /// Sets `link_rx_rate`; `None` says that it is not known.
+    #[inline]
     pub fn set_link_rx_rate(&mut self, value: Option<u32>) {
         self.link_rx_rate = value.unwrap_or(0);
     }
 
     /// `band_number`, or `None` where the sender does not know it.
+    #[inline]
     pub fn band_number(&self) -> Option<u8> {
-        Some(self.band_number).filter(|&v| v != 0)
+        if self.band_number == 0 { None } else { Some(self.band_number) }
     }
 
     /// Sets `band_number`; `None` says that it is not known.
+    #[inline]
     pub fn set_band_number(&mut self, value: Option<u8>) {
         self.band_number = value.unwrap_or(0);
     }
 
     /// `band_frequency`, or `None` where the sender does not know it.
+    #[inline]
     pub fn band_frequency(&self) -> Option<f32> {
-        Some(self.band_frequency).filter(|&v| v != 0.0)
+        if self.band_frequency == 0.0 { None } else { Some(self.band_frequency) }
     }
 
     /// Sets `band_frequency`; `None` says that it is not known.
+    #[inline]
     pub fn set_band_frequency(&mut self, value: Option<f32>) {
         self.band_frequency = value.unwrap_or(0.0);
     }
 
     /// `channel_number`, or `None` where the sender does not know it.
+    #[inline]
     pub fn channel_number(&self) -> Option<u32> {
-        Some(self.channel_number).filter(|&v| v != 0)
+        if self.channel_number == 0 { None } else { Some(self.channel_number) }
     }
 
     /// Sets `channel_number`; `None` says that it is not known.
+    #[inline]
     pub fn set_channel_number(&mut self, value: Option<u32>) {
         self.channel_number = value.unwrap_or(0);
     }
 
     /// `rx_level`, or `None` where the sender does not know it.
+    #[inline]
     pub fn rx_level(&self) -> Option<f32> {
-        Some(self.rx_level).filter(|&v| v != 0.0)
+        if self.rx_level == 0.0 { None } else { Some(self.rx_level) }
     }
 
     /// Sets `rx_level`; `None` says that it is not known.
+    #[inline]
     pub fn set_rx_level(&mut self, value: Option<f32>) {
         self.rx_level = value.unwrap_or(0.0);
     }
 
     /// `tx_level`, or `None` where the sender does not know it.
+    #[inline]
     pub fn tx_level(&self) -> Option<f32> {
-        Some(self.tx_level).filter(|&v| v != 0.0)
+        if self.tx_level == 0.0 { None } else { Some(self.tx_level) }
     }
 
     /// Sets `tx_level`; `None` says that it is not known.
+    #[inline]
     pub fn set_tx_level(&mut self, value: Option<f32>) {
         self.tx_level = value.unwrap_or(0.0);
     }
 
     /// `rx_quality`, or `None` where the sender does not know it.
+    #[inline]
     pub fn rx_quality(&self) -> Option<f32> {
-        Some(self.rx_quality).filter(|&v| v != 0.0)
+        if self.rx_quality == 0.0 { None } else { Some(self.rx_quality) }
     }
 
     /// Sets `rx_quality`; `None` says that it is not known.
+    #[inline]
     pub fn set_rx_quality(&mut self, value: Option<f32>) {
         self.rx_quality = value.unwrap_or(0.0);
     }
 
     /// `sinr`, or `None` where the sender does not know it.
+    #[inline]
     pub fn sinr(&self) -> Option<f32> {
-        Some(self.sinr).filter(|&v| v != 0.0)
+        if self.sinr == 0.0 { None } else { Some(self.sinr) }
     }
 
     /// Sets `sinr`; `None` says that it is not known.
+    #[inline]
     pub fn set_sinr(&mut self, value: Option<f32>) {
         self.sinr = value.unwrap_or(0.0);
     }

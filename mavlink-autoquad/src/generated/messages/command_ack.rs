@@ -36,11 +36,13 @@ pub struct CommandAck {
 
 impl CommandAck {
     /// `progress`, or `None` where the sender does not know it.
+    #[inline]
     pub fn progress(&self) -> Option<u8> {
-        Some(self.progress).filter(|&v| v != 255)
+        if self.progress == 255 { None } else { Some(self.progress) }
     }
 
     /// Sets `progress`; `None` says that it is not known.
+    #[inline]
     pub fn set_progress(&mut self, value: Option<u8>) {
         self.progress = value.unwrap_or(255);
     }

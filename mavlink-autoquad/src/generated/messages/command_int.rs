@@ -60,71 +60,85 @@ pub struct CommandInt {
 
 impl CommandInt {
     /// `param1`, or `None` where the sender does not know it.
+    #[inline]
     pub fn param1(&self) -> Option<f32> {
-        Some(self.param1).filter(|&v| !v.is_nan())
+        if self.param1.is_nan() { None } else { Some(self.param1) }
     }
 
     /// Sets `param1`; `None` says that it is not known.
+    #[inline]
     pub fn set_param1(&mut self, value: Option<f32>) {
         self.param1 = value.unwrap_or(f32::NAN);
     }
 
     /// `param2`, or `None` where the sender does not know it.
+    #[inline]
     pub fn param2(&self) -> Option<f32> {
-        Some(self.param2).filter(|&v| !v.is_nan())
+        if self.param2.is_nan() { None } else { Some(self.param2) }
     }
 
     /// Sets `param2`; `None` says that it is not known.
+    #[inline]
     pub fn set_param2(&mut self, value: Option<f32>) {
         self.param2 = value.unwrap_or(f32::NAN);
     }
 
     /// `param3`, or `None` where the sender does not know it.
+    #[inline]
     pub fn param3(&self) -> Option<f32> {
-        Some(self.param3).filter(|&v| !v.is_nan())
+        if self.param3.is_nan() { None } else { Some(self.param3) }
     }
 
     /// Sets `param3`; `None` says that it is not known.
+    #[inline]
     pub fn set_param3(&mut self, value: Option<f32>) {
         self.param3 = value.unwrap_or(f32::NAN);
     }
 
     /// `param4`, or `None` where the sender does not know it.
+    #[inline]
     pub fn param4(&self) -> Option<f32> {
-        Some(self.param4).filter(|&v| !v.is_nan())
+        if self.param4.is_nan() { None } else { Some(self.param4) }
     }
 
     /// Sets `param4`; `None` says that it is not known.
+    #[inline]
     pub fn set_param4(&mut self, value: Option<f32>) {
         self.param4 = value.unwrap_or(f32::NAN);
     }
 
     /// `x`, or `None` where the sender does not know it.
+    #[inline]
     pub fn x(&self) -> Option<i32> {
-        Some(self.x).filter(|&v| v != 2147483647)
+        if self.x == 2147483647 { None } else { Some(self.x) }
     }
 
     /// Sets `x`; `None` says that it is not known.
+    #[inline]
     pub fn set_x(&mut self, value: Option<i32>) {
         self.x = value.unwrap_or(2147483647);
     }
 
     /// `y`, or `None` where the sender does not know it.
+    #[inline]
     pub fn y(&self) -> Option<i32> {
-        Some(self.y).filter(|&v| v != 2147483647)
+        if self.y == 2147483647 { None } else { Some(self.y) }
     }
 
     /// Sets `y`; `None` says that it is not known.
+    #[inline]
     pub fn set_y(&mut self, value: Option<i32>) {
         self.y = value.unwrap_or(2147483647);
     }
 
     /// `z`, or `None` where the sender does not know it.
+    #[inline]
     pub fn z(&self) -> Option<f32> {
-        Some(self.z).filter(|&v| !v.is_nan())
+        if self.z.is_nan() { None } else { Some(self.z) }
     }
 
     /// Sets `z`; `None` says that it is not known.
+    #[inline]
     pub fn set_z(&mut self, value: Option<f32>) {
         self.z = value.unwrap_or(f32::NAN);
     }

@@ -50,71 +50,85 @@ pub struct CommandLong {
 
 impl CommandLong {
     /// `param1`, or `None` where the sender does not know it.
+    #[inline]
     pub fn param1(&self) -> Option<f32> {
-        Some(self.param1).filter(|&v| !v.is_nan())
+        if self.param1.is_nan() { None } else { Some(self.param1) }
     }
 
     /// Sets `param1`; `None` says that it is not known.
+    #[inline]
     pub fn set_param1(&mut self, value: Option<f32>) {
         self.param1 = value.unwrap_or(f32::NAN);
     }
 
     /// `param2`, or `None` where the sender does not know it.
+    #[inline]
     pub fn param2(&self) -> Option<f32> {
-        Some(self.param2).filter(|&v| !v.is_nan())
+        if self.param2.is_nan() { None } else { Some(self.param2) }
     }
 
     /// Sets `param2`; `None` says that it is not known.
+    #[inline]
     pub fn set_param2(&mut self, value: Option<f32>) {
         self.param2 = value.unwrap_or(f32::NAN);
     }
 
     /// `param3`, or `None` where the sender does not know it.
+    #[inline]
     pub fn param3(&self) -> Option<f32> {
-        Some(self.param3).filter(|&v| !v.is_nan())
+        if self.param3.is_nan() { None } else { Some(self.param3) }
     }
 
     /// Sets `param3`; `None` says that it is not known.
+    #[inline]
     pub fn set_param3(&mut self, value: Option<f32>) {
         self.param3 = value.unwrap_or(f32::NAN);
     }
 
     /// `param4`, or `None` where the sender does not know it.
+    #[inline]
     pub fn param4(&self) -> Option<f32> {
-        Some(self.param4).filter(|&v| !v.is_nan())
+        if self.param4.is_nan() { None } else { Some(self.param4) }
     }
 
     /// Sets `param4`; `None` says that it is not known.
+    #[inline]
     pub fn set_param4(&mut self, value: Option<f32>) {
         self.param4 = value.unwrap_or(f32::NAN);
     }
 
     /// `param5`, or `None` where the sender does not know it.
+    #[inline]
     pub fn param5(&self) -> Option<f32> {
-        Some(self.param5).filter(|&v| !v.is_nan())
+        if self.param5.is_nan() { None } else { Some(self.param5) }
     }
 
     /// Sets `param5`; `None` says that it is not known.
+    #[inline]
     pub fn set_param5(&mut self, value: Option<f32>) {
         self.param5 = value.unwrap_or(f32::NAN);
     }
 
     /// `param6`, or `None` where the sender does not know it.
+    #[inline]
     pub fn param6(&self) -> Option<f32> {
-        Some(self.param6).filter(|&v| !v.is_nan())
+        if self.param6.is_nan() { None } else { Some(self.param6) }
     }
 
     /// Sets `param6`; `None` says that it is not known.
+    #[inline]
     pub fn set_param6(&mut self, value: Option<f32>) {
         self.param6 = value.unwrap_or(f32::NAN);
     }
 
     /// `param7`, or `None` where the sender does not know it.
+    #[inline]
     pub fn param7(&self) -> Option<f32> {
-        Some(self.param7).filter(|&v| !v.is_nan())
+        if self.param7.is_nan() { None } else { Some(self.param7) }
     }
 
     /// Sets `param7`; `None` says that it is not known.
+    #[inline]
     pub fn set_param7(&mut self, value: Option<f32>) {
         self.param7 = value.unwrap_or(f32::NAN);
     }

@@ -41,11 +41,13 @@ pub struct ComponentInformationBasic {
 
 impl ComponentInformationBasic {
     /// `time_manufacture_s`, or `None` where the sender does not know it.
+    #[inline]
     pub fn time_manufacture_s(&self) -> Option<u32> {
-        Some(self.time_manufacture_s).filter(|&v| v != 0)
+        if self.time_manufacture_s == 0 { None } else { Some(self.time_manufacture_s) }
     }
 
     /// Sets `time_manufacture_s`; `None` says that it is not known.
+    #[inline]
     pub fn set_time_manufacture_s(&mut self, value: Option<u32>) {
         self.time_manufacture_s = value.unwrap_or(0);
     }

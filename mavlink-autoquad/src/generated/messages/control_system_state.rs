@@ -68,11 +68,13 @@ pub struct ControlSystemState {
 
 impl ControlSystemState {
     /// `airspeed`, or `None` where the sender does not know it.
+    #[inline]
     pub fn airspeed(&self) -> Option<f32> {
-        Some(self.airspeed).filter(|&v| v != -1.0)
+        if self.airspeed == -1.0 { None } else { Some(self.airspeed) }
     }
 
     /// Sets `airspeed`; `None` says that it is not known.
+    #[inline]
     pub fn set_airspeed(&mut self, value: Option<f32>) {
         self.airspeed = value.unwrap_or(-1.0);
     }

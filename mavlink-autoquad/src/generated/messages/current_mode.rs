@@ -27,11 +27,17 @@ pub struct CurrentMode {
 
 impl CurrentMode {
     /// `intended_custom_mode`, or `None` where the sender does not know it.
+    #[inline]
     pub fn intended_custom_mode(&self) -> Option<u32> {
-        Some(self.intended_custom_mode).filter(|&v| v != 0)
+        if self.intended_custom_mode == 0 {
+            None
+        } else {
+            Some(self.intended_custom_mode)
+        }
     }
 
     /// Sets `intended_custom_mode`; `None` says that it is not known.
+    #[inline]
     pub fn set_intended_custom_mode(&mut self, value: Option<u32>) {
         self.intended_custom_mode = value.unwrap_or(0);
     }

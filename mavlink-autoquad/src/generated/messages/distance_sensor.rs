@@ -55,41 +55,49 @@ pub struct DistanceSensor {
 
 impl DistanceSensor {
     /// `covariance`, or `None` where the sender does not know it.
+    #[inline]
     pub fn covariance(&self) -> Option<u8> {
-        Some(self.covariance).filter(|&v| v != 255)
+        if self.covariance == 255 { None } else { Some(self.covariance) }
     }
 
     /// Sets `covariance`; `None` says that it is not known.
+    #[inline]
     pub fn set_covariance(&mut self, value: Option<u8>) {
         self.covariance = value.unwrap_or(255);
     }
 
     /// `horizontal_fov`, or `None` where the sender does not know it.
+    #[inline]
     pub fn horizontal_fov(&self) -> Option<f32> {
-        Some(self.horizontal_fov).filter(|&v| v != 0.0)
+        if self.horizontal_fov == 0.0 { None } else { Some(self.horizontal_fov) }
     }
 
     /// Sets `horizontal_fov`; `None` says that it is not known.
+    #[inline]
     pub fn set_horizontal_fov(&mut self, value: Option<f32>) {
         self.horizontal_fov = value.unwrap_or(0.0);
     }
 
     /// `vertical_fov`, or `None` where the sender does not know it.
+    #[inline]
     pub fn vertical_fov(&self) -> Option<f32> {
-        Some(self.vertical_fov).filter(|&v| v != 0.0)
+        if self.vertical_fov == 0.0 { None } else { Some(self.vertical_fov) }
     }
 
     /// Sets `vertical_fov`; `None` says that it is not known.
+    #[inline]
     pub fn set_vertical_fov(&mut self, value: Option<f32>) {
         self.vertical_fov = value.unwrap_or(0.0);
     }
 
     /// Element `index` of `quaternion`, or `None` where the sender does not know it, or there is no such element.
+    #[inline]
     pub fn quaternion(&self, index: usize) -> Option<f32> {
         self.quaternion.get(index).copied().filter(|&v| v != 0.0)
     }
 
     /// Sets element `index` of `quaternion`; `None` says that it is not known. An error if there is no such element.
+    #[inline]
     pub fn set_quaternion(
         &mut self,
         index: usize,
@@ -101,11 +109,13 @@ impl DistanceSensor {
     }
 
     /// `signal_quality`, or `None` where the sender does not know it.
+    #[inline]
     pub fn signal_quality(&self) -> Option<u8> {
-        Some(self.signal_quality).filter(|&v| v != 0)
+        if self.signal_quality == 0 { None } else { Some(self.signal_quality) }
     }
 
     /// Sets `signal_quality`; `None` says that it is not known.
+    #[inline]
     pub fn set_signal_quality(&mut self, value: Option<u8>) {
         self.signal_quality = value.unwrap_or(0);
     }

@@ -48,11 +48,13 @@ pub struct EscInfo {
 
 impl EscInfo {
     /// Element `index` of `temperature`, or `None` where the sender does not know it, or there is no such element.
+    #[inline]
     pub fn temperature(&self, index: usize) -> Option<i16> {
         self.temperature.get(index).copied().filter(|&v| v != 32767)
     }
 
     /// Sets element `index` of `temperature`; `None` says that it is not known. An error if there is no such element.
+    #[inline]
     pub fn set_temperature(
         &mut self,
         index: usize,

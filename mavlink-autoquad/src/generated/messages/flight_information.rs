@@ -34,41 +34,49 @@ pub struct FlightInformation {
 
 impl FlightInformation {
     /// `arming_time_utc`, or `None` where the sender does not know it.
+    #[inline]
     pub fn arming_time_utc(&self) -> Option<u64> {
-        Some(self.arming_time_utc).filter(|&v| v != 0)
+        if self.arming_time_utc == 0 { None } else { Some(self.arming_time_utc) }
     }
 
     /// Sets `arming_time_utc`; `None` says that it is not known.
+    #[inline]
     pub fn set_arming_time_utc(&mut self, value: Option<u64>) {
         self.arming_time_utc = value.unwrap_or(0);
     }
 
     /// `takeoff_time_utc`, or `None` where the sender does not know it.
+    #[inline]
     pub fn takeoff_time_utc(&self) -> Option<u64> {
-        Some(self.takeoff_time_utc).filter(|&v| v != 0)
+        if self.takeoff_time_utc == 0 { None } else { Some(self.takeoff_time_utc) }
     }
 
     /// Sets `takeoff_time_utc`; `None` says that it is not known.
+    #[inline]
     pub fn set_takeoff_time_utc(&mut self, value: Option<u64>) {
         self.takeoff_time_utc = value.unwrap_or(0);
     }
 
     /// `flight_uuid`, or `None` where the sender does not know it.
+    #[inline]
     pub fn flight_uuid(&self) -> Option<u64> {
-        Some(self.flight_uuid).filter(|&v| v != 0)
+        if self.flight_uuid == 0 { None } else { Some(self.flight_uuid) }
     }
 
     /// Sets `flight_uuid`; `None` says that it is not known.
+    #[inline]
     pub fn set_flight_uuid(&mut self, value: Option<u64>) {
         self.flight_uuid = value.unwrap_or(0);
     }
 
     /// `landing_time`, or `None` where the sender does not know it.
+    #[inline]
     pub fn landing_time(&self) -> Option<u32> {
-        Some(self.landing_time).filter(|&v| v != 0)
+        if self.landing_time == 0 { None } else { Some(self.landing_time) }
     }
 
     /// Sets `landing_time`; `None` says that it is not known.
+    #[inline]
     pub fn set_landing_time(&mut self, value: Option<u32>) {
         self.landing_time = value.unwrap_or(0);
     }

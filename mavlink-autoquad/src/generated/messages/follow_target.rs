@@ -49,11 +49,13 @@ pub struct FollowTarget {
 
 impl FollowTarget {
     /// Element `index` of `vel`, or `None` where the sender does not know it, or there is no such element.
+    #[inline]
     pub fn vel(&self, index: usize) -> Option<f32> {
         self.vel.get(index).copied().filter(|&v| v != 0.0)
     }
 
     /// Sets element `index` of `vel`; `None` says that it is not known. An error if there is no such element.
+    #[inline]
     pub fn set_vel(
         &mut self,
         index: usize,
@@ -65,11 +67,13 @@ impl FollowTarget {
     }
 
     /// Element `index` of `acc`, or `None` where the sender does not know it, or there is no such element.
+    #[inline]
     pub fn acc(&self, index: usize) -> Option<f32> {
         self.acc.get(index).copied().filter(|&v| v != 0.0)
     }
 
     /// Sets element `index` of `acc`; `None` says that it is not known. An error if there is no such element.
+    #[inline]
     pub fn set_acc(
         &mut self,
         index: usize,
@@ -81,11 +85,13 @@ impl FollowTarget {
     }
 
     /// Element `index` of `attitude_q`, or `None` where the sender does not know it, or there is no such element.
+    #[inline]
     pub fn attitude_q(&self, index: usize) -> Option<f32> {
         self.attitude_q.get(index).copied().filter(|&v| v != 0.0)
     }
 
     /// Sets element `index` of `attitude_q`; `None` says that it is not known. An error if there is no such element.
+    #[inline]
     pub fn set_attitude_q(
         &mut self,
         index: usize,
@@ -97,11 +103,13 @@ impl FollowTarget {
     }
 
     /// Element `index` of `rates`, or `None` where the sender does not know it, or there is no such element.
+    #[inline]
     pub fn rates(&self, index: usize) -> Option<f32> {
         self.rates.get(index).copied().filter(|&v| v != 0.0)
     }
 
     /// Sets element `index` of `rates`; `None` says that it is not known. An error if there is no such element.
+    #[inline]
     pub fn set_rates(
         &mut self,
         index: usize,

@@ -41,51 +41,61 @@ pub struct FuelStatus {
 
 impl FuelStatus {
     /// `consumed_fuel`, or `None` where the sender does not know it.
+    #[inline]
     pub fn consumed_fuel(&self) -> Option<f32> {
-        Some(self.consumed_fuel).filter(|&v| !v.is_nan())
+        if self.consumed_fuel.is_nan() { None } else { Some(self.consumed_fuel) }
     }
 
     /// Sets `consumed_fuel`; `None` says that it is not known.
+    #[inline]
     pub fn set_consumed_fuel(&mut self, value: Option<f32>) {
         self.consumed_fuel = value.unwrap_or(f32::NAN);
     }
 
     /// `remaining_fuel`, or `None` where the sender does not know it.
+    #[inline]
     pub fn remaining_fuel(&self) -> Option<f32> {
-        Some(self.remaining_fuel).filter(|&v| !v.is_nan())
+        if self.remaining_fuel.is_nan() { None } else { Some(self.remaining_fuel) }
     }
 
     /// Sets `remaining_fuel`; `None` says that it is not known.
+    #[inline]
     pub fn set_remaining_fuel(&mut self, value: Option<f32>) {
         self.remaining_fuel = value.unwrap_or(f32::NAN);
     }
 
     /// `percent_remaining`, or `None` where the sender does not know it.
+    #[inline]
     pub fn percent_remaining(&self) -> Option<u8> {
-        Some(self.percent_remaining).filter(|&v| v != 255)
+        if self.percent_remaining == 255 { None } else { Some(self.percent_remaining) }
     }
 
     /// Sets `percent_remaining`; `None` says that it is not known.
+    #[inline]
     pub fn set_percent_remaining(&mut self, value: Option<u8>) {
         self.percent_remaining = value.unwrap_or(255);
     }
 
     /// `flow_rate`, or `None` where the sender does not know it.
+    #[inline]
     pub fn flow_rate(&self) -> Option<f32> {
-        Some(self.flow_rate).filter(|&v| !v.is_nan())
+        if self.flow_rate.is_nan() { None } else { Some(self.flow_rate) }
     }
 
     /// Sets `flow_rate`; `None` says that it is not known.
+    #[inline]
     pub fn set_flow_rate(&mut self, value: Option<f32>) {
         self.flow_rate = value.unwrap_or(f32::NAN);
     }
 
     /// `temperature`, or `None` where the sender does not know it.
+    #[inline]
     pub fn temperature(&self) -> Option<f32> {
-        Some(self.temperature).filter(|&v| !v.is_nan())
+        if self.temperature.is_nan() { None } else { Some(self.temperature) }
     }
 
     /// Sets `temperature`; `None` says that it is not known.
+    #[inline]
     pub fn set_temperature(&mut self, value: Option<f32>) {
         self.temperature = value.unwrap_or(f32::NAN);
     }

@@ -50,91 +50,125 @@ pub struct GeneratorStatus {
 
 impl GeneratorStatus {
     /// `generator_speed`, or `None` where the sender does not know it.
+    #[inline]
     pub fn generator_speed(&self) -> Option<u16> {
-        Some(self.generator_speed).filter(|&v| v != 65535)
+        if self.generator_speed == 65535 { None } else { Some(self.generator_speed) }
     }
 
     /// Sets `generator_speed`; `None` says that it is not known.
+    #[inline]
     pub fn set_generator_speed(&mut self, value: Option<u16>) {
         self.generator_speed = value.unwrap_or(65535);
     }
 
     /// `battery_current`, or `None` where the sender does not know it.
+    #[inline]
     pub fn battery_current(&self) -> Option<f32> {
-        Some(self.battery_current).filter(|&v| !v.is_nan())
+        if self.battery_current.is_nan() { None } else { Some(self.battery_current) }
     }
 
     /// Sets `battery_current`; `None` says that it is not known.
+    #[inline]
     pub fn set_battery_current(&mut self, value: Option<f32>) {
         self.battery_current = value.unwrap_or(f32::NAN);
     }
 
     /// `load_current`, or `None` where the sender does not know it.
+    #[inline]
     pub fn load_current(&self) -> Option<f32> {
-        Some(self.load_current).filter(|&v| !v.is_nan())
+        if self.load_current.is_nan() { None } else { Some(self.load_current) }
     }
 
     /// Sets `load_current`; `None` says that it is not known.
+    #[inline]
     pub fn set_load_current(&mut self, value: Option<f32>) {
         self.load_current = value.unwrap_or(f32::NAN);
     }
 
     /// `power_generated`, or `None` where the sender does not know it.
+    #[inline]
     pub fn power_generated(&self) -> Option<f32> {
-        Some(self.power_generated).filter(|&v| !v.is_nan())
+        if self.power_generated.is_nan() { None } else { Some(self.power_generated) }
     }
 
     /// Sets `power_generated`; `None` says that it is not known.
+    #[inline]
     pub fn set_power_generated(&mut self, value: Option<f32>) {
         self.power_generated = value.unwrap_or(f32::NAN);
     }
 
     /// `rectifier_temperature`, or `None` where the sender does not know it.
+    #[inline]
     pub fn rectifier_temperature(&self) -> Option<i16> {
-        Some(self.rectifier_temperature).filter(|&v| v != 32767)
+        if self.rectifier_temperature == 32767 {
+            None
+        } else {
+            Some(self.rectifier_temperature)
+        }
     }
 
     /// Sets `rectifier_temperature`; `None` says that it is not known.
+    #[inline]
     pub fn set_rectifier_temperature(&mut self, value: Option<i16>) {
         self.rectifier_temperature = value.unwrap_or(32767);
     }
 
     /// `bat_current_setpoint`, or `None` where the sender does not know it.
+    #[inline]
     pub fn bat_current_setpoint(&self) -> Option<f32> {
-        Some(self.bat_current_setpoint).filter(|&v| !v.is_nan())
+        if self.bat_current_setpoint.is_nan() {
+            None
+        } else {
+            Some(self.bat_current_setpoint)
+        }
     }
 
     /// Sets `bat_current_setpoint`; `None` says that it is not known.
+    #[inline]
     pub fn set_bat_current_setpoint(&mut self, value: Option<f32>) {
         self.bat_current_setpoint = value.unwrap_or(f32::NAN);
     }
 
     /// `generator_temperature`, or `None` where the sender does not know it.
+    #[inline]
     pub fn generator_temperature(&self) -> Option<i16> {
-        Some(self.generator_temperature).filter(|&v| v != 32767)
+        if self.generator_temperature == 32767 {
+            None
+        } else {
+            Some(self.generator_temperature)
+        }
     }
 
     /// Sets `generator_temperature`; `None` says that it is not known.
+    #[inline]
     pub fn set_generator_temperature(&mut self, value: Option<i16>) {
         self.generator_temperature = value.unwrap_or(32767);
     }
 
     /// `runtime`, or `None` where the sender does not know it.
+    #[inline]
     pub fn runtime(&self) -> Option<u32> {
-        Some(self.runtime).filter(|&v| v != 4294967295)
+        if self.runtime == 4294967295 { None } else { Some(self.runtime) }
     }
 
     /// Sets `runtime`; `None` says that it is not known.
+    #[inline]
     pub fn set_runtime(&mut self, value: Option<u32>) {
         self.runtime = value.unwrap_or(4294967295);
     }
 
     /// `time_until_maintenance`, or `None` where the sender does not know it.
+    #[inline]
     pub fn time_until_maintenance(&self) -> Option<i32> {
-        Some(self.time_until_maintenance).filter(|&v| v != 2147483647)
+        if self.time_until_maintenance == 2147483647 {
+            None
+        } else {
+            Some(self.time_until_maintenance)
+        }
     }
 
     /// Sets `time_until_maintenance`; `None` says that it is not known.
+    #[inline]
     pub fn set_time_until_maintenance(&mut self, value: Option<i32>) {
         self.time_until_maintenance = value.unwrap_or(2147483647);
     }

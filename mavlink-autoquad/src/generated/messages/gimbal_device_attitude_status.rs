@@ -56,61 +56,89 @@ pub struct GimbalDeviceAttitudeStatus {
 
 impl GimbalDeviceAttitudeStatus {
     /// `angular_velocity_x`, or `None` where the sender does not know it.
+    #[inline]
     pub fn angular_velocity_x(&self) -> Option<f32> {
-        Some(self.angular_velocity_x).filter(|&v| !v.is_nan())
+        if self.angular_velocity_x.is_nan() {
+            None
+        } else {
+            Some(self.angular_velocity_x)
+        }
     }
 
     /// Sets `angular_velocity_x`; `None` says that it is not known.
+    #[inline]
     pub fn set_angular_velocity_x(&mut self, value: Option<f32>) {
         self.angular_velocity_x = value.unwrap_or(f32::NAN);
     }
 
     /// `angular_velocity_y`, or `None` where the sender does not know it.
+    #[inline]
     pub fn angular_velocity_y(&self) -> Option<f32> {
-        Some(self.angular_velocity_y).filter(|&v| !v.is_nan())
+        if self.angular_velocity_y.is_nan() {
+            None
+        } else {
+            Some(self.angular_velocity_y)
+        }
     }
 
     /// Sets `angular_velocity_y`; `None` says that it is not known.
+    #[inline]
     pub fn set_angular_velocity_y(&mut self, value: Option<f32>) {
         self.angular_velocity_y = value.unwrap_or(f32::NAN);
     }
 
     /// `angular_velocity_z`, or `None` where the sender does not know it.
+    #[inline]
     pub fn angular_velocity_z(&self) -> Option<f32> {
-        Some(self.angular_velocity_z).filter(|&v| !v.is_nan())
+        if self.angular_velocity_z.is_nan() {
+            None
+        } else {
+            Some(self.angular_velocity_z)
+        }
     }
 
     /// Sets `angular_velocity_z`; `None` says that it is not known.
+    #[inline]
     pub fn set_angular_velocity_z(&mut self, value: Option<f32>) {
         self.angular_velocity_z = value.unwrap_or(f32::NAN);
     }
 
     /// `delta_yaw`, or `None` where the sender does not know it.
+    #[inline]
     pub fn delta_yaw(&self) -> Option<f32> {
-        Some(self.delta_yaw).filter(|&v| !v.is_nan())
+        if self.delta_yaw.is_nan() { None } else { Some(self.delta_yaw) }
     }
 
     /// Sets `delta_yaw`; `None` says that it is not known.
+    #[inline]
     pub fn set_delta_yaw(&mut self, value: Option<f32>) {
         self.delta_yaw = value.unwrap_or(f32::NAN);
     }
 
     /// `delta_yaw_velocity`, or `None` where the sender does not know it.
+    #[inline]
     pub fn delta_yaw_velocity(&self) -> Option<f32> {
-        Some(self.delta_yaw_velocity).filter(|&v| !v.is_nan())
+        if self.delta_yaw_velocity.is_nan() {
+            None
+        } else {
+            Some(self.delta_yaw_velocity)
+        }
     }
 
     /// Sets `delta_yaw_velocity`; `None` says that it is not known.
+    #[inline]
     pub fn set_delta_yaw_velocity(&mut self, value: Option<f32>) {
         self.delta_yaw_velocity = value.unwrap_or(f32::NAN);
     }
 
     /// `gimbal_device_id`, or `None` where the sender does not know it.
+    #[inline]
     pub fn gimbal_device_id(&self) -> Option<u8> {
-        Some(self.gimbal_device_id).filter(|&v| v != 0)
+        if self.gimbal_device_id == 0 { None } else { Some(self.gimbal_device_id) }
     }
 
     /// Sets `gimbal_device_id`; `None` says that it is not known.
+    #[inline]
     pub fn set_gimbal_device_id(&mut self, value: Option<u8>) {
         self.gimbal_device_id = value.unwrap_or(0);
     }

@@ -70,21 +70,25 @@ pub struct GimbalDeviceInformation {
 
 impl GimbalDeviceInformation {
     /// `uid`, or `None` where the sender does not know it.
+    #[inline]
     pub fn uid(&self) -> Option<u64> {
-        Some(self.uid).filter(|&v| v != 0)
+        if self.uid == 0 { None } else { Some(self.uid) }
     }
 
     /// Sets `uid`; `None` says that it is not known.
+    #[inline]
     pub fn set_uid(&mut self, value: Option<u64>) {
         self.uid = value.unwrap_or(0);
     }
 
     /// `cap_flags` as its enum.
+    #[inline]
     pub fn cap_flags(&self) -> GimbalDeviceCapFlags {
         GimbalDeviceCapFlags::from(u32::from(self.cap_flags))
     }
 
     /// Sets `cap_flags` from its enum. An error if the value does not fit the field.
+    #[inline]
     pub fn set_cap_flags(
         &mut self,
         value: GimbalDeviceCapFlags,
@@ -94,81 +98,101 @@ impl GimbalDeviceInformation {
     }
 
     /// `roll_min`, or `None` where the sender does not know it.
+    #[inline]
     pub fn roll_min(&self) -> Option<f32> {
-        Some(self.roll_min).filter(|&v| !v.is_nan())
+        if self.roll_min.is_nan() { None } else { Some(self.roll_min) }
     }
 
     /// Sets `roll_min`; `None` says that it is not known.
+    #[inline]
     pub fn set_roll_min(&mut self, value: Option<f32>) {
         self.roll_min = value.unwrap_or(f32::NAN);
     }
 
     /// `roll_max`, or `None` where the sender does not know it.
+    #[inline]
     pub fn roll_max(&self) -> Option<f32> {
-        Some(self.roll_max).filter(|&v| !v.is_nan())
+        if self.roll_max.is_nan() { None } else { Some(self.roll_max) }
     }
 
     /// Sets `roll_max`; `None` says that it is not known.
+    #[inline]
     pub fn set_roll_max(&mut self, value: Option<f32>) {
         self.roll_max = value.unwrap_or(f32::NAN);
     }
 
     /// `pitch_min`, or `None` where the sender does not know it.
+    #[inline]
     pub fn pitch_min(&self) -> Option<f32> {
-        Some(self.pitch_min).filter(|&v| !v.is_nan())
+        if self.pitch_min.is_nan() { None } else { Some(self.pitch_min) }
     }
 
     /// Sets `pitch_min`; `None` says that it is not known.
+    #[inline]
     pub fn set_pitch_min(&mut self, value: Option<f32>) {
         self.pitch_min = value.unwrap_or(f32::NAN);
     }
 
     /// `pitch_max`, or `None` where the sender does not know it.
+    #[inline]
     pub fn pitch_max(&self) -> Option<f32> {
-        Some(self.pitch_max).filter(|&v| !v.is_nan())
+        if self.pitch_max.is_nan() { None } else { Some(self.pitch_max) }
     }
 
     /// Sets `pitch_max`; `None` says that it is not known.
+    #[inline]
     pub fn set_pitch_max(&mut self, value: Option<f32>) {
         self.pitch_max = value.unwrap_or(f32::NAN);
     }
 
     /// `yaw_min`, or `None` where the sender does not know it.
+    #[inline]
     pub fn yaw_min(&self) -> Option<f32> {
-        Some(self.yaw_min).filter(|&v| !v.is_nan())
+        if self.yaw_min.is_nan() { None } else { Some(self.yaw_min) }
     }
 
     /// Sets `yaw_min`; `None` says that it is not known.
+    #[inline]
     pub fn set_yaw_min(&mut self, value: Option<f32>) {
         self.yaw_min = value.unwrap_or(f32::NAN);
     }
 
     /// `yaw_max`, or `None` where the sender does not know it.
+    #[inline]
     pub fn yaw_max(&self) -> Option<f32> {
-        Some(self.yaw_max).filter(|&v| !v.is_nan())
+        if self.yaw_max.is_nan() { None } else { Some(self.yaw_max) }
     }
 
     /// Sets `yaw_max`; `None` says that it is not known.
+    #[inline]
     pub fn set_yaw_max(&mut self, value: Option<f32>) {
         self.yaw_max = value.unwrap_or(f32::NAN);
     }
 
     /// `gimbal_device_id`, or `None` where the sender does not know it.
+    #[inline]
     pub fn gimbal_device_id(&self) -> Option<u8> {
-        Some(self.gimbal_device_id).filter(|&v| v != 0)
+        if self.gimbal_device_id == 0 { None } else { Some(self.gimbal_device_id) }
     }
 
     /// Sets `gimbal_device_id`; `None` says that it is not known.
+    #[inline]
     pub fn set_gimbal_device_id(&mut self, value: Option<u8>) {
         self.gimbal_device_id = value.unwrap_or(0);
     }
 
     /// `cap_flags2`, or `None` where the sender does not know it.
+    #[inline]
     pub fn cap_flags2(&self) -> Option<GimbalDeviceCapFlags> {
-        Some(self.cap_flags2).filter(|&v| v != GimbalDeviceCapFlags::from_bits_retain(0))
+        if self.cap_flags2 == GimbalDeviceCapFlags::from_bits_retain(0) {
+            None
+        } else {
+            Some(self.cap_flags2)
+        }
     }
 
     /// Sets `cap_flags2`; `None` says that it is not known.
+    #[inline]
     pub fn set_cap_flags2(&mut self, value: Option<GimbalDeviceCapFlags>) {
         self.cap_flags2 = value.unwrap_or(GimbalDeviceCapFlags::from_bits_retain(0));
     }

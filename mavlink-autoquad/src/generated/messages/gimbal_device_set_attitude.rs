@@ -39,11 +39,13 @@ pub struct GimbalDeviceSetAttitude {
 
 impl GimbalDeviceSetAttitude {
     /// Element `index` of `q`, or `None` where the sender does not know it, or there is no such element.
+    #[inline]
     pub fn q(&self, index: usize) -> Option<f32> {
         self.q.get(index).copied().filter(|&v| !v.is_nan())
     }
 
     /// Sets element `index` of `q`; `None` says that it is not known. An error if there is no such element.
+    #[inline]
     pub fn set_q(
         &mut self,
         index: usize,
@@ -55,31 +57,49 @@ impl GimbalDeviceSetAttitude {
     }
 
     /// `angular_velocity_x`, or `None` where the sender does not know it.
+    #[inline]
     pub fn angular_velocity_x(&self) -> Option<f32> {
-        Some(self.angular_velocity_x).filter(|&v| !v.is_nan())
+        if self.angular_velocity_x.is_nan() {
+            None
+        } else {
+            Some(self.angular_velocity_x)
+        }
     }
 
     /// Sets `angular_velocity_x`; `None` says that it is not known.
+    #[inline]
     pub fn set_angular_velocity_x(&mut self, value: Option<f32>) {
         self.angular_velocity_x = value.unwrap_or(f32::NAN);
     }
 
     /// `angular_velocity_y`, or `None` where the sender does not know it.
+    #[inline]
     pub fn angular_velocity_y(&self) -> Option<f32> {
-        Some(self.angular_velocity_y).filter(|&v| !v.is_nan())
+        if self.angular_velocity_y.is_nan() {
+            None
+        } else {
+            Some(self.angular_velocity_y)
+        }
     }
 
     /// Sets `angular_velocity_y`; `None` says that it is not known.
+    #[inline]
     pub fn set_angular_velocity_y(&mut self, value: Option<f32>) {
         self.angular_velocity_y = value.unwrap_or(f32::NAN);
     }
 
     /// `angular_velocity_z`, or `None` where the sender does not know it.
+    #[inline]
     pub fn angular_velocity_z(&self) -> Option<f32> {
-        Some(self.angular_velocity_z).filter(|&v| !v.is_nan())
+        if self.angular_velocity_z.is_nan() {
+            None
+        } else {
+            Some(self.angular_velocity_z)
+        }
     }
 
     /// Sets `angular_velocity_z`; `None` says that it is not known.
+    #[inline]
     pub fn set_angular_velocity_z(&mut self, value: Option<f32>) {
         self.angular_velocity_z = value.unwrap_or(f32::NAN);
     }

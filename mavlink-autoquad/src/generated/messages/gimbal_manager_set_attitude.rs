@@ -43,31 +43,49 @@ pub struct GimbalManagerSetAttitude {
 
 impl GimbalManagerSetAttitude {
     /// `angular_velocity_x`, or `None` where the sender does not know it.
+    #[inline]
     pub fn angular_velocity_x(&self) -> Option<f32> {
-        Some(self.angular_velocity_x).filter(|&v| !v.is_nan())
+        if self.angular_velocity_x.is_nan() {
+            None
+        } else {
+            Some(self.angular_velocity_x)
+        }
     }
 
     /// Sets `angular_velocity_x`; `None` says that it is not known.
+    #[inline]
     pub fn set_angular_velocity_x(&mut self, value: Option<f32>) {
         self.angular_velocity_x = value.unwrap_or(f32::NAN);
     }
 
     /// `angular_velocity_y`, or `None` where the sender does not know it.
+    #[inline]
     pub fn angular_velocity_y(&self) -> Option<f32> {
-        Some(self.angular_velocity_y).filter(|&v| !v.is_nan())
+        if self.angular_velocity_y.is_nan() {
+            None
+        } else {
+            Some(self.angular_velocity_y)
+        }
     }
 
     /// Sets `angular_velocity_y`; `None` says that it is not known.
+    #[inline]
     pub fn set_angular_velocity_y(&mut self, value: Option<f32>) {
         self.angular_velocity_y = value.unwrap_or(f32::NAN);
     }
 
     /// `angular_velocity_z`, or `None` where the sender does not know it.
+    #[inline]
     pub fn angular_velocity_z(&self) -> Option<f32> {
-        Some(self.angular_velocity_z).filter(|&v| !v.is_nan())
+        if self.angular_velocity_z.is_nan() {
+            None
+        } else {
+            Some(self.angular_velocity_z)
+        }
     }
 
     /// Sets `angular_velocity_z`; `None` says that it is not known.
+    #[inline]
     pub fn set_angular_velocity_z(&mut self, value: Option<f32>) {
         self.angular_velocity_z = value.unwrap_or(f32::NAN);
     }

@@ -42,41 +42,49 @@ pub struct GimbalManagerSetManualControl {
 
 impl GimbalManagerSetManualControl {
     /// `pitch`, or `None` where the sender does not know it.
+    #[inline]
     pub fn pitch(&self) -> Option<f32> {
-        Some(self.pitch).filter(|&v| !v.is_nan())
+        if self.pitch.is_nan() { None } else { Some(self.pitch) }
     }
 
     /// Sets `pitch`; `None` says that it is not known.
+    #[inline]
     pub fn set_pitch(&mut self, value: Option<f32>) {
         self.pitch = value.unwrap_or(f32::NAN);
     }
 
     /// `yaw`, or `None` where the sender does not know it.
+    #[inline]
     pub fn yaw(&self) -> Option<f32> {
-        Some(self.yaw).filter(|&v| !v.is_nan())
+        if self.yaw.is_nan() { None } else { Some(self.yaw) }
     }
 
     /// Sets `yaw`; `None` says that it is not known.
+    #[inline]
     pub fn set_yaw(&mut self, value: Option<f32>) {
         self.yaw = value.unwrap_or(f32::NAN);
     }
 
     /// `pitch_rate`, or `None` where the sender does not know it.
+    #[inline]
     pub fn pitch_rate(&self) -> Option<f32> {
-        Some(self.pitch_rate).filter(|&v| !v.is_nan())
+        if self.pitch_rate.is_nan() { None } else { Some(self.pitch_rate) }
     }
 
     /// Sets `pitch_rate`; `None` says that it is not known.
+    #[inline]
     pub fn set_pitch_rate(&mut self, value: Option<f32>) {
         self.pitch_rate = value.unwrap_or(f32::NAN);
     }
 
     /// `yaw_rate`, or `None` where the sender does not know it.
+    #[inline]
     pub fn yaw_rate(&self) -> Option<f32> {
-        Some(self.yaw_rate).filter(|&v| !v.is_nan())
+        if self.yaw_rate.is_nan() { None } else { Some(self.yaw_rate) }
     }
 
     /// Sets `yaw_rate`; `None` says that it is not known.
+    #[inline]
     pub fn set_yaw_rate(&mut self, value: Option<f32>) {
         self.yaw_rate = value.unwrap_or(f32::NAN);
     }

@@ -44,11 +44,13 @@ pub struct GlobalPositionInt {
 
 impl GlobalPositionInt {
     /// `hdg`, or `None` where the sender does not know it.
+    #[inline]
     pub fn hdg(&self) -> Option<u16> {
-        Some(self.hdg).filter(|&v| v != 65535)
+        if self.hdg == 65535 { None } else { Some(self.hdg) }
     }
 
     /// Sets `hdg`; `None` says that it is not known.
+    #[inline]
     pub fn set_hdg(&mut self, value: Option<u16>) {
         self.hdg = value.unwrap_or(65535);
     }

@@ -49,11 +49,13 @@ pub struct GlobalPositionIntCov {
 
 impl GlobalPositionIntCov {
     /// `covariance`, or `None` where the sender does not know it.
+    #[inline]
     pub fn covariance(&self) -> Option<[f32; 36]> {
-        Some(self.covariance).filter(|&[v, ..]| !v.is_nan())
+        if self.covariance[0].is_nan() { None } else { Some(self.covariance) }
     }
 
     /// Sets `covariance`; `None` says that it is not known.
+    #[inline]
     pub fn set_covariance(&mut self, value: Option<[f32; 36]>) {
         self.covariance = value.unwrap_or([f32::NAN; 36]);
     }

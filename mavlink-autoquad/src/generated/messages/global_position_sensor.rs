@@ -57,61 +57,73 @@ pub struct GlobalPositionSensor {
 
 impl GlobalPositionSensor {
     /// `lat`, or `None` where the sender does not know it.
+    #[inline]
     pub fn lat(&self) -> Option<i32> {
-        Some(self.lat).filter(|&v| v != 2147483647)
+        if self.lat == 2147483647 { None } else { Some(self.lat) }
     }
 
     /// Sets `lat`; `None` says that it is not known.
+    #[inline]
     pub fn set_lat(&mut self, value: Option<i32>) {
         self.lat = value.unwrap_or(2147483647);
     }
 
     /// `lon`, or `None` where the sender does not know it.
+    #[inline]
     pub fn lon(&self) -> Option<i32> {
-        Some(self.lon).filter(|&v| v != 2147483647)
+        if self.lon == 2147483647 { None } else { Some(self.lon) }
     }
 
     /// Sets `lon`; `None` says that it is not known.
+    #[inline]
     pub fn set_lon(&mut self, value: Option<i32>) {
         self.lon = value.unwrap_or(2147483647);
     }
 
     /// `alt_ellipsoid`, or `None` where the sender does not know it.
+    #[inline]
     pub fn alt_ellipsoid(&self) -> Option<f32> {
-        Some(self.alt_ellipsoid).filter(|&v| !v.is_nan())
+        if self.alt_ellipsoid.is_nan() { None } else { Some(self.alt_ellipsoid) }
     }
 
     /// Sets `alt_ellipsoid`; `None` says that it is not known.
+    #[inline]
     pub fn set_alt_ellipsoid(&mut self, value: Option<f32>) {
         self.alt_ellipsoid = value.unwrap_or(f32::NAN);
     }
 
     /// `alt`, or `None` where the sender does not know it.
+    #[inline]
     pub fn alt(&self) -> Option<f32> {
-        Some(self.alt).filter(|&v| !v.is_nan())
+        if self.alt.is_nan() { None } else { Some(self.alt) }
     }
 
     /// Sets `alt`; `None` says that it is not known.
+    #[inline]
     pub fn set_alt(&mut self, value: Option<f32>) {
         self.alt = value.unwrap_or(f32::NAN);
     }
 
     /// `eph`, or `None` where the sender does not know it.
+    #[inline]
     pub fn eph(&self) -> Option<f32> {
-        Some(self.eph).filter(|&v| !v.is_nan())
+        if self.eph.is_nan() { None } else { Some(self.eph) }
     }
 
     /// Sets `eph`; `None` says that it is not known.
+    #[inline]
     pub fn set_eph(&mut self, value: Option<f32>) {
         self.eph = value.unwrap_or(f32::NAN);
     }
 
     /// `epv`, or `None` where the sender does not know it.
+    #[inline]
     pub fn epv(&self) -> Option<f32> {
-        Some(self.epv).filter(|&v| !v.is_nan())
+        if self.epv.is_nan() { None } else { Some(self.epv) }
     }
 
     /// Sets `epv`; `None` says that it is not known.
+    #[inline]
     pub fn set_epv(&mut self, value: Option<f32>) {
         self.epv = value.unwrap_or(f32::NAN);
     }

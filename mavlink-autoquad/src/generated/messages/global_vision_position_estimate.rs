@@ -46,11 +46,13 @@ pub struct GlobalVisionPositionEstimate {
 
 impl GlobalVisionPositionEstimate {
     /// `covariance`, or `None` where the sender does not know it.
+    #[inline]
     pub fn covariance(&self) -> Option<[f32; 21]> {
-        Some(self.covariance).filter(|&[v, ..]| !v.is_nan())
+        if self.covariance[0].is_nan() { None } else { Some(self.covariance) }
     }
 
     /// Sets `covariance`; `None` says that it is not known.
+    #[inline]
     pub fn set_covariance(&mut self, value: Option<[f32; 21]>) {
         self.covariance = value.unwrap_or([f32::NAN; 21]);
     }

@@ -76,31 +76,37 @@ pub struct GpsInput {
 
 impl GpsInput {
     /// `hdop`, or `None` where the sender does not know it.
+    #[inline]
     pub fn hdop(&self) -> Option<f32> {
-        Some(self.hdop).filter(|&v| v != 65535.0)
+        if self.hdop == 65535.0 { None } else { Some(self.hdop) }
     }
 
     /// Sets `hdop`; `None` says that it is not known.
+    #[inline]
     pub fn set_hdop(&mut self, value: Option<f32>) {
         self.hdop = value.unwrap_or(65535.0);
     }
 
     /// `vdop`, or `None` where the sender does not know it.
+    #[inline]
     pub fn vdop(&self) -> Option<f32> {
-        Some(self.vdop).filter(|&v| v != 65535.0)
+        if self.vdop == 65535.0 { None } else { Some(self.vdop) }
     }
 
     /// Sets `vdop`; `None` says that it is not known.
+    #[inline]
     pub fn set_vdop(&mut self, value: Option<f32>) {
         self.vdop = value.unwrap_or(65535.0);
     }
 
     /// `yaw`, or `None` where the sender does not know it.
+    #[inline]
     pub fn yaw(&self) -> Option<u16> {
-        Some(self.yaw).filter(|&v| v != 0)
+        if self.yaw == 0 { None } else { Some(self.yaw) }
     }
 
     /// Sets `yaw`; `None` says that it is not known.
+    #[inline]
     pub fn set_yaw(&mut self, value: Option<u16>) {
         self.yaw = value.unwrap_or(0);
     }

@@ -92,11 +92,13 @@ pub struct HighLatency {
 
 impl HighLatency {
     /// `gps_nsat`, or `None` where the sender does not know it.
+    #[inline]
     pub fn gps_nsat(&self) -> Option<u8> {
-        Some(self.gps_nsat).filter(|&v| v != 255)
+        if self.gps_nsat == 255 { None } else { Some(self.gps_nsat) }
     }
 
     /// Sets `gps_nsat`; `None` says that it is not known.
+    #[inline]
     pub fn set_gps_nsat(&mut self, value: Option<u8>) {
         self.gps_nsat = value.unwrap_or(255);
     }

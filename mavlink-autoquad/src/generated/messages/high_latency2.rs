@@ -98,11 +98,13 @@ pub struct HighLatency2 {
 
 impl HighLatency2 {
     /// `battery`, or `None` where the sender does not know it.
+    #[inline]
     pub fn battery(&self) -> Option<i8> {
-        Some(self.battery).filter(|&v| v != -1)
+        if self.battery == -1 { None } else { Some(self.battery) }
     }
 
     /// Sets `battery`; `None` says that it is not known.
+    #[inline]
     pub fn set_battery(&mut self, value: Option<i8>) {
         self.battery = value.unwrap_or(-1);
     }

@@ -63,51 +63,61 @@ pub struct HilGps {
 
 impl HilGps {
     /// `eph`, or `None` where the sender does not know it.
+    #[inline]
     pub fn eph(&self) -> Option<u16> {
-        Some(self.eph).filter(|&v| v != 65535)
+        if self.eph == 65535 { None } else { Some(self.eph) }
     }
 
     /// Sets `eph`; `None` says that it is not known.
+    #[inline]
     pub fn set_eph(&mut self, value: Option<u16>) {
         self.eph = value.unwrap_or(65535);
     }
 
     /// `epv`, or `None` where the sender does not know it.
+    #[inline]
     pub fn epv(&self) -> Option<u16> {
-        Some(self.epv).filter(|&v| v != 65535)
+        if self.epv == 65535 { None } else { Some(self.epv) }
     }
 
     /// Sets `epv`; `None` says that it is not known.
+    #[inline]
     pub fn set_epv(&mut self, value: Option<u16>) {
         self.epv = value.unwrap_or(65535);
     }
 
     /// `vel`, or `None` where the sender does not know it.
+    #[inline]
     pub fn vel(&self) -> Option<u16> {
-        Some(self.vel).filter(|&v| v != 65535)
+        if self.vel == 65535 { None } else { Some(self.vel) }
     }
 
     /// Sets `vel`; `None` says that it is not known.
+    #[inline]
     pub fn set_vel(&mut self, value: Option<u16>) {
         self.vel = value.unwrap_or(65535);
     }
 
     /// `cog`, or `None` where the sender does not know it.
+    #[inline]
     pub fn cog(&self) -> Option<u16> {
-        Some(self.cog).filter(|&v| v != 65535)
+        if self.cog == 65535 { None } else { Some(self.cog) }
     }
 
     /// Sets `cog`; `None` says that it is not known.
+    #[inline]
     pub fn set_cog(&mut self, value: Option<u16>) {
         self.cog = value.unwrap_or(65535);
     }
 
     /// `satellites_visible`, or `None` where the sender does not know it.
+    #[inline]
     pub fn satellites_visible(&self) -> Option<u8> {
-        Some(self.satellites_visible).filter(|&v| v != 255)
+        if self.satellites_visible == 255 { None } else { Some(self.satellites_visible) }
     }
 
     /// Sets `satellites_visible`; `None` says that it is not known.
+    #[inline]
     pub fn set_satellites_visible(&mut self, value: Option<u8>) {
         self.satellites_visible = value.unwrap_or(255);
     }

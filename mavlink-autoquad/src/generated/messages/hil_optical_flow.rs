@@ -55,11 +55,13 @@ pub struct HilOpticalFlow {
 
 impl HilOpticalFlow {
     /// `distance`, or `None` where the sender does not know it.
+    #[inline]
     pub fn distance(&self) -> Option<f32> {
-        Some(self.distance).filter(|&v| v != -1.0)
+        if self.distance == -1.0 { None } else { Some(self.distance) }
     }
 
     /// Sets `distance`; `None` says that it is not known.
+    #[inline]
     pub fn set_distance(&mut self, value: Option<f32>) {
         self.distance = value.unwrap_or(-1.0);
     }

@@ -59,11 +59,13 @@ pub struct HilRcInputsRaw {
 
 impl HilRcInputsRaw {
     /// `rssi`, or `None` where the sender does not know it.
+    #[inline]
     pub fn rssi(&self) -> Option<u8> {
-        Some(self.rssi).filter(|&v| v != 255)
+        if self.rssi == 255 { None } else { Some(self.rssi) }
     }
 
     /// Sets `rssi`; `None` says that it is not known.
+    #[inline]
     pub fn set_rssi(&mut self, value: Option<u8>) {
         self.rssi = value.unwrap_or(255);
     }

@@ -51,11 +51,13 @@ pub struct HomePosition {
 
 impl HomePosition {
     /// Element `index` of `q`, or `None` where the sender does not know it, or there is no such element.
+    #[inline]
     pub fn q(&self, index: usize) -> Option<f32> {
         self.q.get(index).copied().filter(|&v| !v.is_nan())
     }
 
     /// Sets element `index` of `q`; `None` says that it is not known. An error if there is no such element.
+    #[inline]
     pub fn set_q(
         &mut self,
         index: usize,

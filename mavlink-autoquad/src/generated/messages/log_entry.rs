@@ -31,11 +31,13 @@ pub struct LogEntry {
 
 impl LogEntry {
     /// `time_utc`, or `None` where the sender does not know it.
+    #[inline]
     pub fn time_utc(&self) -> Option<u32> {
-        Some(self.time_utc).filter(|&v| v != 0)
+        if self.time_utc == 0 { None } else { Some(self.time_utc) }
     }
 
     /// Sets `time_utc`; `None` says that it is not known.
+    #[inline]
     pub fn set_time_utc(&mut self, value: Option<u32>) {
         self.time_utc = value.unwrap_or(0);
     }

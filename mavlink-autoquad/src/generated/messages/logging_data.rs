@@ -35,11 +35,17 @@ pub struct LoggingData {
 
 impl LoggingData {
     /// `first_message_offset`, or `None` where the sender does not know it.
+    #[inline]
     pub fn first_message_offset(&self) -> Option<u8> {
-        Some(self.first_message_offset).filter(|&v| v != 255)
+        if self.first_message_offset == 255 {
+            None
+        } else {
+            Some(self.first_message_offset)
+        }
     }
 
     /// Sets `first_message_offset`; `None` says that it is not known.
+    #[inline]
     pub fn set_first_message_offset(&mut self, value: Option<u8>) {
         self.first_message_offset = value.unwrap_or(255);
     }

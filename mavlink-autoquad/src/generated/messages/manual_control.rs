@@ -70,41 +70,49 @@ pub struct ManualControl {
 
 impl ManualControl {
     /// `x`, or `None` where the sender does not know it.
+    #[inline]
     pub fn x(&self) -> Option<i16> {
-        Some(self.x).filter(|&v| v != 32767)
+        if self.x == 32767 { None } else { Some(self.x) }
     }
 
     /// Sets `x`; `None` says that it is not known.
+    #[inline]
     pub fn set_x(&mut self, value: Option<i16>) {
         self.x = value.unwrap_or(32767);
     }
 
     /// `y`, or `None` where the sender does not know it.
+    #[inline]
     pub fn y(&self) -> Option<i16> {
-        Some(self.y).filter(|&v| v != 32767)
+        if self.y == 32767 { None } else { Some(self.y) }
     }
 
     /// Sets `y`; `None` says that it is not known.
+    #[inline]
     pub fn set_y(&mut self, value: Option<i16>) {
         self.y = value.unwrap_or(32767);
     }
 
     /// `z`, or `None` where the sender does not know it.
+    #[inline]
     pub fn z(&self) -> Option<i16> {
-        Some(self.z).filter(|&v| v != 32767)
+        if self.z == 32767 { None } else { Some(self.z) }
     }
 
     /// Sets `z`; `None` says that it is not known.
+    #[inline]
     pub fn set_z(&mut self, value: Option<i16>) {
         self.z = value.unwrap_or(32767);
     }
 
     /// `r`, or `None` where the sender does not know it.
+    #[inline]
     pub fn r(&self) -> Option<i16> {
-        Some(self.r).filter(|&v| v != 32767)
+        if self.r == 32767 { None } else { Some(self.r) }
     }
 
     /// Sets `r`; `None` says that it is not known.
+    #[inline]
     pub fn set_r(&mut self, value: Option<i16>) {
         self.r = value.unwrap_or(32767);
     }

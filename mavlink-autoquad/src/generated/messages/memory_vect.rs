@@ -29,11 +29,13 @@ pub struct MemoryVect {
 
 impl MemoryVect {
     /// `ver`, or `None` where the sender does not know it.
+    #[inline]
     pub fn ver(&self) -> Option<u8> {
-        Some(self.ver).filter(|&v| v != 0)
+        if self.ver == 0 { None } else { Some(self.ver) }
     }
 
     /// Sets `ver`; `None` says that it is not known.
+    #[inline]
     pub fn set_ver(&mut self, value: Option<u8>) {
         self.ver = value.unwrap_or(0);
     }

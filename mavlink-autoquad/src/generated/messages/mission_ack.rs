@@ -32,11 +32,13 @@ pub struct MissionAck {
 
 impl MissionAck {
     /// `opaque_id`, or `None` where the sender does not know it.
+    #[inline]
     pub fn opaque_id(&self) -> Option<u32> {
-        Some(self.opaque_id).filter(|&v| v != 0)
+        if self.opaque_id == 0 { None } else { Some(self.opaque_id) }
     }
 
     /// Sets `opaque_id`; `None` says that it is not known.
+    #[inline]
     pub fn set_opaque_id(&mut self, value: Option<u32>) {
         self.opaque_id = value.unwrap_or(0);
     }

@@ -43,61 +43,77 @@ pub struct MissionCurrent {
 
 impl MissionCurrent {
     /// `total`, or `None` where the sender does not know it.
+    #[inline]
     pub fn total(&self) -> Option<u16> {
-        Some(self.total).filter(|&v| v != 65535)
+        if self.total == 65535 { None } else { Some(self.total) }
     }
 
     /// Sets `total`; `None` says that it is not known.
+    #[inline]
     pub fn set_total(&mut self, value: Option<u16>) {
         self.total = value.unwrap_or(65535);
     }
 
     /// `mission_state`, or `None` where the sender does not know it.
+    #[inline]
     pub fn mission_state(&self) -> Option<MissionState> {
-        Some(self.mission_state).filter(|&v| v != MissionState(0))
+        if self.mission_state == MissionState(0) {
+            None
+        } else {
+            Some(self.mission_state)
+        }
     }
 
     /// Sets `mission_state`; `None` says that it is not known.
+    #[inline]
     pub fn set_mission_state(&mut self, value: Option<MissionState>) {
         self.mission_state = value.unwrap_or(MissionState(0));
     }
 
     /// `mission_mode`, or `None` where the sender does not know it.
+    #[inline]
     pub fn mission_mode(&self) -> Option<u8> {
-        Some(self.mission_mode).filter(|&v| v != 0)
+        if self.mission_mode == 0 { None } else { Some(self.mission_mode) }
     }
 
     /// Sets `mission_mode`; `None` says that it is not known.
+    #[inline]
     pub fn set_mission_mode(&mut self, value: Option<u8>) {
         self.mission_mode = value.unwrap_or(0);
     }
 
     /// `mission_id`, or `None` where the sender does not know it.
+    #[inline]
     pub fn mission_id(&self) -> Option<u32> {
-        Some(self.mission_id).filter(|&v| v != 0)
+        if self.mission_id == 0 { None } else { Some(self.mission_id) }
     }
 
     /// Sets `mission_id`; `None` says that it is not known.
+    #[inline]
     pub fn set_mission_id(&mut self, value: Option<u32>) {
         self.mission_id = value.unwrap_or(0);
     }
 
     /// `fence_id`, or `None` where the sender does not know it.
+    #[inline]
     pub fn fence_id(&self) -> Option<u32> {
-        Some(self.fence_id).filter(|&v| v != 0)
+        if self.fence_id == 0 { None } else { Some(self.fence_id) }
     }
 
     /// Sets `fence_id`; `None` says that it is not known.
+    #[inline]
     pub fn set_fence_id(&mut self, value: Option<u32>) {
         self.fence_id = value.unwrap_or(0);
     }
 
     /// `rally_points_id`, or `None` where the sender does not know it.
+    #[inline]
     pub fn rally_points_id(&self) -> Option<u32> {
-        Some(self.rally_points_id).filter(|&v| v != 0)
+        if self.rally_points_id == 0 { None } else { Some(self.rally_points_id) }
     }
 
     /// Sets `rally_points_id`; `None` says that it is not known.
+    #[inline]
     pub fn set_rally_points_id(&mut self, value: Option<u32>) {
         self.rally_points_id = value.unwrap_or(0);
     }

@@ -33,41 +33,49 @@ pub struct MountOrientation {
 
 impl MountOrientation {
     /// `roll`, or `None` where the sender does not know it.
+    #[inline]
     pub fn roll(&self) -> Option<f32> {
-        Some(self.roll).filter(|&v| !v.is_nan())
+        if self.roll.is_nan() { None } else { Some(self.roll) }
     }
 
     /// Sets `roll`; `None` says that it is not known.
+    #[inline]
     pub fn set_roll(&mut self, value: Option<f32>) {
         self.roll = value.unwrap_or(f32::NAN);
     }
 
     /// `pitch`, or `None` where the sender does not know it.
+    #[inline]
     pub fn pitch(&self) -> Option<f32> {
-        Some(self.pitch).filter(|&v| !v.is_nan())
+        if self.pitch.is_nan() { None } else { Some(self.pitch) }
     }
 
     /// Sets `pitch`; `None` says that it is not known.
+    #[inline]
     pub fn set_pitch(&mut self, value: Option<f32>) {
         self.pitch = value.unwrap_or(f32::NAN);
     }
 
     /// `yaw`, or `None` where the sender does not know it.
+    #[inline]
     pub fn yaw(&self) -> Option<f32> {
-        Some(self.yaw).filter(|&v| !v.is_nan())
+        if self.yaw.is_nan() { None } else { Some(self.yaw) }
     }
 
     /// Sets `yaw`; `None` says that it is not known.
+    #[inline]
     pub fn set_yaw(&mut self, value: Option<f32>) {
         self.yaw = value.unwrap_or(f32::NAN);
     }
 
     /// `yaw_absolute`, or `None` where the sender does not know it.
+    #[inline]
     pub fn yaw_absolute(&self) -> Option<f32> {
-        Some(self.yaw_absolute).filter(|&v| !v.is_nan())
+        if self.yaw_absolute.is_nan() { None } else { Some(self.yaw_absolute) }
     }
 
     /// Sets `yaw_absolute`; `None` says that it is not known.
+    #[inline]
     pub fn set_yaw_absolute(&mut self, value: Option<f32>) {
         self.yaw_absolute = value.unwrap_or(f32::NAN);
     }

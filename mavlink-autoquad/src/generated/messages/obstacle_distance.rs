@@ -49,11 +49,13 @@ pub struct ObstacleDistance {
 
 impl ObstacleDistance {
     /// Element `index` of `distances`, or `None` where the sender does not know it, or there is no such element.
+    #[inline]
     pub fn distances(&self, index: usize) -> Option<u16> {
         self.distances.get(index).copied().filter(|&v| v != 65535)
     }
 
     /// Sets element `index` of `distances`; `None` says that it is not known. An error if there is no such element.
+    #[inline]
     pub fn set_distances(
         &mut self,
         index: usize,

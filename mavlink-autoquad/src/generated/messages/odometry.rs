@@ -76,31 +76,41 @@ pub struct Odometry {
 
 impl Odometry {
     /// `pose_covariance`, or `None` where the sender does not know it.
+    #[inline]
     pub fn pose_covariance(&self) -> Option<[f32; 21]> {
-        Some(self.pose_covariance).filter(|&[v, ..]| !v.is_nan())
+        if self.pose_covariance[0].is_nan() { None } else { Some(self.pose_covariance) }
     }
 
     /// Sets `pose_covariance`; `None` says that it is not known.
+    #[inline]
     pub fn set_pose_covariance(&mut self, value: Option<[f32; 21]>) {
         self.pose_covariance = value.unwrap_or([f32::NAN; 21]);
     }
 
     /// `velocity_covariance`, or `None` where the sender does not know it.
+    #[inline]
     pub fn velocity_covariance(&self) -> Option<[f32; 21]> {
-        Some(self.velocity_covariance).filter(|&[v, ..]| !v.is_nan())
+        if self.velocity_covariance[0].is_nan() {
+            None
+        } else {
+            Some(self.velocity_covariance)
+        }
     }
 
     /// Sets `velocity_covariance`; `None` says that it is not known.
+    #[inline]
     pub fn set_velocity_covariance(&mut self, value: Option<[f32; 21]>) {
         self.velocity_covariance = value.unwrap_or([f32::NAN; 21]);
     }
 
     /// `quality`, or `None` where the sender does not know it.
+    #[inline]
     pub fn quality(&self) -> Option<i8> {
-        Some(self.quality).filter(|&v| v != 0)
+        if self.quality == 0 { None } else { Some(self.quality) }
     }
 
     /// Sets `quality`; `None` says that it is not known.
+    #[inline]
     pub fn set_quality(&mut self, value: Option<i8>) {
         self.quality = value.unwrap_or(0);
     }

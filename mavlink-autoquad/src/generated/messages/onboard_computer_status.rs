@@ -85,11 +85,13 @@ pub struct OnboardComputerStatus {
 
 impl OnboardComputerStatus {
     /// Element `index` of `cpu_cores`, or `None` where the sender does not know it, or there is no such element.
+    #[inline]
     pub fn cpu_cores(&self, index: usize) -> Option<u8> {
         self.cpu_cores.get(index).copied().filter(|&v| v != 255)
     }
 
     /// Sets element `index` of `cpu_cores`; `None` says that it is not known. An error if there is no such element.
+    #[inline]
     pub fn set_cpu_cores(
         &mut self,
         index: usize,
@@ -101,11 +103,13 @@ impl OnboardComputerStatus {
     }
 
     /// Element `index` of `cpu_combined`, or `None` where the sender does not know it, or there is no such element.
+    #[inline]
     pub fn cpu_combined(&self, index: usize) -> Option<u8> {
         self.cpu_combined.get(index).copied().filter(|&v| v != 255)
     }
 
     /// Sets element `index` of `cpu_combined`; `None` says that it is not known. An error if there is no such element.
+    #[inline]
     pub fn set_cpu_combined(
         &mut self,
         index: usize,
@@ -117,11 +121,13 @@ impl OnboardComputerStatus {
     }
 
     /// Element `index` of `gpu_cores`, or `None` where the sender does not know it, or there is no such element.
+    #[inline]
     pub fn gpu_cores(&self, index: usize) -> Option<u8> {
         self.gpu_cores.get(index).copied().filter(|&v| v != 255)
     }
 
     /// Sets element `index` of `gpu_cores`; `None` says that it is not known. An error if there is no such element.
+    #[inline]
     pub fn set_gpu_cores(
         &mut self,
         index: usize,
@@ -133,11 +139,13 @@ impl OnboardComputerStatus {
     }
 
     /// Element `index` of `gpu_combined`, or `None` where the sender does not know it, or there is no such element.
+    #[inline]
     pub fn gpu_combined(&self, index: usize) -> Option<u8> {
         self.gpu_combined.get(index).copied().filter(|&v| v != 255)
     }
 
     /// Sets element `index` of `gpu_combined`; `None` says that it is not known. An error if there is no such element.
+    #[inline]
     pub fn set_gpu_combined(
         &mut self,
         index: usize,
@@ -149,21 +157,25 @@ impl OnboardComputerStatus {
     }
 
     /// `temperature_board`, or `None` where the sender does not know it.
+    #[inline]
     pub fn temperature_board(&self) -> Option<i8> {
-        Some(self.temperature_board).filter(|&v| v != 127)
+        if self.temperature_board == 127 { None } else { Some(self.temperature_board) }
     }
 
     /// Sets `temperature_board`; `None` says that it is not known.
+    #[inline]
     pub fn set_temperature_board(&mut self, value: Option<i8>) {
         self.temperature_board = value.unwrap_or(127);
     }
 
     /// Element `index` of `temperature_core`, or `None` where the sender does not know it, or there is no such element.
+    #[inline]
     pub fn temperature_core(&self, index: usize) -> Option<i8> {
         self.temperature_core.get(index).copied().filter(|&v| v != 127)
     }
 
     /// Sets element `index` of `temperature_core`; `None` says that it is not known. An error if there is no such element.
+    #[inline]
     pub fn set_temperature_core(
         &mut self,
         index: usize,
@@ -175,11 +187,13 @@ impl OnboardComputerStatus {
     }
 
     /// Element `index` of `fan_speed`, or `None` where the sender does not know it, or there is no such element.
+    #[inline]
     pub fn fan_speed(&self, index: usize) -> Option<i16> {
         self.fan_speed.get(index).copied().filter(|&v| v != 32767)
     }
 
     /// Sets element `index` of `fan_speed`; `None` says that it is not known. An error if there is no such element.
+    #[inline]
     pub fn set_fan_speed(
         &mut self,
         index: usize,
@@ -191,31 +205,37 @@ impl OnboardComputerStatus {
     }
 
     /// `ram_usage`, or `None` where the sender does not know it.
+    #[inline]
     pub fn ram_usage(&self) -> Option<u32> {
-        Some(self.ram_usage).filter(|&v| v != 4294967295)
+        if self.ram_usage == 4294967295 { None } else { Some(self.ram_usage) }
     }
 
     /// Sets `ram_usage`; `None` says that it is not known.
+    #[inline]
     pub fn set_ram_usage(&mut self, value: Option<u32>) {
         self.ram_usage = value.unwrap_or(4294967295);
     }
 
     /// `ram_total`, or `None` where the sender does not know it.
+    #[inline]
     pub fn ram_total(&self) -> Option<u32> {
-        Some(self.ram_total).filter(|&v| v != 4294967295)
+        if self.ram_total == 4294967295 { None } else { Some(self.ram_total) }
     }
 
     /// Sets `ram_total`; `None` says that it is not known.
+    #[inline]
     pub fn set_ram_total(&mut self, value: Option<u32>) {
         self.ram_total = value.unwrap_or(4294967295);
     }
 
     /// Element `index` of `storage_type`, or `None` where the sender does not know it, or there is no such element.
+    #[inline]
     pub fn storage_type(&self, index: usize) -> Option<u32> {
         self.storage_type.get(index).copied().filter(|&v| v != 4294967295)
     }
 
     /// Sets element `index` of `storage_type`; `None` says that it is not known. An error if there is no such element.
+    #[inline]
     pub fn set_storage_type(
         &mut self,
         index: usize,
@@ -227,11 +247,13 @@ impl OnboardComputerStatus {
     }
 
     /// Element `index` of `storage_usage`, or `None` where the sender does not know it, or there is no such element.
+    #[inline]
     pub fn storage_usage(&self, index: usize) -> Option<u32> {
         self.storage_usage.get(index).copied().filter(|&v| v != 4294967295)
     }
 
     /// Sets element `index` of `storage_usage`; `None` says that it is not known. An error if there is no such element.
+    #[inline]
     pub fn set_storage_usage(
         &mut self,
         index: usize,
@@ -243,11 +265,13 @@ impl OnboardComputerStatus {
     }
 
     /// Element `index` of `storage_total`, or `None` where the sender does not know it, or there is no such element.
+    #[inline]
     pub fn storage_total(&self, index: usize) -> Option<u32> {
         self.storage_total.get(index).copied().filter(|&v| v != 4294967295)
     }
 
     /// Sets element `index` of `storage_total`; `None` says that it is not known. An error if there is no such element.
+    #[inline]
     pub fn set_storage_total(
         &mut self,
         index: usize,
@@ -259,11 +283,13 @@ impl OnboardComputerStatus {
     }
 
     /// Element `index` of `link_tx_rate`, or `None` where the sender does not know it, or there is no such element.
+    #[inline]
     pub fn link_tx_rate(&self, index: usize) -> Option<u32> {
         self.link_tx_rate.get(index).copied().filter(|&v| v != 4294967295)
     }
 
     /// Sets element `index` of `link_tx_rate`; `None` says that it is not known. An error if there is no such element.
+    #[inline]
     pub fn set_link_tx_rate(
         &mut self,
         index: usize,
@@ -275,11 +301,13 @@ impl OnboardComputerStatus {
     }
 
     /// Element `index` of `link_rx_rate`, or `None` where the sender does not know it, or there is no such element.
+    #[inline]
     pub fn link_rx_rate(&self, index: usize) -> Option<u32> {
         self.link_rx_rate.get(index).copied().filter(|&v| v != 4294967295)
     }
 
     /// Sets element `index` of `link_rx_rate`; `None` says that it is not known. An error if there is no such element.
+    #[inline]
     pub fn set_link_rx_rate(
         &mut self,
         index: usize,
@@ -291,11 +319,13 @@ impl OnboardComputerStatus {
     }
 
     /// Element `index` of `link_tx_max`, or `None` where the sender does not know it, or there is no such element.
+    #[inline]
     pub fn link_tx_max(&self, index: usize) -> Option<u32> {
         self.link_tx_max.get(index).copied().filter(|&v| v != 4294967295)
     }
 
     /// Sets element `index` of `link_tx_max`; `None` says that it is not known. An error if there is no such element.
+    #[inline]
     pub fn set_link_tx_max(
         &mut self,
         index: usize,
@@ -307,11 +337,13 @@ impl OnboardComputerStatus {
     }
 
     /// Element `index` of `link_rx_max`, or `None` where the sender does not know it, or there is no such element.
+    #[inline]
     pub fn link_rx_max(&self, index: usize) -> Option<u32> {
         self.link_rx_max.get(index).copied().filter(|&v| v != 4294967295)
     }
 
     /// Sets element `index` of `link_rx_max`; `None` says that it is not known. An error if there is no such element.
+    #[inline]
     pub fn set_link_rx_max(
         &mut self,
         index: usize,

@@ -77,71 +77,93 @@ pub struct OpenDroneIdLocation {
 
 impl OpenDroneIdLocation {
     /// `direction`, or `None` where the sender does not know it.
+    #[inline]
     pub fn direction(&self) -> Option<u16> {
-        Some(self.direction).filter(|&v| v != 36100)
+        if self.direction == 36100 { None } else { Some(self.direction) }
     }
 
     /// Sets `direction`; `None` says that it is not known.
+    #[inline]
     pub fn set_direction(&mut self, value: Option<u16>) {
         self.direction = value.unwrap_or(36100);
     }
 
     /// `latitude`, or `None` where the sender does not know it.
+    #[inline]
     pub fn latitude(&self) -> Option<i32> {
-        Some(self.latitude).filter(|&v| v != 0)
+        if self.latitude == 0 { None } else { Some(self.latitude) }
     }
 
     /// Sets `latitude`; `None` says that it is not known.
+    #[inline]
     pub fn set_latitude(&mut self, value: Option<i32>) {
         self.latitude = value.unwrap_or(0);
     }
 
     /// `longitude`, or `None` where the sender does not know it.
+    #[inline]
     pub fn longitude(&self) -> Option<i32> {
-        Some(self.longitude).filter(|&v| v != 0)
+        if self.longitude == 0 { None } else { Some(self.longitude) }
     }
 
     /// Sets `longitude`; `None` says that it is not known.
+    #[inline]
     pub fn set_longitude(&mut self, value: Option<i32>) {
         self.longitude = value.unwrap_or(0);
     }
 
     /// `altitude_barometric`, or `None` where the sender does not know it.
+    #[inline]
     pub fn altitude_barometric(&self) -> Option<f32> {
-        Some(self.altitude_barometric).filter(|&v| v != -1000.0)
+        if self.altitude_barometric == -1000.0 {
+            None
+        } else {
+            Some(self.altitude_barometric)
+        }
     }
 
     /// Sets `altitude_barometric`; `None` says that it is not known.
+    #[inline]
     pub fn set_altitude_barometric(&mut self, value: Option<f32>) {
         self.altitude_barometric = value.unwrap_or(-1000.0);
     }
 
     /// `altitude_geodetic`, or `None` where the sender does not know it.
+    #[inline]
     pub fn altitude_geodetic(&self) -> Option<f32> {
-        Some(self.altitude_geodetic).filter(|&v| v != -1000.0)
+        if self.altitude_geodetic == -1000.0 {
+            None
+        } else {
+            Some(self.altitude_geodetic)
+        }
     }
 
     /// Sets `altitude_geodetic`; `None` says that it is not known.
+    #[inline]
     pub fn set_altitude_geodetic(&mut self, value: Option<f32>) {
         self.altitude_geodetic = value.unwrap_or(-1000.0);
     }
 
     /// `height`, or `None` where the sender does not know it.
+    #[inline]
     pub fn height(&self) -> Option<f32> {
-        Some(self.height).filter(|&v| v != -1000.0)
+        if self.height == -1000.0 { None } else { Some(self.height) }
     }
 
     /// Sets `height`; `None` says that it is not known.
+    #[inline]
     pub fn set_height(&mut self, value: Option<f32>) {
         self.height = value.unwrap_or(-1000.0);
     }
 
     /// `timestamp`, or `None` where the sender does not know it.
+    #[inline]
     pub fn timestamp(&self) -> Option<f32> {
-        Some(self.timestamp).filter(|&v| v != 65535.0)
+        if self.timestamp == 65535.0 { None } else { Some(self.timestamp) }
     }
 
     /// Sets `timestamp`; `None` says that it is not known.
+    #[inline]
     pub fn set_timestamp(&mut self, value: Option<f32>) {
         self.timestamp = value.unwrap_or(65535.0);
     }

@@ -65,51 +65,65 @@ pub struct OpenDroneIdSystem {
 
 impl OpenDroneIdSystem {
     /// `operator_latitude`, or `None` where the sender does not know it.
+    #[inline]
     pub fn operator_latitude(&self) -> Option<i32> {
-        Some(self.operator_latitude).filter(|&v| v != 0)
+        if self.operator_latitude == 0 { None } else { Some(self.operator_latitude) }
     }
 
     /// Sets `operator_latitude`; `None` says that it is not known.
+    #[inline]
     pub fn set_operator_latitude(&mut self, value: Option<i32>) {
         self.operator_latitude = value.unwrap_or(0);
     }
 
     /// `operator_longitude`, or `None` where the sender does not know it.
+    #[inline]
     pub fn operator_longitude(&self) -> Option<i32> {
-        Some(self.operator_longitude).filter(|&v| v != 0)
+        if self.operator_longitude == 0 { None } else { Some(self.operator_longitude) }
     }
 
     /// Sets `operator_longitude`; `None` says that it is not known.
+    #[inline]
     pub fn set_operator_longitude(&mut self, value: Option<i32>) {
         self.operator_longitude = value.unwrap_or(0);
     }
 
     /// `area_ceiling`, or `None` where the sender does not know it.
+    #[inline]
     pub fn area_ceiling(&self) -> Option<f32> {
-        Some(self.area_ceiling).filter(|&v| v != -1000.0)
+        if self.area_ceiling == -1000.0 { None } else { Some(self.area_ceiling) }
     }
 
     /// Sets `area_ceiling`; `None` says that it is not known.
+    #[inline]
     pub fn set_area_ceiling(&mut self, value: Option<f32>) {
         self.area_ceiling = value.unwrap_or(-1000.0);
     }
 
     /// `area_floor`, or `None` where the sender does not know it.
+    #[inline]
     pub fn area_floor(&self) -> Option<f32> {
-        Some(self.area_floor).filter(|&v| v != -1000.0)
+        if self.area_floor == -1000.0 { None } else { Some(self.area_floor) }
     }
 
     /// Sets `area_floor`; `None` says that it is not known.
+    #[inline]
     pub fn set_area_floor(&mut self, value: Option<f32>) {
         self.area_floor = value.unwrap_or(-1000.0);
     }
 
     /// `operator_altitude_geo`, or `None` where the sender does not know it.
+    #[inline]
     pub fn operator_altitude_geo(&self) -> Option<f32> {
-        Some(self.operator_altitude_geo).filter(|&v| v != -1000.0)
+        if self.operator_altitude_geo == -1000.0 {
+            None
+        } else {
+            Some(self.operator_altitude_geo)
+        }
     }
 
     /// Sets `operator_altitude_geo`; `None` says that it is not known.
+    #[inline]
     pub fn set_operator_altitude_geo(&mut self, value: Option<f32>) {
         self.operator_altitude_geo = value.unwrap_or(-1000.0);
     }

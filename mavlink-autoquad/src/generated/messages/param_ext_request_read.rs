@@ -28,11 +28,13 @@ pub struct ParamExtRequestRead {
 
 impl ParamExtRequestRead {
     /// `param_index`, or `None` where the sender does not know it.
+    #[inline]
     pub fn param_index(&self) -> Option<i16> {
-        Some(self.param_index).filter(|&v| v != -1)
+        if self.param_index == -1 { None } else { Some(self.param_index) }
     }
 
     /// Sets `param_index`; `None` says that it is not known.
+    #[inline]
     pub fn set_param_index(&mut self, value: Option<i16>) {
         self.param_index = value.unwrap_or(-1);
     }

@@ -37,41 +37,49 @@ pub struct RadioStatus {
 
 impl RadioStatus {
     /// `rssi`, or `None` where the sender does not know it.
+    #[inline]
     pub fn rssi(&self) -> Option<u8> {
-        Some(self.rssi).filter(|&v| v != 255)
+        if self.rssi == 255 { None } else { Some(self.rssi) }
     }
 
     /// Sets `rssi`; `None` says that it is not known.
+    #[inline]
     pub fn set_rssi(&mut self, value: Option<u8>) {
         self.rssi = value.unwrap_or(255);
     }
 
     /// `remrssi`, or `None` where the sender does not know it.
+    #[inline]
     pub fn remrssi(&self) -> Option<u8> {
-        Some(self.remrssi).filter(|&v| v != 255)
+        if self.remrssi == 255 { None } else { Some(self.remrssi) }
     }
 
     /// Sets `remrssi`; `None` says that it is not known.
+    #[inline]
     pub fn set_remrssi(&mut self, value: Option<u8>) {
         self.remrssi = value.unwrap_or(255);
     }
 
     /// `noise`, or `None` where the sender does not know it.
+    #[inline]
     pub fn noise(&self) -> Option<u8> {
-        Some(self.noise).filter(|&v| v != 255)
+        if self.noise == 255 { None } else { Some(self.noise) }
     }
 
     /// Sets `noise`; `None` says that it is not known.
+    #[inline]
     pub fn set_noise(&mut self, value: Option<u8>) {
         self.noise = value.unwrap_or(255);
     }
 
     /// `remnoise`, or `None` where the sender does not know it.
+    #[inline]
     pub fn remnoise(&self) -> Option<u8> {
-        Some(self.remnoise).filter(|&v| v != 255)
+        if self.remnoise == 255 { None } else { Some(self.remnoise) }
     }
 
     /// Sets `remnoise`; `None` says that it is not known.
+    #[inline]
     pub fn set_remnoise(&mut self, value: Option<u8>) {
         self.remnoise = value.unwrap_or(255);
     }

@@ -32,21 +32,25 @@ pub struct RawPressure {
 
 impl RawPressure {
     /// `press_diff1`, or `None` where the sender does not know it.
+    #[inline]
     pub fn press_diff1(&self) -> Option<i16> {
-        Some(self.press_diff1).filter(|&v| v != 0)
+        if self.press_diff1 == 0 { None } else { Some(self.press_diff1) }
     }
 
     /// Sets `press_diff1`; `None` says that it is not known.
+    #[inline]
     pub fn set_press_diff1(&mut self, value: Option<i16>) {
         self.press_diff1 = value.unwrap_or(0);
     }
 
     /// `press_diff2`, or `None` where the sender does not know it.
+    #[inline]
     pub fn press_diff2(&self) -> Option<i16> {
-        Some(self.press_diff2).filter(|&v| v != 0)
+        if self.press_diff2 == 0 { None } else { Some(self.press_diff2) }
     }
 
     /// Sets `press_diff2`; `None` says that it is not known.
+    #[inline]
     pub fn set_press_diff2(&mut self, value: Option<i16>) {
         self.press_diff2 = value.unwrap_or(0);
     }

@@ -79,191 +79,229 @@ pub struct RcChannels {
 
 impl RcChannels {
     /// `chan1_raw`, or `None` where the sender does not know it.
+    #[inline]
     pub fn chan1_raw(&self) -> Option<u16> {
-        Some(self.chan1_raw).filter(|&v| v != 65535)
+        if self.chan1_raw == 65535 { None } else { Some(self.chan1_raw) }
     }
 
     /// Sets `chan1_raw`; `None` says that it is not known.
+    #[inline]
     pub fn set_chan1_raw(&mut self, value: Option<u16>) {
         self.chan1_raw = value.unwrap_or(65535);
     }
 
     /// `chan2_raw`, or `None` where the sender does not know it.
+    #[inline]
     pub fn chan2_raw(&self) -> Option<u16> {
-        Some(self.chan2_raw).filter(|&v| v != 65535)
+        if self.chan2_raw == 65535 { None } else { Some(self.chan2_raw) }
     }
 
     /// Sets `chan2_raw`; `None` says that it is not known.
+    #[inline]
     pub fn set_chan2_raw(&mut self, value: Option<u16>) {
         self.chan2_raw = value.unwrap_or(65535);
     }
 
     /// `chan3_raw`, or `None` where the sender does not know it.
+    #[inline]
     pub fn chan3_raw(&self) -> Option<u16> {
-        Some(self.chan3_raw).filter(|&v| v != 65535)
+        if self.chan3_raw == 65535 { None } else { Some(self.chan3_raw) }
     }
 
     /// Sets `chan3_raw`; `None` says that it is not known.
+    #[inline]
     pub fn set_chan3_raw(&mut self, value: Option<u16>) {
         self.chan3_raw = value.unwrap_or(65535);
     }
 
     /// `chan4_raw`, or `None` where the sender does not know it.
+    #[inline]
     pub fn chan4_raw(&self) -> Option<u16> {
-        Some(self.chan4_raw).filter(|&v| v != 65535)
+        if self.chan4_raw == 65535 { None } else { Some(self.chan4_raw) }
     }
 
     /// Sets `chan4_raw`; `None` says that it is not known.
+    #[inline]
     pub fn set_chan4_raw(&mut self, value: Option<u16>) {
         self.chan4_raw = value.unwrap_or(65535);
     }
 
     /// `chan5_raw`, or `None` where the sender does not know it.
+    #[inline]
     pub fn chan5_raw(&self) -> Option<u16> {
-        Some(self.chan5_raw).filter(|&v| v != 65535)
+        if self.chan5_raw == 65535 { None } else { Some(self.chan5_raw) }
     }
 
     /// Sets `chan5_raw`; `None` says that it is not known.
+    #[inline]
     pub fn set_chan5_raw(&mut self, value: Option<u16>) {
         self.chan5_raw = value.unwrap_or(65535);
     }
 
     /// `chan6_raw`, or `None` where the sender does not know it.
+    #[inline]
     pub fn chan6_raw(&self) -> Option<u16> {
-        Some(self.chan6_raw).filter(|&v| v != 65535)
+        if self.chan6_raw == 65535 { None } else { Some(self.chan6_raw) }
     }
 
     /// Sets `chan6_raw`; `None` says that it is not known.
+    #[inline]
     pub fn set_chan6_raw(&mut self, value: Option<u16>) {
         self.chan6_raw = value.unwrap_or(65535);
     }
 
     /// `chan7_raw`, or `None` where the sender does not know it.
+    #[inline]
     pub fn chan7_raw(&self) -> Option<u16> {
-        Some(self.chan7_raw).filter(|&v| v != 65535)
+        if self.chan7_raw == 65535 { None } else { Some(self.chan7_raw) }
     }
 
     /// Sets `chan7_raw`; `None` says that it is not known.
+    #[inline]
     pub fn set_chan7_raw(&mut self, value: Option<u16>) {
         self.chan7_raw = value.unwrap_or(65535);
     }
 
     /// `chan8_raw`, or `None` where the sender does not know it.
+    #[inline]
     pub fn chan8_raw(&self) -> Option<u16> {
-        Some(self.chan8_raw).filter(|&v| v != 65535)
+        if self.chan8_raw == 65535 { None } else { Some(self.chan8_raw) }
     }
 
     /// Sets `chan8_raw`; `None` says that it is not known.
+    #[inline]
     pub fn set_chan8_raw(&mut self, value: Option<u16>) {
         self.chan8_raw = value.unwrap_or(65535);
     }
 
     /// `chan9_raw`, or `None` where the sender does not know it.
+    #[inline]
     pub fn chan9_raw(&self) -> Option<u16> {
-        Some(self.chan9_raw).filter(|&v| v != 65535)
+        if self.chan9_raw == 65535 { None } else { Some(self.chan9_raw) }
     }
 
     /// Sets `chan9_raw`; `None` says that it is not known.
+    #[inline]
     pub fn set_chan9_raw(&mut self, value: Option<u16>) {
         self.chan9_raw = value.unwrap_or(65535);
     }
 
     /// `chan10_raw`, or `None` where the sender does not know it.
+    #[inline]
     pub fn chan10_raw(&self) -> Option<u16> {
-        Some(self.chan10_raw).filter(|&v| v != 65535)
+        if self.chan10_raw == 65535 { None } else { Some(self.chan10_raw) }
     }
 
     /// Sets `chan10_raw`; `None` says that it is not known.
+    #[inline]
     pub fn set_chan10_raw(&mut self, value: Option<u16>) {
         self.chan10_raw = value.unwrap_or(65535);
     }
 
     /// `chan11_raw`, or `None` where the sender does not know it.
+    #[inline]
     pub fn chan11_raw(&self) -> Option<u16> {
-        Some(self.chan11_raw).filter(|&v| v != 65535)
+        if self.chan11_raw == 65535 { None } else { Some(self.chan11_raw) }
     }
 
     /// Sets `chan11_raw`; `None` says that it is not known.
+    #[inline]
     pub fn set_chan11_raw(&mut self, value: Option<u16>) {
         self.chan11_raw = value.unwrap_or(65535);
     }
 
     /// `chan12_raw`, or `None` where the sender does not know it.
+    #[inline]
     pub fn chan12_raw(&self) -> Option<u16> {
-        Some(self.chan12_raw).filter(|&v| v != 65535)
+        if self.chan12_raw == 65535 { None } else { Some(self.chan12_raw) }
     }
 
     /// Sets `chan12_raw`; `None` says that it is not known.
+    #[inline]
     pub fn set_chan12_raw(&mut self, value: Option<u16>) {
         self.chan12_raw = value.unwrap_or(65535);
     }
 
     /// `chan13_raw`, or `None` where the sender does not know it.
+    #[inline]
     pub fn chan13_raw(&self) -> Option<u16> {
-        Some(self.chan13_raw).filter(|&v| v != 65535)
+        if self.chan13_raw == 65535 { None } else { Some(self.chan13_raw) }
     }
 
     /// Sets `chan13_raw`; `None` says that it is not known.
+    #[inline]
     pub fn set_chan13_raw(&mut self, value: Option<u16>) {
         self.chan13_raw = value.unwrap_or(65535);
     }
 
     /// `chan14_raw`, or `None` where the sender does not know it.
+    #[inline]
     pub fn chan14_raw(&self) -> Option<u16> {
-        Some(self.chan14_raw).filter(|&v| v != 65535)
+        if self.chan14_raw == 65535 { None } else { Some(self.chan14_raw) }
     }
 
     /// Sets `chan14_raw`; `None` says that it is not known.
+    #[inline]
     pub fn set_chan14_raw(&mut self, value: Option<u16>) {
         self.chan14_raw = value.unwrap_or(65535);
     }
 
     /// `chan15_raw`, or `None` where the sender does not know it.
+    #[inline]
     pub fn chan15_raw(&self) -> Option<u16> {
-        Some(self.chan15_raw).filter(|&v| v != 65535)
+        if self.chan15_raw == 65535 { None } else { Some(self.chan15_raw) }
     }
 
     /// Sets `chan15_raw`; `None` says that it is not known.
+    #[inline]
     pub fn set_chan15_raw(&mut self, value: Option<u16>) {
         self.chan15_raw = value.unwrap_or(65535);
     }
 
     /// `chan16_raw`, or `None` where the sender does not know it.
+    #[inline]
     pub fn chan16_raw(&self) -> Option<u16> {
-        Some(self.chan16_raw).filter(|&v| v != 65535)
+        if self.chan16_raw == 65535 { None } else { Some(self.chan16_raw) }
     }
 
     /// Sets `chan16_raw`; `None` says that it is not known.
+    #[inline]
     pub fn set_chan16_raw(&mut self, value: Option<u16>) {
         self.chan16_raw = value.unwrap_or(65535);
     }
 
     /// `chan17_raw`, or `None` where the sender does not know it.
+    #[inline]
     pub fn chan17_raw(&self) -> Option<u16> {
-        Some(self.chan17_raw).filter(|&v| v != 65535)
+        if self.chan17_raw == 65535 { None } else { Some(self.chan17_raw) }
     }
 
     /// Sets `chan17_raw`; `None` says that it is not known.
+    #[inline]
     pub fn set_chan17_raw(&mut self, value: Option<u16>) {
         self.chan17_raw = value.unwrap_or(65535);
     }
 
     /// `chan18_raw`, or `None` where the sender does not know it.
+    #[inline]
     pub fn chan18_raw(&self) -> Option<u16> {
-        Some(self.chan18_raw).filter(|&v| v != 65535)
+        if self.chan18_raw == 65535 { None } else { Some(self.chan18_raw) }
     }
 
     /// Sets `chan18_raw`; `None` says that it is not known.
+    #[inline]
     pub fn set_chan18_raw(&mut self, value: Option<u16>) {
         self.chan18_raw = value.unwrap_or(65535);
     }
 
     /// `rssi`, or `None` where the sender does not know it.
+    #[inline]
     pub fn rssi(&self) -> Option<u8> {
-        Some(self.rssi).filter(|&v| v != 255)
+        if self.rssi == 255 { None } else { Some(self.rssi) }
     }
 
     /// Sets `rssi`; `None` says that it is not known.
+    #[inline]
     pub fn set_rssi(&mut self, value: Option<u8>) {
         self.rssi = value.unwrap_or(255);
     }

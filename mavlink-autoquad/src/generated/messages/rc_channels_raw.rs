@@ -49,91 +49,109 @@ pub struct RcChannelsRaw {
 
 impl RcChannelsRaw {
     /// `chan1_raw`, or `None` where the sender does not know it.
+    #[inline]
     pub fn chan1_raw(&self) -> Option<u16> {
-        Some(self.chan1_raw).filter(|&v| v != 65535)
+        if self.chan1_raw == 65535 { None } else { Some(self.chan1_raw) }
     }
 
     /// Sets `chan1_raw`; `None` says that it is not known.
+    #[inline]
     pub fn set_chan1_raw(&mut self, value: Option<u16>) {
         self.chan1_raw = value.unwrap_or(65535);
     }
 
     /// `chan2_raw`, or `None` where the sender does not know it.
+    #[inline]
     pub fn chan2_raw(&self) -> Option<u16> {
-        Some(self.chan2_raw).filter(|&v| v != 65535)
+        if self.chan2_raw == 65535 { None } else { Some(self.chan2_raw) }
     }
 
     /// Sets `chan2_raw`; `None` says that it is not known.
+    #[inline]
     pub fn set_chan2_raw(&mut self, value: Option<u16>) {
         self.chan2_raw = value.unwrap_or(65535);
     }
 
     /// `chan3_raw`, or `None` where the sender does not know it.
+    #[inline]
     pub fn chan3_raw(&self) -> Option<u16> {
-        Some(self.chan3_raw).filter(|&v| v != 65535)
+        if self.chan3_raw == 65535 { None } else { Some(self.chan3_raw) }
     }
 
     /// Sets `chan3_raw`; `None` says that it is not known.
+    #[inline]
     pub fn set_chan3_raw(&mut self, value: Option<u16>) {
         self.chan3_raw = value.unwrap_or(65535);
     }
 
     /// `chan4_raw`, or `None` where the sender does not know it.
+    #[inline]
     pub fn chan4_raw(&self) -> Option<u16> {
-        Some(self.chan4_raw).filter(|&v| v != 65535)
+        if self.chan4_raw == 65535 { None } else { Some(self.chan4_raw) }
     }
 
     /// Sets `chan4_raw`; `None` says that it is not known.
+    #[inline]
     pub fn set_chan4_raw(&mut self, value: Option<u16>) {
         self.chan4_raw = value.unwrap_or(65535);
     }
 
     /// `chan5_raw`, or `None` where the sender does not know it.
+    #[inline]
     pub fn chan5_raw(&self) -> Option<u16> {
-        Some(self.chan5_raw).filter(|&v| v != 65535)
+        if self.chan5_raw == 65535 { None } else { Some(self.chan5_raw) }
     }
 
     /// Sets `chan5_raw`; `None` says that it is not known.
+    #[inline]
     pub fn set_chan5_raw(&mut self, value: Option<u16>) {
         self.chan5_raw = value.unwrap_or(65535);
     }
 
     /// `chan6_raw`, or `None` where the sender does not know it.
+    #[inline]
     pub fn chan6_raw(&self) -> Option<u16> {
-        Some(self.chan6_raw).filter(|&v| v != 65535)
+        if self.chan6_raw == 65535 { None } else { Some(self.chan6_raw) }
     }
 
     /// Sets `chan6_raw`; `None` says that it is not known.
+    #[inline]
     pub fn set_chan6_raw(&mut self, value: Option<u16>) {
         self.chan6_raw = value.unwrap_or(65535);
     }
 
     /// `chan7_raw`, or `None` where the sender does not know it.
+    #[inline]
     pub fn chan7_raw(&self) -> Option<u16> {
-        Some(self.chan7_raw).filter(|&v| v != 65535)
+        if self.chan7_raw == 65535 { None } else { Some(self.chan7_raw) }
     }
 
     /// Sets `chan7_raw`; `None` says that it is not known.
+    #[inline]
     pub fn set_chan7_raw(&mut self, value: Option<u16>) {
         self.chan7_raw = value.unwrap_or(65535);
     }
 
     /// `chan8_raw`, or `None` where the sender does not know it.
+    #[inline]
     pub fn chan8_raw(&self) -> Option<u16> {
-        Some(self.chan8_raw).filter(|&v| v != 65535)
+        if self.chan8_raw == 65535 { None } else { Some(self.chan8_raw) }
     }
 
     /// Sets `chan8_raw`; `None` says that it is not known.
+    #[inline]
     pub fn set_chan8_raw(&mut self, value: Option<u16>) {
         self.chan8_raw = value.unwrap_or(65535);
     }
 
     /// `rssi`, or `None` where the sender does not know it.
+    #[inline]
     pub fn rssi(&self) -> Option<u8> {
-        Some(self.rssi).filter(|&v| v != 255)
+        if self.rssi == 255 { None } else { Some(self.rssi) }
     }
 
     /// Sets `rssi`; `None` says that it is not known.
+    #[inline]
     pub fn set_rssi(&mut self, value: Option<u8>) {
         self.rssi = value.unwrap_or(255);
     }

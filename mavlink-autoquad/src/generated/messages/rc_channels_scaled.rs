@@ -49,91 +49,109 @@ pub struct RcChannelsScaled {
 
 impl RcChannelsScaled {
     /// `chan1_scaled`, or `None` where the sender does not know it.
+    #[inline]
     pub fn chan1_scaled(&self) -> Option<i16> {
-        Some(self.chan1_scaled).filter(|&v| v != 32767)
+        if self.chan1_scaled == 32767 { None } else { Some(self.chan1_scaled) }
     }
 
     /// Sets `chan1_scaled`; `None` says that it is not known.
+    #[inline]
     pub fn set_chan1_scaled(&mut self, value: Option<i16>) {
         self.chan1_scaled = value.unwrap_or(32767);
     }
 
     /// `chan2_scaled`, or `None` where the sender does not know it.
+    #[inline]
     pub fn chan2_scaled(&self) -> Option<i16> {
-        Some(self.chan2_scaled).filter(|&v| v != 32767)
+        if self.chan2_scaled == 32767 { None } else { Some(self.chan2_scaled) }
     }
 
     /// Sets `chan2_scaled`; `None` says that it is not known.
+    #[inline]
     pub fn set_chan2_scaled(&mut self, value: Option<i16>) {
         self.chan2_scaled = value.unwrap_or(32767);
     }
 
     /// `chan3_scaled`, or `None` where the sender does not know it.
+    #[inline]
     pub fn chan3_scaled(&self) -> Option<i16> {
-        Some(self.chan3_scaled).filter(|&v| v != 32767)
+        if self.chan3_scaled == 32767 { None } else { Some(self.chan3_scaled) }
     }
 
     /// Sets `chan3_scaled`; `None` says that it is not known.
+    #[inline]
     pub fn set_chan3_scaled(&mut self, value: Option<i16>) {
         self.chan3_scaled = value.unwrap_or(32767);
     }
 
     /// `chan4_scaled`, or `None` where the sender does not know it.
+    #[inline]
     pub fn chan4_scaled(&self) -> Option<i16> {
-        Some(self.chan4_scaled).filter(|&v| v != 32767)
+        if self.chan4_scaled == 32767 { None } else { Some(self.chan4_scaled) }
     }
 
     /// Sets `chan4_scaled`; `None` says that it is not known.
+    #[inline]
     pub fn set_chan4_scaled(&mut self, value: Option<i16>) {
         self.chan4_scaled = value.unwrap_or(32767);
     }
 
     /// `chan5_scaled`, or `None` where the sender does not know it.
+    #[inline]
     pub fn chan5_scaled(&self) -> Option<i16> {
-        Some(self.chan5_scaled).filter(|&v| v != 32767)
+        if self.chan5_scaled == 32767 { None } else { Some(self.chan5_scaled) }
     }
 
     /// Sets `chan5_scaled`; `None` says that it is not known.
+    #[inline]
     pub fn set_chan5_scaled(&mut self, value: Option<i16>) {
         self.chan5_scaled = value.unwrap_or(32767);
     }
 
     /// `chan6_scaled`, or `None` where the sender does not know it.
+    #[inline]
     pub fn chan6_scaled(&self) -> Option<i16> {
-        Some(self.chan6_scaled).filter(|&v| v != 32767)
+        if self.chan6_scaled == 32767 { None } else { Some(self.chan6_scaled) }
     }
 
     /// Sets `chan6_scaled`; `None` says that it is not known.
+    #[inline]
     pub fn set_chan6_scaled(&mut self, value: Option<i16>) {
         self.chan6_scaled = value.unwrap_or(32767);
     }
 
     /// `chan7_scaled`, or `None` where the sender does not know it.
+    #[inline]
     pub fn chan7_scaled(&self) -> Option<i16> {
-        Some(self.chan7_scaled).filter(|&v| v != 32767)
+        if self.chan7_scaled == 32767 { None } else { Some(self.chan7_scaled) }
     }
 
     /// Sets `chan7_scaled`; `None` says that it is not known.
+    #[inline]
     pub fn set_chan7_scaled(&mut self, value: Option<i16>) {
         self.chan7_scaled = value.unwrap_or(32767);
     }
 
     /// `chan8_scaled`, or `None` where the sender does not know it.
+    #[inline]
     pub fn chan8_scaled(&self) -> Option<i16> {
-        Some(self.chan8_scaled).filter(|&v| v != 32767)
+        if self.chan8_scaled == 32767 { None } else { Some(self.chan8_scaled) }
     }
 
     /// Sets `chan8_scaled`; `None` says that it is not known.
+    #[inline]
     pub fn set_chan8_scaled(&mut self, value: Option<i16>) {
         self.chan8_scaled = value.unwrap_or(32767);
     }
 
     /// `rssi`, or `None` where the sender does not know it.
+    #[inline]
     pub fn rssi(&self) -> Option<u8> {
-        Some(self.rssi).filter(|&v| v != 255)
+        if self.rssi == 255 { None } else { Some(self.rssi) }
     }
 
     /// Sets `rssi`; `None` says that it is not known.
+    #[inline]
     pub fn set_rssi(&mut self, value: Option<u8>) {
         self.rssi = value.unwrap_or(255);
     }

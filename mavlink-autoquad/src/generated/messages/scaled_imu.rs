@@ -24,6 +24,8 @@ use ::mavlink_wire as wire;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ScaledImu {
     /// Time since the sender booted; wraps after about 49.7 days. In ms.
+    ///
+    /// AutoQuad sends microseconds here, in spite of the name.
     pub time_boot_ms: u32,
     /// Acceleration along the X axis (forward). In mG.
     pub xacc: i16,

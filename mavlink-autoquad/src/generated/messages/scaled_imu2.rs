@@ -50,11 +50,13 @@ pub struct ScaledImu2 {
 
 impl ScaledImu2 {
     /// `temperature`, or `None` where the sender does not know it.
+    #[inline]
     pub fn temperature(&self) -> Option<i16> {
-        Some(self.temperature).filter(|&v| v != 0)
+        if self.temperature == 0 { None } else { Some(self.temperature) }
     }
 
     /// Sets `temperature`; `None` says that it is not known.
+    #[inline]
     pub fn set_temperature(&mut self, value: Option<i16>) {
         self.temperature = value.unwrap_or(0);
     }

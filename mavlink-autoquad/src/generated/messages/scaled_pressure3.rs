@@ -32,11 +32,17 @@ pub struct ScaledPressure3 {
 
 impl ScaledPressure3 {
     /// `temperature_press_diff`, or `None` where the sender does not know it.
+    #[inline]
     pub fn temperature_press_diff(&self) -> Option<i16> {
-        Some(self.temperature_press_diff).filter(|&v| v != 0)
+        if self.temperature_press_diff == 0 {
+            None
+        } else {
+            Some(self.temperature_press_diff)
+        }
     }
 
     /// Sets `temperature_press_diff`; `None` says that it is not known.
+    #[inline]
     pub fn set_temperature_press_diff(&mut self, value: Option<i16>) {
         self.temperature_press_diff = value.unwrap_or(0);
     }

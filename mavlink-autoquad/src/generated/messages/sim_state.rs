@@ -85,21 +85,25 @@ pub struct SimState {
 
 impl SimState {
     /// `lat_int`, or `None` where the sender does not know it.
+    #[inline]
     pub fn lat_int(&self) -> Option<i32> {
-        Some(self.lat_int).filter(|&v| v != 0)
+        if self.lat_int == 0 { None } else { Some(self.lat_int) }
     }
 
     /// Sets `lat_int`; `None` says that it is not known.
+    #[inline]
     pub fn set_lat_int(&mut self, value: Option<i32>) {
         self.lat_int = value.unwrap_or(0);
     }
 
     /// `lon_int`, or `None` where the sender does not know it.
+    #[inline]
     pub fn lon_int(&self) -> Option<i32> {
-        Some(self.lon_int).filter(|&v| v != 0)
+        if self.lon_int == 0 { None } else { Some(self.lon_int) }
     }
 
     /// Sets `lon_int`; `None` says that it is not known.
+    #[inline]
     pub fn set_lon_int(&mut self, value: Option<i32>) {
         self.lon_int = value.unwrap_or(0);
     }

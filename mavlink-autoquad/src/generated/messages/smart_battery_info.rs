@@ -72,111 +72,161 @@ pub struct SmartBatteryInfo {
 
 impl SmartBatteryInfo {
     /// `capacity_full_specification`, or `None` where the sender does not know it.
+    #[inline]
     pub fn capacity_full_specification(&self) -> Option<i32> {
-        Some(self.capacity_full_specification).filter(|&v| v != -1)
+        if self.capacity_full_specification == -1 {
+            None
+        } else {
+            Some(self.capacity_full_specification)
+        }
     }
 
     /// Sets `capacity_full_specification`; `None` says that it is not known.
+    #[inline]
     pub fn set_capacity_full_specification(&mut self, value: Option<i32>) {
         self.capacity_full_specification = value.unwrap_or(-1);
     }
 
     /// `capacity_full`, or `None` where the sender does not know it.
+    #[inline]
     pub fn capacity_full(&self) -> Option<i32> {
-        Some(self.capacity_full).filter(|&v| v != -1)
+        if self.capacity_full == -1 { None } else { Some(self.capacity_full) }
     }
 
     /// Sets `capacity_full`; `None` says that it is not known.
+    #[inline]
     pub fn set_capacity_full(&mut self, value: Option<i32>) {
         self.capacity_full = value.unwrap_or(-1);
     }
 
     /// `cycle_count`, or `None` where the sender does not know it.
+    #[inline]
     pub fn cycle_count(&self) -> Option<u16> {
-        Some(self.cycle_count).filter(|&v| v != 65535)
+        if self.cycle_count == 65535 { None } else { Some(self.cycle_count) }
     }
 
     /// Sets `cycle_count`; `None` says that it is not known.
+    #[inline]
     pub fn set_cycle_count(&mut self, value: Option<u16>) {
         self.cycle_count = value.unwrap_or(65535);
     }
 
     /// `weight`, or `None` where the sender does not know it.
+    #[inline]
     pub fn weight(&self) -> Option<u16> {
-        Some(self.weight).filter(|&v| v != 0)
+        if self.weight == 0 { None } else { Some(self.weight) }
     }
 
     /// Sets `weight`; `None` says that it is not known.
+    #[inline]
     pub fn set_weight(&mut self, value: Option<u16>) {
         self.weight = value.unwrap_or(0);
     }
 
     /// `discharge_minimum_voltage`, or `None` where the sender does not know it.
+    #[inline]
     pub fn discharge_minimum_voltage(&self) -> Option<u16> {
-        Some(self.discharge_minimum_voltage).filter(|&v| v != 65535)
+        if self.discharge_minimum_voltage == 65535 {
+            None
+        } else {
+            Some(self.discharge_minimum_voltage)
+        }
     }
 
     /// Sets `discharge_minimum_voltage`; `None` says that it is not known.
+    #[inline]
     pub fn set_discharge_minimum_voltage(&mut self, value: Option<u16>) {
         self.discharge_minimum_voltage = value.unwrap_or(65535);
     }
 
     /// `charging_minimum_voltage`, or `None` where the sender does not know it.
+    #[inline]
     pub fn charging_minimum_voltage(&self) -> Option<u16> {
-        Some(self.charging_minimum_voltage).filter(|&v| v != 65535)
+        if self.charging_minimum_voltage == 65535 {
+            None
+        } else {
+            Some(self.charging_minimum_voltage)
+        }
     }
 
     /// Sets `charging_minimum_voltage`; `None` says that it is not known.
+    #[inline]
     pub fn set_charging_minimum_voltage(&mut self, value: Option<u16>) {
         self.charging_minimum_voltage = value.unwrap_or(65535);
     }
 
     /// `resting_minimum_voltage`, or `None` where the sender does not know it.
+    #[inline]
     pub fn resting_minimum_voltage(&self) -> Option<u16> {
-        Some(self.resting_minimum_voltage).filter(|&v| v != 65535)
+        if self.resting_minimum_voltage == 65535 {
+            None
+        } else {
+            Some(self.resting_minimum_voltage)
+        }
     }
 
     /// Sets `resting_minimum_voltage`; `None` says that it is not known.
+    #[inline]
     pub fn set_resting_minimum_voltage(&mut self, value: Option<u16>) {
         self.resting_minimum_voltage = value.unwrap_or(65535);
     }
 
     /// `charging_maximum_voltage`, or `None` where the sender does not know it.
+    #[inline]
     pub fn charging_maximum_voltage(&self) -> Option<u16> {
-        Some(self.charging_maximum_voltage).filter(|&v| v != 0)
+        if self.charging_maximum_voltage == 0 {
+            None
+        } else {
+            Some(self.charging_maximum_voltage)
+        }
     }
 
     /// Sets `charging_maximum_voltage`; `None` says that it is not known.
+    #[inline]
     pub fn set_charging_maximum_voltage(&mut self, value: Option<u16>) {
         self.charging_maximum_voltage = value.unwrap_or(0);
     }
 
     /// `cells_in_series`, or `None` where the sender does not know it.
+    #[inline]
     pub fn cells_in_series(&self) -> Option<u8> {
-        Some(self.cells_in_series).filter(|&v| v != 0)
+        if self.cells_in_series == 0 { None } else { Some(self.cells_in_series) }
     }
 
     /// Sets `cells_in_series`; `None` says that it is not known.
+    #[inline]
     pub fn set_cells_in_series(&mut self, value: Option<u8>) {
         self.cells_in_series = value.unwrap_or(0);
     }
 
     /// `discharge_maximum_current`, or `None` where the sender does not know it.
+    #[inline]
     pub fn discharge_maximum_current(&self) -> Option<u32> {
-        Some(self.discharge_maximum_current).filter(|&v| v != 0)
+        if self.discharge_maximum_current == 0 {
+            None
+        } else {
+            Some(self.discharge_maximum_current)
+        }
     }
 
     /// Sets `discharge_maximum_current`; `None` says that it is not known.
+    #[inline]
     pub fn set_discharge_maximum_current(&mut self, value: Option<u32>) {
         self.discharge_maximum_current = value.unwrap_or(0);
     }
 
     /// `discharge_maximum_burst_current`, or `None` where the sender does not know it.
+    #[inline]
     pub fn discharge_maximum_burst_current(&self) -> Option<u32> {
-        Some(self.discharge_maximum_burst_current).filter(|&v| v != 0)
+        if self.discharge_maximum_burst_current == 0 {
+            None
+        } else {
+            Some(self.discharge_maximum_burst_current)
+        }
     }
 
     /// Sets `discharge_maximum_burst_current`; `None` says that it is not known.
+    #[inline]
     pub fn set_discharge_maximum_burst_current(&mut self, value: Option<u32>) {
         self.discharge_maximum_burst_current = value.unwrap_or(0);
     }

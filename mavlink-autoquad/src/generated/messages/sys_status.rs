@@ -67,31 +67,37 @@ pub struct SysStatus {
 
 impl SysStatus {
     /// `voltage_battery`, or `None` where the sender does not know it.
+    #[inline]
     pub fn voltage_battery(&self) -> Option<u16> {
-        Some(self.voltage_battery).filter(|&v| v != 65535)
+        if self.voltage_battery == 65535 { None } else { Some(self.voltage_battery) }
     }
 
     /// Sets `voltage_battery`; `None` says that it is not known.
+    #[inline]
     pub fn set_voltage_battery(&mut self, value: Option<u16>) {
         self.voltage_battery = value.unwrap_or(65535);
     }
 
     /// `current_battery`, or `None` where the sender does not know it.
+    #[inline]
     pub fn current_battery(&self) -> Option<i16> {
-        Some(self.current_battery).filter(|&v| v != -1)
+        if self.current_battery == -1 { None } else { Some(self.current_battery) }
     }
 
     /// Sets `current_battery`; `None` says that it is not known.
+    #[inline]
     pub fn set_current_battery(&mut self, value: Option<i16>) {
         self.current_battery = value.unwrap_or(-1);
     }
 
     /// `battery_remaining`, or `None` where the sender does not know it.
+    #[inline]
     pub fn battery_remaining(&self) -> Option<i8> {
-        Some(self.battery_remaining).filter(|&v| v != -1)
+        if self.battery_remaining == -1 { None } else { Some(self.battery_remaining) }
     }
 
     /// Sets `battery_remaining`; `None` says that it is not known.
+    #[inline]
     pub fn set_battery_remaining(&mut self, value: Option<i8>) {
         self.battery_remaining = value.unwrap_or(-1);
     }

@@ -33,31 +33,37 @@ pub struct TimeEstimateToTarget {
 
 impl TimeEstimateToTarget {
     /// `mission_next_item`, or `None` where the sender does not know it.
+    #[inline]
     pub fn mission_next_item(&self) -> Option<i32> {
-        Some(self.mission_next_item).filter(|&v| v != -1)
+        if self.mission_next_item == -1 { None } else { Some(self.mission_next_item) }
     }
 
     /// Sets `mission_next_item`; `None` says that it is not known.
+    #[inline]
     pub fn set_mission_next_item(&mut self, value: Option<i32>) {
         self.mission_next_item = value.unwrap_or(-1);
     }
 
     /// `mission_end`, or `None` where the sender does not know it.
+    #[inline]
     pub fn mission_end(&self) -> Option<i32> {
-        Some(self.mission_end).filter(|&v| v != -1)
+        if self.mission_end == -1 { None } else { Some(self.mission_end) }
     }
 
     /// Sets `mission_end`; `None` says that it is not known.
+    #[inline]
     pub fn set_mission_end(&mut self, value: Option<i32>) {
         self.mission_end = value.unwrap_or(-1);
     }
 
     /// `commanded_action`, or `None` where the sender does not know it.
+    #[inline]
     pub fn commanded_action(&self) -> Option<i32> {
-        Some(self.commanded_action).filter(|&v| v != -1)
+        if self.commanded_action == -1 { None } else { Some(self.commanded_action) }
     }
 
     /// Sets `commanded_action`; `None` says that it is not known.
+    #[inline]
     pub fn set_commanded_action(&mut self, value: Option<i32>) {
         self.commanded_action = value.unwrap_or(-1);
     }

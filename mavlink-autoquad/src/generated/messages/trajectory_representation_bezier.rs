@@ -42,11 +42,13 @@ pub struct TrajectoryRepresentationBezier {
 
 impl TrajectoryRepresentationBezier {
     /// Element `index` of `pos_x`, or `None` where the sender does not know it, or there is no such element.
+    #[inline]
     pub fn pos_x(&self, index: usize) -> Option<f32> {
         self.pos_x.get(index).copied().filter(|&v| !v.is_nan())
     }
 
     /// Sets element `index` of `pos_x`; `None` says that it is not known. An error if there is no such element.
+    #[inline]
     pub fn set_pos_x(
         &mut self,
         index: usize,
@@ -58,11 +60,13 @@ impl TrajectoryRepresentationBezier {
     }
 
     /// Element `index` of `pos_y`, or `None` where the sender does not know it, or there is no such element.
+    #[inline]
     pub fn pos_y(&self, index: usize) -> Option<f32> {
         self.pos_y.get(index).copied().filter(|&v| !v.is_nan())
     }
 
     /// Sets element `index` of `pos_y`; `None` says that it is not known. An error if there is no such element.
+    #[inline]
     pub fn set_pos_y(
         &mut self,
         index: usize,
@@ -74,11 +78,13 @@ impl TrajectoryRepresentationBezier {
     }
 
     /// Element `index` of `pos_z`, or `None` where the sender does not know it, or there is no such element.
+    #[inline]
     pub fn pos_z(&self, index: usize) -> Option<f32> {
         self.pos_z.get(index).copied().filter(|&v| !v.is_nan())
     }
 
     /// Sets element `index` of `pos_z`; `None` says that it is not known. An error if there is no such element.
+    #[inline]
     pub fn set_pos_z(
         &mut self,
         index: usize,
@@ -90,11 +96,13 @@ impl TrajectoryRepresentationBezier {
     }
 
     /// Element `index` of `delta`, or `None` where the sender does not know it, or there is no such element.
+    #[inline]
     pub fn delta(&self, index: usize) -> Option<f32> {
         self.delta.get(index).copied().filter(|&v| !v.is_nan())
     }
 
     /// Sets element `index` of `delta`; `None` says that it is not known. An error if there is no such element.
+    #[inline]
     pub fn set_delta(
         &mut self,
         index: usize,
@@ -106,11 +114,13 @@ impl TrajectoryRepresentationBezier {
     }
 
     /// Element `index` of `pos_yaw`, or `None` where the sender does not know it, or there is no such element.
+    #[inline]
     pub fn pos_yaw(&self, index: usize) -> Option<f32> {
         self.pos_yaw.get(index).copied().filter(|&v| !v.is_nan())
     }
 
     /// Sets element `index` of `pos_yaw`; `None` says that it is not known. An error if there is no such element.
+    #[inline]
     pub fn set_pos_yaw(
         &mut self,
         index: usize,

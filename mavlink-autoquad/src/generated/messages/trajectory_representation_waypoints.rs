@@ -63,11 +63,13 @@ pub struct TrajectoryRepresentationWaypoints {
 
 impl TrajectoryRepresentationWaypoints {
     /// Element `index` of `pos_x`, or `None` where the sender does not know it, or there is no such element.
+    #[inline]
     pub fn pos_x(&self, index: usize) -> Option<f32> {
         self.pos_x.get(index).copied().filter(|&v| !v.is_nan())
     }
 
     /// Sets element `index` of `pos_x`; `None` says that it is not known. An error if there is no such element.
+    #[inline]
     pub fn set_pos_x(
         &mut self,
         index: usize,
@@ -79,11 +81,13 @@ impl TrajectoryRepresentationWaypoints {
     }
 
     /// Element `index` of `pos_y`, or `None` where the sender does not know it, or there is no such element.
+    #[inline]
     pub fn pos_y(&self, index: usize) -> Option<f32> {
         self.pos_y.get(index).copied().filter(|&v| !v.is_nan())
     }
 
     /// Sets element `index` of `pos_y`; `None` says that it is not known. An error if there is no such element.
+    #[inline]
     pub fn set_pos_y(
         &mut self,
         index: usize,
@@ -95,11 +99,13 @@ impl TrajectoryRepresentationWaypoints {
     }
 
     /// Element `index` of `pos_z`, or `None` where the sender does not know it, or there is no such element.
+    #[inline]
     pub fn pos_z(&self, index: usize) -> Option<f32> {
         self.pos_z.get(index).copied().filter(|&v| !v.is_nan())
     }
 
     /// Sets element `index` of `pos_z`; `None` says that it is not known. An error if there is no such element.
+    #[inline]
     pub fn set_pos_z(
         &mut self,
         index: usize,
@@ -111,11 +117,13 @@ impl TrajectoryRepresentationWaypoints {
     }
 
     /// Element `index` of `vel_x`, or `None` where the sender does not know it, or there is no such element.
+    #[inline]
     pub fn vel_x(&self, index: usize) -> Option<f32> {
         self.vel_x.get(index).copied().filter(|&v| !v.is_nan())
     }
 
     /// Sets element `index` of `vel_x`; `None` says that it is not known. An error if there is no such element.
+    #[inline]
     pub fn set_vel_x(
         &mut self,
         index: usize,
@@ -127,11 +135,13 @@ impl TrajectoryRepresentationWaypoints {
     }
 
     /// Element `index` of `vel_y`, or `None` where the sender does not know it, or there is no such element.
+    #[inline]
     pub fn vel_y(&self, index: usize) -> Option<f32> {
         self.vel_y.get(index).copied().filter(|&v| !v.is_nan())
     }
 
     /// Sets element `index` of `vel_y`; `None` says that it is not known. An error if there is no such element.
+    #[inline]
     pub fn set_vel_y(
         &mut self,
         index: usize,
@@ -143,11 +153,13 @@ impl TrajectoryRepresentationWaypoints {
     }
 
     /// Element `index` of `vel_z`, or `None` where the sender does not know it, or there is no such element.
+    #[inline]
     pub fn vel_z(&self, index: usize) -> Option<f32> {
         self.vel_z.get(index).copied().filter(|&v| !v.is_nan())
     }
 
     /// Sets element `index` of `vel_z`; `None` says that it is not known. An error if there is no such element.
+    #[inline]
     pub fn set_vel_z(
         &mut self,
         index: usize,
@@ -159,11 +171,13 @@ impl TrajectoryRepresentationWaypoints {
     }
 
     /// Element `index` of `acc_x`, or `None` where the sender does not know it, or there is no such element.
+    #[inline]
     pub fn acc_x(&self, index: usize) -> Option<f32> {
         self.acc_x.get(index).copied().filter(|&v| !v.is_nan())
     }
 
     /// Sets element `index` of `acc_x`; `None` says that it is not known. An error if there is no such element.
+    #[inline]
     pub fn set_acc_x(
         &mut self,
         index: usize,
@@ -175,11 +189,13 @@ impl TrajectoryRepresentationWaypoints {
     }
 
     /// Element `index` of `acc_y`, or `None` where the sender does not know it, or there is no such element.
+    #[inline]
     pub fn acc_y(&self, index: usize) -> Option<f32> {
         self.acc_y.get(index).copied().filter(|&v| !v.is_nan())
     }
 
     /// Sets element `index` of `acc_y`; `None` says that it is not known. An error if there is no such element.
+    #[inline]
     pub fn set_acc_y(
         &mut self,
         index: usize,
@@ -191,11 +207,13 @@ impl TrajectoryRepresentationWaypoints {
     }
 
     /// Element `index` of `acc_z`, or `None` where the sender does not know it, or there is no such element.
+    #[inline]
     pub fn acc_z(&self, index: usize) -> Option<f32> {
         self.acc_z.get(index).copied().filter(|&v| !v.is_nan())
     }
 
     /// Sets element `index` of `acc_z`; `None` says that it is not known. An error if there is no such element.
+    #[inline]
     pub fn set_acc_z(
         &mut self,
         index: usize,
@@ -207,11 +225,13 @@ impl TrajectoryRepresentationWaypoints {
     }
 
     /// Element `index` of `pos_yaw`, or `None` where the sender does not know it, or there is no such element.
+    #[inline]
     pub fn pos_yaw(&self, index: usize) -> Option<f32> {
         self.pos_yaw.get(index).copied().filter(|&v| !v.is_nan())
     }
 
     /// Sets element `index` of `pos_yaw`; `None` says that it is not known. An error if there is no such element.
+    #[inline]
     pub fn set_pos_yaw(
         &mut self,
         index: usize,
@@ -223,11 +243,13 @@ impl TrajectoryRepresentationWaypoints {
     }
 
     /// Element `index` of `vel_yaw`, or `None` where the sender does not know it, or there is no such element.
+    #[inline]
     pub fn vel_yaw(&self, index: usize) -> Option<f32> {
         self.vel_yaw.get(index).copied().filter(|&v| !v.is_nan())
     }
 
     /// Sets element `index` of `vel_yaw`; `None` says that it is not known. An error if there is no such element.
+    #[inline]
     pub fn set_vel_yaw(
         &mut self,
         index: usize,
@@ -239,11 +261,13 @@ impl TrajectoryRepresentationWaypoints {
     }
 
     /// Element `index` of `command`, or `None` where the sender does not know it, or there is no such element.
+    #[inline]
     pub fn command(&self, index: usize) -> Option<MavCmd> {
         self.command.get(index).copied().filter(|&v| v != MavCmd(65535))
     }
 
     /// Sets element `index` of `command`; `None` says that it is not known. An error if there is no such element.
+    #[inline]
     pub fn set_command(
         &mut self,
         index: usize,

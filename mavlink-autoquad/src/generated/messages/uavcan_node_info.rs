@@ -44,11 +44,13 @@ pub struct UavcanNodeInfo {
 
 impl UavcanNodeInfo {
     /// `sw_vcs_commit`, or `None` where the sender does not know it.
+    #[inline]
     pub fn sw_vcs_commit(&self) -> Option<u32> {
-        Some(self.sw_vcs_commit).filter(|&v| v != 0)
+        if self.sw_vcs_commit == 0 { None } else { Some(self.sw_vcs_commit) }
     }
 
     /// Sets `sw_vcs_commit`; `None` says that it is not known.
+    #[inline]
     pub fn set_sw_vcs_commit(&mut self, value: Option<u32>) {
         self.sw_vcs_commit = value.unwrap_or(0);
     }

@@ -71,11 +71,13 @@ pub struct UtmGlobalPosition {
 
 impl UtmGlobalPosition {
     /// `update_rate`, or `None` where the sender does not know it.
+    #[inline]
     pub fn update_rate(&self) -> Option<u16> {
-        Some(self.update_rate).filter(|&v| v != 0)
+        if self.update_rate == 0 { None } else { Some(self.update_rate) }
     }
 
     /// Sets `update_rate`; `None` says that it is not known.
+    #[inline]
     pub fn set_update_rate(&mut self, value: Option<u16>) {
         self.update_rate = value.unwrap_or(0);
     }

@@ -42,61 +42,73 @@ pub struct WinchStatus {
 
 impl WinchStatus {
     /// `line_length`, or `None` where the sender does not know it.
+    #[inline]
     pub fn line_length(&self) -> Option<f32> {
-        Some(self.line_length).filter(|&v| !v.is_nan())
+        if self.line_length.is_nan() { None } else { Some(self.line_length) }
     }
 
     /// Sets `line_length`; `None` says that it is not known.
+    #[inline]
     pub fn set_line_length(&mut self, value: Option<f32>) {
         self.line_length = value.unwrap_or(f32::NAN);
     }
 
     /// `speed`, or `None` where the sender does not know it.
+    #[inline]
     pub fn speed(&self) -> Option<f32> {
-        Some(self.speed).filter(|&v| !v.is_nan())
+        if self.speed.is_nan() { None } else { Some(self.speed) }
     }
 
     /// Sets `speed`; `None` says that it is not known.
+    #[inline]
     pub fn set_speed(&mut self, value: Option<f32>) {
         self.speed = value.unwrap_or(f32::NAN);
     }
 
     /// `tension`, or `None` where the sender does not know it.
+    #[inline]
     pub fn tension(&self) -> Option<f32> {
-        Some(self.tension).filter(|&v| !v.is_nan())
+        if self.tension.is_nan() { None } else { Some(self.tension) }
     }
 
     /// Sets `tension`; `None` says that it is not known.
+    #[inline]
     pub fn set_tension(&mut self, value: Option<f32>) {
         self.tension = value.unwrap_or(f32::NAN);
     }
 
     /// `voltage`, or `None` where the sender does not know it.
+    #[inline]
     pub fn voltage(&self) -> Option<f32> {
-        Some(self.voltage).filter(|&v| !v.is_nan())
+        if self.voltage.is_nan() { None } else { Some(self.voltage) }
     }
 
     /// Sets `voltage`; `None` says that it is not known.
+    #[inline]
     pub fn set_voltage(&mut self, value: Option<f32>) {
         self.voltage = value.unwrap_or(f32::NAN);
     }
 
     /// `current`, or `None` where the sender does not know it.
+    #[inline]
     pub fn current(&self) -> Option<f32> {
-        Some(self.current).filter(|&v| !v.is_nan())
+        if self.current.is_nan() { None } else { Some(self.current) }
     }
 
     /// Sets `current`; `None` says that it is not known.
+    #[inline]
     pub fn set_current(&mut self, value: Option<f32>) {
         self.current = value.unwrap_or(f32::NAN);
     }
 
     /// `temperature`, or `None` where the sender does not know it.
+    #[inline]
     pub fn temperature(&self) -> Option<i16> {
-        Some(self.temperature).filter(|&v| v != 32767)
+        if self.temperature == 32767 { None } else { Some(self.temperature) }
     }
 
     /// Sets `temperature`; `None` says that it is not known.
+    #[inline]
     pub fn set_temperature(&mut self, value: Option<i16>) {
         self.temperature = value.unwrap_or(32767);
     }

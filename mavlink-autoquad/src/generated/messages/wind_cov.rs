@@ -44,81 +44,97 @@ pub struct WindCov {
 
 impl WindCov {
     /// `wind_x`, or `None` where the sender does not know it.
+    #[inline]
     pub fn wind_x(&self) -> Option<f32> {
-        Some(self.wind_x).filter(|&v| !v.is_nan())
+        if self.wind_x.is_nan() { None } else { Some(self.wind_x) }
     }
 
     /// Sets `wind_x`; `None` says that it is not known.
+    #[inline]
     pub fn set_wind_x(&mut self, value: Option<f32>) {
         self.wind_x = value.unwrap_or(f32::NAN);
     }
 
     /// `wind_y`, or `None` where the sender does not know it.
+    #[inline]
     pub fn wind_y(&self) -> Option<f32> {
-        Some(self.wind_y).filter(|&v| !v.is_nan())
+        if self.wind_y.is_nan() { None } else { Some(self.wind_y) }
     }
 
     /// Sets `wind_y`; `None` says that it is not known.
+    #[inline]
     pub fn set_wind_y(&mut self, value: Option<f32>) {
         self.wind_y = value.unwrap_or(f32::NAN);
     }
 
     /// `wind_z`, or `None` where the sender does not know it.
+    #[inline]
     pub fn wind_z(&self) -> Option<f32> {
-        Some(self.wind_z).filter(|&v| !v.is_nan())
+        if self.wind_z.is_nan() { None } else { Some(self.wind_z) }
     }
 
     /// Sets `wind_z`; `None` says that it is not known.
+    #[inline]
     pub fn set_wind_z(&mut self, value: Option<f32>) {
         self.wind_z = value.unwrap_or(f32::NAN);
     }
 
     /// `var_horiz`, or `None` where the sender does not know it.
+    #[inline]
     pub fn var_horiz(&self) -> Option<f32> {
-        Some(self.var_horiz).filter(|&v| !v.is_nan())
+        if self.var_horiz.is_nan() { None } else { Some(self.var_horiz) }
     }
 
     /// Sets `var_horiz`; `None` says that it is not known.
+    #[inline]
     pub fn set_var_horiz(&mut self, value: Option<f32>) {
         self.var_horiz = value.unwrap_or(f32::NAN);
     }
 
     /// `var_vert`, or `None` where the sender does not know it.
+    #[inline]
     pub fn var_vert(&self) -> Option<f32> {
-        Some(self.var_vert).filter(|&v| !v.is_nan())
+        if self.var_vert.is_nan() { None } else { Some(self.var_vert) }
     }
 
     /// Sets `var_vert`; `None` says that it is not known.
+    #[inline]
     pub fn set_var_vert(&mut self, value: Option<f32>) {
         self.var_vert = value.unwrap_or(f32::NAN);
     }
 
     /// `wind_alt`, or `None` where the sender does not know it.
+    #[inline]
     pub fn wind_alt(&self) -> Option<f32> {
-        Some(self.wind_alt).filter(|&v| !v.is_nan())
+        if self.wind_alt.is_nan() { None } else { Some(self.wind_alt) }
     }
 
     /// Sets `wind_alt`; `None` says that it is not known.
+    #[inline]
     pub fn set_wind_alt(&mut self, value: Option<f32>) {
         self.wind_alt = value.unwrap_or(f32::NAN);
     }
 
     /// `horiz_accuracy`, or `None` where the sender does not know it.
+    #[inline]
     pub fn horiz_accuracy(&self) -> Option<f32> {
-        Some(self.horiz_accuracy).filter(|&v| v != 0.0)
+        if self.horiz_accuracy == 0.0 { None } else { Some(self.horiz_accuracy) }
     }
 
     /// Sets `horiz_accuracy`; `None` says that it is not known.
+    #[inline]
     pub fn set_horiz_accuracy(&mut self, value: Option<f32>) {
         self.horiz_accuracy = value.unwrap_or(0.0);
     }
 
     /// `vert_accuracy`, or `None` where the sender does not know it.
+    #[inline]
     pub fn vert_accuracy(&self) -> Option<f32> {
-        Some(self.vert_accuracy).filter(|&v| v != 0.0)
+        if self.vert_accuracy == 0.0 { None } else { Some(self.vert_accuracy) }
     }
 
     /// Sets `vert_accuracy`; `None` says that it is not known.
+    #[inline]
     pub fn set_vert_accuracy(&mut self, value: Option<f32>) {
         self.vert_accuracy = value.unwrap_or(0.0);
     }
