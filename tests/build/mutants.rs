@@ -1,0 +1,140 @@
+//! Dialects with one mistake each, beside one without any: what a generator with a bug would write, and what a wrong
+//! definition would.
+
+use std::fmt::Write;
+use std::fs;
+use std::path::Path;
+
+use mavgen::{Builder, GeneratedFile};
+
+use crate::definition::Definition;
+use crate::{subjects, write};
+
+/// What all mutants are made of.
+const XML: [&str; 2] = ["standard.xml", "minimal.xml"];
+
+/// A dialect with a mistake.
+struct Mutant {
+    /// A module name.
+    name: &'static str,
+    /// The file in which something is replaced: a definition, or a generated one.
+    file: &'static str,
+    /// What stands there, once, and what shall stand there.
+    edits: &'static [(&'static str, &'static str)],
+}
+
+const HEARTBEAT: &str = "messages/heartbeat.rs";
+const VERSION: &str = "messages/autopilot_version.rs";
+
+const MUTANTS: [Mutant; 17] = [
+    Mutant { name: "control", file: HEARTBEAT, edits: &[] },
+    // Mistakes of a definition.
+    Mutant { name: "field_name", file: "minimal.xml", edits: &[("name=\"custom_mode\"", "name=\"customMode\"")] },
+    Mutant {
+        name: "field_order",
+        file: "minimal.xml",
+        edits: &[("\"autopilot\"", "\"?\""), ("\"system_status\"", "\"autopilot\""), ("\"?\"", "\"system_status\"")],
+    },
+    Mutant {
+        name: "entry_value",
+        file: "minimal.xml",
+        edits: &[("value=\"4\" name=\"MAV_STATE_A", "value=\"94\" name=\"MAV_STATE_A")],
+    },
+    Mutant { name: "no_extension", file: "standard.xml", edits: &[("<extensions/>", "")] },
+    // Mistakes of a generator.
+    Mutant { name: "crc_extra", file: HEARTBEAT, edits: &[("crc_extra: 50", "crc_extra: 51")] },
+    Mutant { name: "id", file: HEARTBEAT, edits: &[("const ID: u32 = 0", "const ID: u32 = 1"), (" id: 0", " id: 1")] },
+    Mutant { name: "len_v1", file: VERSION, edits: &[("len_v1: 60", "len_v1: 61")] },
+    Mutant { name: "len_v2", file: VERSION, edits: &[("len_v2: 78", "len_v2: 77")] },
+    Mutant { name: "truncated", file: HEARTBEAT, edits: &[("zero_extended::<9>(payload)", "zero_extended::<9>(&[])")] },
+    Mutant {
+        name: "decode_offset",
+        file: HEARTBEAT,
+        edits: &[("system_status: wire::get(p, 7)", "system_status: wire::get(p, 6)")],
+    },
+    Mutant {
+        name: "encode_offset",
+        file: HEARTBEAT,
+        edits: &[("put(p, 7, self.system_status)", "put(p, 6, self.system_status)")],
+    },
+    // A wrong offset in everything that knows one: no round trip notices it.
+    Mutant {
+        name: "offset",
+        file: HEARTBEAT,
+        edits: &[
+            ("autopilot: wire::get(p, 5)", "autopilot: wire::get(p, 6)"),
+            ("base_mode: wire::get(p, 6)", "base_mode: wire::get(p, 5)"),
+            ("put(p, 5, self.autopilot)", "put(p, 6, self.autopilot)"),
+            ("put(p, 6, self.base_mode)", "put(p, 5, self.base_mode)"),
+            ("\"autopilot\", wire::Kind::U8, 5", "\"autopilot\", wire::Kind::U8, 6"),
+            ("\"base_mode\", wire::Kind::U8, 6", "\"base_mode\", wire::Kind::U8, 5"),
+        ],
+    },
+    Mutant {
+        name: "field_info",
+        file: HEARTBEAT,
+        edits: &[("\"custom_mode\", wire::Kind::U32", "\"custom_mode\", wire::Kind::I32")],
+    },
+    Mutant {
+        name: "constant",
+        file: "enums/mav_state.rs",
+        edits: &[("ACTIVE: Self = Self(4)", "ACTIVE: Self = Self(5)")],
+    },
+    Mutant {
+        name: "entry_name",
+        file: "enums/mav_state.rs",
+        edits: &[("\"MAV_STATE_ACTIVE\"", "\"MAV_STATE_ACTIV\"")],
+    },
+    Mutant {
+        name: "bit",
+        file: "enums/mav_mode_flag.rs",
+        edits: &[("SAFETY_ARMED: Self = Self(0x80)", "SAFETY_ARMED: Self = Self(0x40)")],
+    },
+];
+
+/// Writes `OUT_DIR/mutants.rs` and what it names.
+pub(crate) fn generate(out: &Path, definitions: &[Definition]) {
+    let mut root = String::new();
+    let mut list = String::new();
+    for mutant in &MUTANTS {
+        let name = mutant.name;
+        mutant.generate(&out.join("mutants").join(name), definitions);
+        writeln!(root, "#[path = \"mutants/{name}/generated/mod.rs\"]\nmod {name};").unwrap();
+        writeln!(root, "#[path = \"mutants/{name}/subjects.rs\"]\nmod {name}_subjects;").unwrap();
+        writeln!(list, "Mutant::of(\"{name}\", &{name}_subjects::SUBJECTS, &{name}_subjects::CONSTANTS),").unwrap();
+    }
+    writeln!(root, "fn mutants() -> Vec<Mutant> {{\nvec![\n{list}]\n}}").unwrap();
+    write(&out.join("mutants.rs"), &root);
+}
+
+impl Mutant {
+    fn generate(&self, folder: &Path, definitions: &[Definition]) {
+        for file in XML {
+            let text = fs::read_to_string(Path::new("../xml").join(file)).unwrap();
+            write(&folder.join(file), &self.edited(file, text));
+        }
+        let builder = Builder::new(folder.join(XML[0]));
+        let resolved = builder.resolve().unwrap_or_else(|failure| panic!("{}: {failure}", self.name));
+        for GeneratedFile { path, text } in builder.files().unwrap() {
+            write(&folder.join("generated").join(&path), &self.edited(&path, text));
+        }
+        let of_dialect = |definition: &&Definition| {
+            resolved.dialect.messages.iter().any(|message| message.name.xml == definition.name)
+        };
+        let definitions: Vec<Definition> = definitions.iter().filter(of_dialect).cloned().collect();
+        let module = format!("super::{}", self.name);
+        let subjects =
+            subjects::subjects(&module, &resolved.dialect, &definitions).replace("crate::", "mavlink_conformance::");
+        write(&folder.join("subjects.rs"), &subjects);
+    }
+
+    /// A file with the mistake, if it is the one that has it.
+    fn edited(&self, file: &str, mut text: String) -> String {
+        for (from, to) in self.edits.iter().filter(|_| file == self.file) {
+            let count = text.matches(from).count();
+            assert_eq!(count, 1, "mutant {}: `{from}` stands {count} times in {file}", self.name);
+            text = text.replace(from, to);
+        }
+        text
+    }
+}
