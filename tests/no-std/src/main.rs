@@ -9,6 +9,7 @@
 use core::panic::PanicInfo;
 
 use mavlink_autoquad::autoquad::{AqEscTelemetry, Heartbeat, MavAutopilot};
+use mavlink_autoquad::esc::{Conversion, EscTable};
 use mavlink_autoquad::wire::{Frame, Message, Parser, Table};
 
 static RECEIVED: Table<'static> = Table::of(&[Heartbeat::INFO, AqEscTelemetry::INFO]);
@@ -26,15 +27,15 @@ fn panic(_: &PanicInfo<'_>) -> ! {
 
 #[unsafe(no_mangle)]
 extern "C" fn main() -> i32 {
-    let (mut parser, mut seen) = (Parser::new(&RECEIVED), 0);
+    let (mut parser, mut table, mut seen) = (Parser::new(&RECEIVED), EscTable::new(), 0);
     let mut buffer = [0; 64];
     while let Some(mut chunk) = receive(&mut buffer) {
         while let Some(frame) = parser.next(&mut chunk) {
-            seen += worth(&frame);
+            seen += worth(&frame, &mut table);
         }
     }
     while let Some(frame) = parser.finish() {
-        seen += worth(&frame);
+        seen += worth(&frame, &mut table);
     }
     i32::from(seen)
 }
@@ -47,11 +48,21 @@ fn receive(buffer: &mut [u8; 64]) -> Option<&[u8]> {
     buffer.get(..received).filter(|chunk| !chunk.is_empty())
 }
 
-/// 100 for an AutoQuad's heartbeat, 1 for another's, and the number of ESCs in a telemetry batch.
-fn worth(frame: &Frame<'_>) -> u8 {
+/// 100 for an AutoQuad's heartbeat, 1 for another's, and for a telemetry batch the number of ESCs in the table.
+fn worth(frame: &Frame<'_>, table: &mut EscTable) -> u8 {
     if let Some(beat) = frame.decode::<Heartbeat>() {
         if beat.autopilot == MavAutopilot::AUTOQUAD { 100 } else { 1 }
     } else {
-        frame.decode::<AqEscTelemetry>().map_or(0, |telemetry| telemetry.num_in_seq)
+        frame.decode::<AqEscTelemetry>().map_or(0, |telemetry| shown(table, &telemetry))
+    }
+}
+
+/// How many ESCs a ground station of today is told of, if it is told the same in both messages.
+fn shown(table: &mut EscTable, telemetry: &AqEscTelemetry) -> u8 {
+    table.update(telemetry);
+    let (now_us, options) = (table.uptime_us(), Conversion::DEFAULT);
+    match (table.to_esc_info(0, now_us, &options), table.to_esc_status(0, now_us, &options)) {
+        (Some(info), Some(status)) if info.time_usec == status.time_usec => info.count,
+        _ => 0,
     }
 }
