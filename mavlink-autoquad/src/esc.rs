@@ -35,6 +35,11 @@
 //! [`AqEscTelemetry::legacy_escs`](crate::autoquad::AqEscTelemetry::legacy_escs). What is here reads the layout of the later
 //! firmware.
 //!
+//! # PX4
+//!
+//! A [`Conversion`] ends at MAVLink. PX4's own `EscStatus` carries 8 controllers in releases up to 1.17 and 12 from March 2026
+//! on, in another layout and without a version number: a program that writes it has to know which PX4 reads it.
+//!
 //! # Definitions of a fork
 //!
 //! With `MAVLINK_AUTOQUAD_XML` this module is there only if `MAVLINK_AUTOQUAD_OVERLAY` names an overlay for that file. It has

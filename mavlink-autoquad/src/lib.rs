@@ -88,6 +88,9 @@
 //!   fields of that name.
 //! * Array slots at and behind `num_in_seq` hold stale data.
 //! * The stream starts with [`autoquad::RequestDataStream`], `req_stream_id` 13 ([`autoquad::MavDataStream::PROPULSION`]).
+//! * The `.mavlink` logs of AutoQuad's QGroundControl are no tlogs, although they look like them: their times are
+//!   little-endian, and every frame lacks its last eight bytes (`MAVLinkProtocol.cc`, since December 2012), checksum
+//!   included. A parser finds no frame in them.
 
 #![no_std]
 
