@@ -4,6 +4,8 @@
 set -eu
 
 repetitions=${1:-3}
+# Ours are path dependencies here, which cargo builds incrementally; from a registry, like the peer, it does not.
+export CARGO_INCREMENTAL=0
 here=$(CDPATH='' cd -- "$(dirname -- "$0")" && pwd)
 root=$(CDPATH='' cd -- "$here/../.." && pwd)
 work=$(mktemp -d)
