@@ -2,9 +2,9 @@
 //! what does not fit.
 
 use mavlink_conformance::dialects::packed::{
-    AutopilotVersion, Channel, Event, FirmwareVersion, FirmwareVersionType, GpsRtcmData, Heartbeat, IcaoAddress,
-    LogLevels, Mask, MavAutopilot, Px4AutoMode, Px4CustomMode, Px4MainMode, RadioRcChannels, RcChannel, RelayStatus,
-    Relays, RtcmFlags, UavionixAdsbOutCfg, WriteMask,
+    AutopilotVersion, CellVoltages, Cells, Channel, Event, FirmwareVersion, FirmwareVersionType, GpsRtcmData,
+    Heartbeat, IcaoAddress, LogLevels, Mask, MavAutopilot, Px4AutoMode, Px4CustomMode, Px4MainMode, RadioRcChannels,
+    RcChannel, RelayStatus, Relays, RtcmFlags, UavionixAdsbOutCfg, WriteMask,
 };
 use mavlink_conformance::random::Random;
 use mavlink_wire::{Message, ViewError};
@@ -154,4 +154,17 @@ fn an_array_joined() {
     assert_eq!(message.write_mask[0], 0);
     let ones: u32 = message.write_mask.iter().map(|word| word.count_ones()).sum();
     assert_eq!((ones, message.mask()), (40, mask));
+}
+
+#[test]
+fn several_scaled_fields() {
+    let cells = Cells { cells: 0xff00_d2b9 }.voltages();
+    let volts = [0, 1, 2, 3, 4].map(|cell| cells.volts(cell));
+    assert_eq!(volts, [Some(3.7), Some(4.2), Some(0.0), Some(5.1), None]);
+    assert_eq!((cells.volts_mv(0), cells.volts_raw(3), cells.volts_mv(4)), (Some(3700), Some(255), None));
+    let mut cells = CellVoltages::from_bits(0);
+    cells.set_volts(2, 3.7).unwrap();
+    assert_eq!(cells.bits(), 0x00b9_0000);
+    assert_eq!(cells.set_volts(0, 5.2), Err(ViewError::OutOfRange));
+    assert_eq!(cells.set_volts(4, 1.0), Err(ViewError::OutOfRange));
 }

@@ -25,6 +25,7 @@ mod access;
 mod bits;
 mod debug;
 mod member;
+mod scaled;
 mod slots;
 
 use std::collections::BTreeSet;
