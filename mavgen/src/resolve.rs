@@ -54,6 +54,7 @@ pub fn resolve(loaded: &Loaded, sources: &Sources, diagnostics: &mut Diagnostics
     let versions: Vec<Version> = loaded.files.iter().map(|file| Version::of(file, diagnostics)).collect();
     duplicates::check(loaded, diagnostics);
     let mut drafts = message::drafts(loaded, &versions, &losses, diagnostics);
+    uses::check(loaded, &enums, diagnostics);
     let uses = uses::collect(&drafts, &enums, diagnostics);
     let carriers = overlay::resolve(loaded, &mut drafts, &enums, &losses, diagnostics);
     let widths = widths(loaded, &enums, &uses, &carriers, diagnostics);

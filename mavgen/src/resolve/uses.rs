@@ -6,6 +6,7 @@ use super::suggest::suggest;
 use super::width::{self, Width};
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{self, EnumId, FileIndex, Repr, Values};
+use crate::read::Loaded;
 use crate::syntax::{self, Text};
 
 /// A field that carries an enum.
@@ -22,6 +23,20 @@ pub(super) struct Use<'a> {
     pub(super) name: &'a Text,
 }
 
+/// Reports fields whose enum does not exist, also those of messages that are wrong in other ways.
+pub(super) fn check(loaded: &Loaded, enums: &Enums<'_>, diagnostics: &mut Diagnostics) {
+    if !enums.complete {
+        return;
+    }
+    for message in loaded.files.iter().flat_map(|file| &file.messages) {
+        for field in &message.fields {
+            let Some(name) = named(field).filter(|name| enums.id(&name.value).is_none()) else { continue };
+            let problem = suggest(unknown(message, field, name), &name.value, enums.names(), diagnostics);
+            diagnostics.push(problem);
+        }
+    }
+}
+
 /// The uses of every enum, in the order of the enums.
 pub(super) fn collect<'a>(drafts: &[Draft<'a>], enums: &Enums<'a>, diagnostics: &mut Diagnostics) -> Vec<Vec<Use<'a>>> {
     let mut uses: Vec<Vec<Use<'a>>> = enums.list.iter().map(|_| Vec::new()).collect();
@@ -34,11 +49,6 @@ pub(super) fn collect<'a>(drafts: &[Draft<'a>], enums: &Enums<'a>, diagnostics: 
                     list.push(Use { file: field.origin.file, repr, message: draft.syntax, field: syntax, name });
                 }
                 (Some(_), None) => diagnostics.push(unsuitable(syntax, name)),
-                (None, _) if enums.complete => {
-                    let problem = unknown(draft.syntax, syntax, name);
-                    let problem = suggest(problem, &name.value, enums.names(), diagnostics);
-                    diagnostics.push(problem);
-                }
                 (None, _) => {}
             }
         }
