@@ -10,6 +10,8 @@ use crate::ir::{Enum, Field, FieldType, Invalid, Scalar, Scope, Sentinel, Values
 
 /// The tokens of one field, by where they go.
 pub(crate) struct FieldTokens {
+    /// Where it lies in the payload, which is the order of the stores.
+    pub(crate) offset: u8,
     /// `pub cog: u16,` with its documentation.
     pub(crate) declaration: TokenStream,
     /// `cog: 0,`
@@ -30,6 +32,7 @@ pub(crate) fn field(context: &Context<'_>, field: &Field) -> FieldTokens {
     let offset = decimal(field.offset);
     let docs = doc::attributes(&documentation(context, field));
     FieldTokens {
+        offset: field.offset,
         declaration: quote!(#docs pub #name: #ty,),
         default: quote!(#name: #zero,),
         decode: quote!(#name: wire::get(p, #offset),),
