@@ -16,7 +16,7 @@ pub struct Frame<'a> {
 pub(crate) struct Facts {
     id: u32,
     crc_extra: u8,
-    pub(crate) verified: bool,
+    verified: bool,
 }
 
 impl Facts {

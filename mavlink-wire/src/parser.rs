@@ -11,9 +11,8 @@ use crate::{Frame, FrameError, MAX_FRAME, Table, zero_extended};
 /// What is found depends on the bytes alone, not on the cuts. After a wrong checksum or a false start the search goes on
 /// with the next byte, so that a damaged frame costs only itself. Frames that lie within one chunk are not copied.
 ///
-/// A frame of an unknown message is handed over only where a frame is expected: at the beginning, behind a frame, or behind
-/// what may have been one. Of the places that look like the start of such a frame one in 256 passes for it, and elsewhere
-/// that would swallow known frames.
+/// A frame of an unknown message is handed over, unverified, wherever some `crc_extra` explains its checksum. Of the places
+/// in damaged bytes that look like the start of one, one in 256 passes, and takes known frames that lie in it along.
 ///
 /// ```
 /// use mavlink_wire::{Parser, Table};
@@ -32,15 +31,13 @@ pub struct Parser<'t> {
     held: [u8; MAX_FRAME],
     length: usize,
     handed_out: usize,
-    /// How many bytes ahead a frame is expected.
-    expected: Option<usize>,
 }
 
 impl<'t> Parser<'t> {
     /// A parser that verifies the messages of this table, and hands over others unverified.
     #[must_use]
     pub const fn new(table: &'t Table<'t>) -> Self {
-        Self { table, held: [0; MAX_FRAME], length: 0, handed_out: 0, expected: Some(0) }
+        Self { table, held: [0; MAX_FRAME], length: 0, handed_out: 0 }
     }
 
     /// The next frame; `input` moves behind what was used. `None` when `input` is used up: the beginning of a frame at
@@ -58,22 +55,14 @@ impl<'t> Parser<'t> {
         loop {
             match Frame::parse(input, self.table) {
                 Ok(frame) => {
-                    if self.believes(frame.bytes().len(), frame.is_verified()) {
-                        skip(input, frame.bytes().len());
-                        return Some(frame);
-                    }
-                    self.pass(1);
-                    skip(input, 1);
+                    skip(input, frame.bytes().len());
+                    return Some(frame);
                 }
                 Err(FrameError::Incomplete { .. }) => {
                     self.hold(core::mem::take(input));
                     return None;
                 }
-                Err(error) => {
-                    let count = to_next_start(input, error);
-                    self.pass(count);
-                    skip(input, count);
-                }
+                Err(error) => skip(input, to_next_start(input, error)),
             }
         }
     }
@@ -96,7 +85,7 @@ impl<'t> Parser<'t> {
         while self.length > 0 {
             let bytes = self.held.get(..self.length + borrowed).unwrap_or_default();
             match Facts::of(bytes, self.table) {
-                Ok((header, facts)) if self.believes(header.frame_length(), facts.verified) => {
+                Ok((header, facts)) => {
                     self.handed_out = header.frame_length();
                     skip(input, self.handed_out.saturating_sub(self.length));
                     self.length = self.length.max(self.handed_out);
@@ -110,34 +99,14 @@ impl<'t> Parser<'t> {
                         return None;
                     }
                 }
-                other => {
+                Err(error) => {
                     let held = self.held.get(..self.length).unwrap_or_default();
-                    let count = other.map_or_else(|error| to_next_start(held, error), |_| 1);
-                    self.pass(count);
-                    self.release(count);
+                    self.release(to_next_start(held, error));
                     borrowed = 0;
                 }
             }
         }
         None
-    }
-
-    /// Whether a frame of this length, here, is handed over. If not, one is expected behind it.
-    #[inline]
-    fn believes(&mut self, length: usize, verified: bool) -> bool {
-        let believed = verified || self.expected == Some(0);
-        if believed {
-            self.expected = Some(0);
-        } else {
-            self.expected.get_or_insert(length);
-        }
-        believed
-    }
-
-    /// Notes that so many bytes were given up.
-    #[inline]
-    fn pass(&mut self, count: usize) {
-        self.expected = self.expected.and_then(|expected| expected.checked_sub(count));
     }
 
     /// Puts bytes of `input` behind the held ones, as many as a frame of `needed` bytes lacks; gives their number.
