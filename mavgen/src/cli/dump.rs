@@ -1,15 +1,41 @@
 //! `mavgen dump`: the resolved dialect as JSON in a stable schema, and as text.
 
 use std::fmt::Write;
+use std::process::ExitCode;
 
+use clap::Args;
 use mavgen::ir::{Dialect, Enum, Field, Message, Scalar};
+use mavgen::{Failure, Resolved};
 use serde_json::{Value, json};
+
+use super::input::Input;
+use super::report;
+
+/// Prints the resolved dialect: wire order, offsets, checksums, merged enums.
+#[derive(Args)]
+#[command(after_help = "Example: mavgen dump xml/acme.xml --json | jq '.messages[].name'")]
+pub(super) struct Dump {
+    #[command(flatten)]
+    input: Input,
+    /// As JSON, in a stable schema.
+    #[arg(long)]
+    json: bool,
+}
+
+impl Dump {
+    pub(super) fn run(&self) -> Result<ExitCode, Failure> {
+        let Resolved { dialect, diagnostics, sources, .. } = self.input.builder().resolve()?;
+        report::diagnostics(&diagnostics, &sources);
+        report::print(&if self.json { json(&dialect) } else { text(&dialect) })?;
+        Ok(ExitCode::SUCCESS)
+    }
+}
 
 /// The dialect as JSON.
 ///
 /// Enums stand in merge order with their entries by value, messages by id, fields in the order of the XML. An enum that
 /// several files define is `defined_in` the first of them, as in pymavlink's model.
-pub(crate) fn json(dialect: &Dialect) -> String {
+fn json(dialect: &Dialect) -> String {
     let files: Vec<&str> = dialect.files.iter().map(|file| file.name.as_str()).collect();
     let enums: Vec<Value> = dialect.enums.iter().map(|values| enum_json(dialect, values)).collect();
     let messages: Vec<Value> = dialect.messages.iter().map(|message| message_json(dialect, message)).collect();
@@ -73,7 +99,7 @@ fn enum_name<'d>(dialect: &'d Dialect, field: &Field) -> Option<&'d str> {
 }
 
 /// The dialect as lines for a person: messages with their wire layout, then enums.
-pub(crate) fn text(dialect: &Dialect) -> String {
+fn text(dialect: &Dialect) -> String {
     let mut text = String::new();
     for message in &dialect.messages {
         let Message { id, name, crc_extra, len_v1, len_v2, .. } = message;
