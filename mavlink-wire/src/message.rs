@@ -65,6 +65,9 @@ pub trait Dialect: Encode + Sized + 'static {
     /// All messages of the dialect.
     const TABLE: &'static Table<'static>;
 
+    /// The fields of every message, in the order of [`TABLE`](Self::TABLE): see [`fields`](Self::fields).
+    const FIELDS: &'static [&'static [FieldInfo]];
+
     /// The first message of the dialect at its default: something to read into.
     const DEFAULT: Self;
 
@@ -82,6 +85,11 @@ pub trait Dialect: Encode + Sized + 'static {
             message = None;
         }
         message
+    }
+
+    /// The fields of the message with this id, in the order of the XML; `None` if the dialect does not have it.
+    fn fields(id: u32) -> Option<&'static [FieldInfo]> {
+        Self::FIELDS.get(Self::TABLE.position(id)?).copied()
     }
 }
 

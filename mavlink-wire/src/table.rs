@@ -58,6 +58,15 @@ impl<'t> Table<'t> {
         }
     }
 
+    /// The place of the message with this id among those that were given.
+    #[must_use]
+    pub fn position(&self, id: u32) -> Option<usize> {
+        match self.index.get(id as usize) {
+            Some(&position) => usize::from(position).checked_sub(1),
+            None => self.infos.iter().position(|info| info.id == id),
+        }
+    }
+
     /// The messages in the order they were given.
     pub fn iter(&self) -> impl ExactSizeIterator<Item = &'t MessageInfo> + Clone + use<'t> {
         self.infos.iter().copied()

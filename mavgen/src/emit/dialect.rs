@@ -16,6 +16,7 @@
 //!
 //! impl wire::Dialect for Acme {
 //!     const TABLE: &'static wire::Table<'static> = &TABLE;
+//!     const FIELDS: &'static [&'static [wire::FieldInfo]] = &[<Heartbeat as wire::Message>::FIELDS];
 //!     const DEFAULT: Self = Self::Heartbeat(<Heartbeat as wire::Message>::DEFAULT);
 //!     fn decode_into(&mut self, id: u32, payload: &[u8]) -> bool {
 //!         match id {
@@ -54,6 +55,7 @@ pub(crate) fn dialect(context: &Context<'_>) -> TokenStream {
         #table
         impl wire::Dialect for #name {
             const TABLE: &'static wire::Table<'static> = &TABLE;
+            const FIELDS: &'static [&'static [wire::FieldInfo]] = &[#(<#names as wire::Message>::FIELDS),*];
             const DEFAULT: Self = Self::#first(<#first as wire::Message>::DEFAULT);
             fn decode_into(&mut self, id: u32, payload: &[u8]) -> bool {
                 match id {

@@ -73,3 +73,14 @@ fn kinds_have_the_names_that_enter_the_checksum() {
     assert_eq!((Kind::F64.wire_name(), Kind::F64.size()), ("double", 8));
     assert_eq!((Kind::Char.wire_name(), Kind::I16.size(), Kind::U32.size()), ("char", 2, 4));
 }
+
+#[test]
+fn a_dialect_knows_the_fields_of_its_messages() {
+    for info in Small::TABLE.iter() {
+        let fields = Small::fields(info.id).unwrap();
+        assert_eq!(fields.iter().map(FieldInfo::size).sum::<usize>(), usize::from(info.len_v2), "{}", info.name);
+    }
+    assert_eq!(Small::fields(152), Some(<AqEscTelemetry as Message>::FIELDS));
+    assert_eq!(Small::fields(1), None);
+    assert_eq!(Small::fields(100_000), None);
+}

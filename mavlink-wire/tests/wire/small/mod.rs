@@ -23,6 +23,11 @@ pub(crate) enum Small {
 
 impl wire::Dialect for Small {
     const TABLE: &'static wire::Table<'static> = &TABLE;
+    const FIELDS: &'static [&'static [wire::FieldInfo]] = &[
+        <Heartbeat as wire::Message>::FIELDS,
+        <AqEscTelemetry as wire::Message>::FIELDS,
+        <Statustext as wire::Message>::FIELDS,
+    ];
     const DEFAULT: Self = Self::Heartbeat(<Heartbeat as wire::Message>::DEFAULT);
 
     fn decode_into(&mut self, id: u32, payload: &[u8]) -> bool {
