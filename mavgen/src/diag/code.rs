@@ -16,6 +16,17 @@ pub enum Severity {
     Note,
 }
 
+impl fmt::Display for Severity {
+    /// `error`, `warning` or `note`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Error => "error",
+            Self::Warning => "warning",
+            Self::Note => "note",
+        })
+    }
+}
+
 macro_rules! catalogue {
     ($($number:literal $name:ident $severity:ident $title:literal;)*) => {
         /// A kind of problem.

@@ -39,12 +39,7 @@ pub fn render(diagnostic: &Diagnostic, sources: &Sources, style: Style) -> Strin
 
 /// One diagnostic in one line: `path:line:column: error[M304]: message`, or without a place `error[M001]: message`.
 pub fn one_line(diagnostic: &Diagnostic, sources: &Sources) -> String {
-    let severity = match diagnostic.severity() {
-        Severity::Error => "error",
-        Severity::Warning => "warning",
-        Severity::Note => "note",
-    };
-    let said = format!("{severity}[{}]: {}", diagnostic.code, line(&diagnostic.message));
+    let said = format!("{}[{}]: {}", diagnostic.severity(), diagnostic.code, line(&diagnostic.message));
     let place = diagnostic.span.and_then(|span| Some((sources.get(span.file)?, span.start)));
     place.map_or(said.clone(), |(file, start)| {
         let at = file.position(start);
