@@ -179,7 +179,11 @@ impl Builder {
         check(self.folder()?, &files).map_err(Failure::Output)
     }
 
-    pub(crate) fn emit(&self, resolved: &Resolved) -> Result<Vec<GeneratedFile>, Failure> {
+    /// Generates what was resolved into memory; [`Builder::files`] in two steps.
+    ///
+    /// # Errors
+    /// [`Failure::Usage`] if the runtime path is not a path.
+    pub fn emit(&self, resolved: &Resolved) -> Result<Vec<GeneratedFile>, Failure> {
         if syn::parse_str::<syn::Path>(&self.runtime).is_err() {
             return Err(Failure::Usage(format!("`{}` is not a path to a crate or module", self.runtime)));
         }
