@@ -9,6 +9,7 @@ use crate::ir::Dialect;
 use crate::output::{Differences, OutputError, Report, check, write};
 use crate::read::load;
 use crate::resolve::resolve;
+use crate::select::Selection;
 use crate::source::Sources;
 
 /// Generates Rust from a dialect.
@@ -30,6 +31,7 @@ pub struct Builder {
     name: Option<String>,
     include_dirs: Vec<PathBuf>,
     overlays: Vec<PathBuf>,
+    messages: Option<Vec<String>>,
     pub(crate) out_dir: Option<PathBuf>,
     runtime: String,
     deprecated: bool,
@@ -79,6 +81,7 @@ impl Builder {
             name: None,
             include_dirs: Vec::new(),
             overlays: Vec::new(),
+            messages: None,
             out_dir: None,
             runtime: "::mavlink_wire".to_owned(),
             deprecated: true,
@@ -107,6 +110,22 @@ impl Builder {
         self
     }
 
+    /// Keeps only these messages, and what they need: their views, and the enums that their fields and those of their
+    /// commands name. What is kept is what it is in the whole dialect, to the byte.
+    ///
+    /// A name is that of the XML, `HEARTBEAT`; in a pattern, `PARAM_*`, a star stands for any characters. One that means no
+    /// message is a [`Failure::Usage`]. Calls add up.
+    ///
+    /// ```no_run
+    /// // build.rs of firmware that sends two messages and understands the parameter protocol
+    /// mavgen::Builder::new("xml/common.xml").messages(["HEARTBEAT", "STATUSTEXT", "PARAM_*"]).build_script();
+    /// ```
+    #[must_use]
+    pub fn messages<N: Into<String>>(mut self, names: impl IntoIterator<Item = N>) -> Self {
+        self.messages.get_or_insert_default().extend(names.into_iter().map(Into::into));
+        self
+    }
+
     /// Where [`Builder::generate`] writes. In a build script that is a folder in `OUT_DIR`, and need not be said.
     #[must_use]
     pub fn out_dir(mut self, folder: impl Into<PathBuf>) -> Self {
@@ -128,11 +147,12 @@ impl Builder {
         self
     }
 
-    /// Reads and resolves; writes nothing.
+    /// Reads, resolves and selects; writes nothing.
     ///
     /// # Errors
-    /// [`Failure::Definitions`] with every problem.
+    /// [`Failure::Definitions`] with every problem, [`Failure::Usage`] if [`Builder::messages`] names what there is not.
     pub fn resolve(&self) -> Result<Resolved, Failure> {
+        let selection = self.selection()?;
         let (mut sources, mut diagnostics) = (Sources::default(), Diagnostics::default());
         let mut loaded = load(&self.xml, &self.include_dirs, &self.overlays, &mut sources, &mut diagnostics);
         if let Some(name) = &self.name {
@@ -142,6 +162,13 @@ impl Builder {
         let watched = loaded.watched;
         let Some(dialect) = dialect else {
             return Err(Failure::Definitions(Box::new(Problems { diagnostics, sources, watched })));
+        };
+        let dialect = match &selection {
+            Some(selection) => {
+                selection.check(&[&dialect]).map_err(Failure::Usage)?;
+                selection.apply(dialect)
+            }
+            None => dialect,
         };
         Ok(Resolved { dialect, diagnostics, sources, watched })
     }
@@ -187,8 +214,16 @@ impl Builder {
         if syn::parse_str::<syn::Path>(&self.runtime).is_err() {
             return Err(Failure::Usage(format!("`{}` is not a path to a crate or module", self.runtime)));
         }
-        let sources = provenance(&resolved.sources);
+        let mut sources = provenance(&resolved.sources);
+        if let Some(selection) = self.selection()? {
+            sources.push_str(&format!("\n// only {selection}, and what they need"));
+        }
         Ok(emit(&resolved.dialect, &Options { runtime: self.runtime.clone(), deprecated: self.deprecated, sources }))
+    }
+
+    fn selection(&self) -> Result<Option<Selection>, Failure> {
+        let names = self.messages.as_ref().map(|names| Selection::new(names.iter().map(String::as_str)));
+        names.transpose().map_err(Failure::Usage)
     }
 
     /// Whether this is the dialect's file or an overlay, as opposed to a file that one includes.

@@ -51,6 +51,7 @@ pub mod output;
 pub mod overlay {}
 pub mod read;
 pub mod resolve;
+mod select;
 pub mod source;
 pub mod syntax;
 

@@ -33,10 +33,13 @@ fn main() {
 /// What `Builder::build_script` does, without printing the warnings that the definitions deserve.
 fn generate_others(out: &Path) {
     let packed = Builder::new("packed/packed.xml").overlay("packed/packed.overlay.xml");
+    let five = ["HEARTBEAT", "COMMAND_ACK", "AQ_ESC_TELEMETRY", "GPS_RAW_*", "RADIO_STATUS"];
+    let selected = Builder::new("../xml/autoquad.xml").overlay("../xml/autoquad.overlay.xml").messages(five);
     let others = [
         ("hostile", Builder::new("hostile/hostile.xml")),
         ("names", Builder::new("hostile/names.xml")),
         ("packed", packed),
+        ("selected", selected.name("selected")),
     ];
     for (name, builder) in others {
         builder.out_dir(out.join(name)).generate().unwrap_or_else(|failure| panic!("{failure}"));

@@ -96,3 +96,24 @@ fn a_name_can_be_given() {
     assert_eq!((resolved.dialect.name.as_str(), resolved.dialect.type_name.as_str()), ("acme", "Acme"));
     assert!(matches!(builder.name("---").resolve(), Err(Failure::Definitions(_))));
 }
+
+#[test]
+fn only_some_messages_are_built() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    fs::write(path("acme.xml"), ACME).unwrap();
+    fs::write(
+        path("base.xml"),
+        BASE.replace(
+            "<messages/>",
+            "<messages><message id='1' name='BELL'><field type='char' name='a'>x</field></message></messages>",
+        ),
+    )
+    .unwrap();
+    let said =
+        |names: &str| Builder::new(path("acme.xml")).messages(names.split(',')).cargo_directives(Some(folder.path()));
+    assert!(starting(&said("BELL"), "cargo::error=").is_empty());
+    assert!(path("acme/messages/bell.rs").exists() && !path("acme/messages/sprayer.rs").exists());
+    let wrong = ["no message of acme.xml is called `BEL` (did you mean `BELL`?)"];
+    assert_eq!(starting(&said("BEL,SPRAYER"), "cargo::error="), wrong);
+}

@@ -16,6 +16,9 @@ pub(super) struct Input {
     /// A file that says what the XML cannot, like the meaning of packed bits; may be given several times.
     #[arg(long, value_name = "FILE")]
     pub(super) overlay: Vec<PathBuf>,
+    /// Only these messages and what they need: names separated by commas; in a pattern, a star stands for any characters.
+    #[arg(long, value_name = "NAME,PREFIX_*", value_delimiter = ',')]
+    messages: Option<Vec<String>>,
 }
 
 /// The definitions, and a folder for what becomes of them.
@@ -32,7 +35,8 @@ impl Input {
     pub(super) fn builder(&self) -> Builder {
         let builder = Builder::new(&self.xml);
         let builder = self.include_dir.iter().fold(builder, |builder, folder| builder.include_dir(folder));
-        self.overlay.iter().fold(builder, |builder, file| builder.overlay(file))
+        let builder = self.overlay.iter().fold(builder, |builder, file| builder.overlay(file));
+        self.messages.iter().fold(builder, |builder, names| builder.messages(names))
     }
 }
 

@@ -1,0 +1,79 @@
+//! The *select* pass: a dialect with fewer messages, and only what those need.
+//!
+//! It works on the resolved model. So what is kept is what it is in the whole dialect: the same types, the same bytes.
+
+mod needs;
+mod pattern;
+
+#[cfg(test)]
+mod tests;
+
+use crate::diag::nearest;
+use crate::ir::Dialect;
+
+use pattern::Pattern;
+
+/// Which messages to keep: names, and patterns in which `*` stands for any characters.
+#[derive(Clone, Debug)]
+pub(crate) struct Selection {
+    patterns: Vec<Pattern>,
+}
+
+impl Selection {
+    /// Understands names like `HEARTBEAT` and patterns like `PARAM_*`, in any order, each once or more often.
+    ///
+    /// # Errors
+    /// With a sentence, if there is none or one of them is empty.
+    pub(crate) fn new<'n>(names: impl IntoIterator<Item = &'n str>) -> Result<Self, String> {
+        let mut patterns: Vec<Pattern> = names.into_iter().map(|name| Pattern::new(name.trim())).collect();
+        if patterns.is_empty() || patterns.iter().any(Pattern::is_empty) {
+            return Err(
+                "the list of messages is empty, or has an empty name: give names like HEARTBEAT, or PARAM_*".into()
+            );
+        }
+        patterns.sort();
+        patterns.dedup();
+        Ok(Self { patterns })
+    }
+
+    /// Whether each name means a message of at least one of these dialects.
+    ///
+    /// # Errors
+    /// With a sentence that lists those that do not.
+    pub(crate) fn check(&self, dialects: &[&Dialect]) -> Result<(), String> {
+        let messages = || dialects.iter().flat_map(|dialect| &dialect.messages);
+        let names = || messages().map(|message| message.name.xml.as_str());
+        let unmatched = self.patterns.iter().filter(|pattern| !names().any(|name| pattern.matches(name)));
+        let unmatched: Vec<String> = unmatched
+            .map(|pattern| match nearest(pattern.text(), names()) {
+                Some(name) => format!("`{}` (did you mean `{name}`?)", pattern.text()),
+                None => format!("`{}`", pattern.text()),
+            })
+            .collect();
+        if unmatched.is_empty() {
+            return Ok(());
+        }
+        let files: Vec<&str> = dialects.iter().filter_map(|dialect| dialect.files.first()).map(|f| &*f.name).collect();
+        Err(format!("no message of {} is called {}", files.join(", "), unmatched.join(", ")))
+    }
+
+    /// The dialect with the selected messages, their views and bindings, and the enums that those need.
+    ///
+    /// Files stay, also those that nothing is kept of: they were read.
+    pub(crate) fn apply(&self, mut dialect: Dialect) -> Dialect {
+        dialect.messages.retain(|message| self.patterns.iter().any(|pattern| pattern.matches(&message.name.xml)));
+        needs::keep_needed(&mut dialect);
+        dialect
+    }
+}
+
+/// The list as one would write it: by name, separated by commas.
+impl std::fmt::Display for Selection {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        for (index, pattern) in self.patterns.iter().enumerate() {
+            let comma = if index == 0 { "" } else { "," };
+            write!(f, "{comma}{}", pattern.text())?;
+        }
+        Ok(())
+    }
+}
