@@ -109,7 +109,7 @@ impl<const N: usize> Wire for Chars<N> {
 }
 
 /// Like a `str`, or like a byte string literal if it is not UTF-8.
-fn debug(bytes: &[u8], f: &mut fmt::Formatter<'_>) -> fmt::Result {
+pub(crate) fn debug(bytes: &[u8], f: &mut fmt::Formatter<'_>) -> fmt::Result {
     match core::str::from_utf8(bytes) {
         Ok(text) => fmt::Debug::fmt(text, f),
         Err(_) => write!(f, "b\"{}\"", bytes.escape_ascii()),

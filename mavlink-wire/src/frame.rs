@@ -1,7 +1,8 @@
 //! Frames: a header, a payload, a checksum, perhaps a signature.
 
 use crate::header::{Header, STX_V2};
-use crate::{Dialect, FrameError, MAX_FRAME, Message, Table, Version, crc, get, zero_extended};
+use crate::reflect::Reflected;
+use crate::{Dialect, FieldInfo, FrameError, MAX_FRAME, Message, MessageInfo, Table, Version, crc, get, zero_extended};
 
 /// A frame whose checksum was verified; a view of the received bytes.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -175,6 +176,23 @@ impl<'a> Frame<'a> {
     #[inline]
     pub fn decode_into<D: Dialect>(&self, message: &mut D) -> bool {
         self.belongs_to::<D>() && message.decode_into(self.facts.id, self.payload)
+    }
+
+    /// The message without its type: names, values, units. `None` where [`message`](Self::message) gives `None`.
+    #[must_use]
+    pub fn reflect<D: Dialect>(&self) -> Option<Reflected<'a>> {
+        self.reflect_as(D::TABLE.get(self.facts.id)?, D::fields(self.facts.id)?)
+    }
+
+    /// The message as these tables describe it, if the frame carries that message and the sender has the same definition
+    /// of it. They need not be a dialect's: a program can make them at run time.
+    #[must_use]
+    pub fn reflect_as(&self, info: &'a MessageInfo, fields: &'a [FieldInfo]) -> Option<Reflected<'a>> {
+        if self.facts.id == info.id && self.facts.crc_extra == info.crc_extra {
+            Some(Reflected::new(info, fields, self.payload))
+        } else {
+            None
+        }
     }
 
     /// The frame may have been checked against another table than the dialect's.

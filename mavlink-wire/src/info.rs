@@ -1,5 +1,9 @@
 //! Metadata of messages, enums and commands: what the XML says beyond the bytes.
 
+use core::fmt;
+
+use crate::{enums, flags};
+
 /// What a frame needs to know about a message; one per message, shared by every table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MessageInfo {
@@ -42,6 +46,12 @@ impl EnumInfo {
         self.entries.iter().find(|(_, known)| *known == name).map(|&(value, _)| value)
     }
 
+    /// The value as text: the name of its entry in the XML, or the number if there is none; for a bitmask `A | B | 0x40`,
+    /// and `0` for no bits.
+    pub fn display(&self, value: u64) -> impl fmt::Display + use<'_> {
+        Shown { info: self, value }
+    }
+
     /// All bits that some entry has.
     pub const fn all_bits(&self) -> u64 {
         let (mut bits, mut rest) = (0, self.entries);
@@ -50,6 +60,21 @@ impl EnumInfo {
             rest = tail;
         }
         bits
+    }
+}
+
+struct Shown<'a> {
+    info: &'a EnumInfo,
+    value: u64,
+}
+
+impl fmt::Display for Shown<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.info.bitmask {
+            flags::fmt_flags(self.info, self.value, f)
+        } else {
+            enums::fmt_entry(self.info, self.value, &self.value, f)
+        }
     }
 }
 

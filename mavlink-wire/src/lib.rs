@@ -49,6 +49,7 @@
 //!   [`Frame::decode_into`] does the same without moving the message, for those who count nanoseconds.
 //! - Decoding is total. A payload may be shorter than its message (MAVLink 2 drops trailing zeros) or longer (a newer
 //!   sender); enum values and flags that the definition does not name survive.
+//! - [`Frame::reflect`] needs no message type: it gives names, values and units, for routers and loggers ([`reflect`]).
 //!
 //! # Sending
 //!
@@ -79,6 +80,7 @@ mod header;
 mod info;
 mod message;
 mod parser;
+pub mod reflect;
 mod scale;
 mod sender;
 mod table;

@@ -7,6 +7,7 @@ mod flags_interface;
 mod hygiene;
 mod known_frames;
 mod metadata;
+mod reflection;
 mod small;
 mod streams;
 mod text;

@@ -1,0 +1,115 @@
+//! Messages without their types: names, values and units of whatever arrives.
+//!
+//! A router or a logger need not know a message to show it. The tables that come with every dialect say what lies where in
+//! a payload, in which unit, which enum lists its values and which value means "not known"; so do tables that a program
+//! makes at run time.
+//!
+//! ```
+//! use mavlink_wire::reflect::Value;
+//! use mavlink_wire::{Dialect, EnumInfo, FieldInfo, Frame, Invalid, Kind, MessageInfo, Parser, Sentinel, Table};
+//!
+//! /// A line for every frame, in any dialect.
+//! fn line<D: Dialect>(frame: &Frame<'_>) -> String {
+//!     let sender = format!("{}/{} #{}", frame.system(), frame.component(), frame.sequence());
+//!     match frame.reflect::<D>() {
+//!         Some(message) => format!("{sender} {message}"),
+//!         None => format!("{sender} message {} {:02x?}", frame.id(), frame.payload()),
+//!     }
+//! }
+//!
+//! // The same without a dialect: tables that were made by hand, or from XML.
+//! static TANK: EnumInfo = EnumInfo { name: "TANK", bitmask: false, entries: &[(4, "TANK_FRONT")] };
+//! let info = MessageInfo {
+//!     id: 0, name: "SPRAYER", crc_extra: 50, len_v1: 9, len_v2: 9, target_system: None, target_component: None,
+//! };
+//! let fields = [
+//!     FieldInfo::new("tank", Kind::U8, 7).values(&TANK),
+//!     FieldInfo::new("pressure", Kind::U32, 0).units("hPa").invalid(Invalid::Each(Sentinel::Unsigned(0))),
+//!     FieldInfo::array("levels", Kind::U8, 2, 4).units("cm"),
+//! ];
+//! let infos = [&info];
+//! let table = Table::of(&infos);
+//!
+//! let mut parser = Parser::new(&table);
+//! let mut chunk: &[u8] = &[0xfe, 9, 0, 1, 1, 0, 0, 0, 0, 0, 6, 8, 0, 4, 3, 0x90, 0x43];
+//! let frame = parser.next(&mut chunk).unwrap();
+//! let message = frame.reflect_as(&info, &fields).unwrap();
+//! assert_eq!(message.to_string(), "SPRAYER { tank: TANK_FRONT, pressure: unknown, levels: [6, 8] cm }");
+//! let levels = message.field("levels").unwrap();
+//! assert!(matches!(levels.value(), Value::Array(elements) if elements.len() == 2));
+//! ```
+//!
+//! # The text
+//!
+//! `Display` of a [`Reflected`] message is one line, made to be searched: the names of the XML, in its order.
+//!
+//! | | |
+//! |---|---|
+//! | a number | `alt: 1500 mm` |
+//! | an enum | `fix_type: GPS_FIX_TYPE_3D_FIX`; a number where no entry has the value |
+//! | flags | `base_mode: MAV_MODE_FLAG_AUTO_ENABLED \| MAV_MODE_FLAG_SAFETY_ARMED \| 0x2` |
+//! | an array | `voltages: [4100, 4080, unknown] mV` |
+//! | text | `text: "ready"`; `b"\xff"` where it is not UTF-8 |
+//! | the value that means so | `eph: unknown` |
+//! | a float | always with a point or an exponent: `yaw: 1.0 rad`; `NaN`, `inf` |
+//!
+//! `{:#}` puts each field on a line of its own.
+
+mod field;
+mod number;
+
+use core::fmt;
+
+use crate::{FieldInfo, MessageInfo};
+
+pub use field::{Element, Elements, Field, Value};
+pub use number::Number;
+
+/// A message: what its tables say of a payload.
+///
+/// The payload can have any length: what is missing at its end reads as zero, what is too much is ignored, as in
+/// [`Message::decode`](crate::Message::decode).
+#[derive(Clone, Copy, Debug)]
+pub struct Reflected<'a> {
+    info: &'a MessageInfo,
+    fields: &'a [FieldInfo],
+    payload: &'a [u8],
+}
+
+impl<'a> Reflected<'a> {
+    /// A payload, read by these tables. That they belong together is not checked:
+    /// [`Frame::reflect_as`](crate::Frame::reflect_as) does.
+    #[must_use]
+    pub const fn new(info: &'a MessageInfo, fields: &'a [FieldInfo], payload: &'a [u8]) -> Self {
+        Self { info, fields, payload }
+    }
+
+    /// Id, name, lengths and checksum byte.
+    #[must_use]
+    pub const fn info(&self) -> &'a MessageInfo {
+        self.info
+    }
+
+    /// The fields in the order of the XML.
+    pub fn fields(&self) -> impl ExactSizeIterator<Item = Field<'a>> + Clone + use<'a> {
+        let payload = self.payload;
+        self.fields.iter().map(move |info| Field::new(info, payload))
+    }
+
+    /// The field with this name in the XML.
+    #[must_use]
+    pub fn field(&self, name: &str) -> Option<Field<'a>> {
+        self.fields().find(|field| field.info().name == name)
+    }
+}
+
+/// One line: see [the text](self#the-text).
+impl fmt::Display for Reflected<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut shown = f.debug_struct(self.info.name);
+        for field in self.fields() {
+            shown.field(field.info().name, &format_args!("{field}"));
+        }
+        shown.finish()
+    }
+}
