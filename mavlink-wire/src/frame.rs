@@ -17,7 +17,7 @@ pub struct Frame<'a> {
 pub(crate) struct Facts {
     id: u32,
     crc_extra: u8,
-    verified: bool,
+    pub(crate) verified: bool,
 }
 
 impl Facts {

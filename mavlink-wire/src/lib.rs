@@ -83,6 +83,7 @@ mod parser;
 pub mod reflect;
 mod scale;
 mod sender;
+mod statistics;
 mod table;
 mod wire;
 
@@ -96,6 +97,7 @@ pub use message::{Dialect, Encode, Message, Targeted};
 pub use parser::Parser;
 pub use scale::raw_of;
 pub use sender::Sender;
+pub use statistics::Statistics;
 pub use table::{Table, index};
 pub use wire::{Wire, get, put, zero_extended};
 

@@ -1,18 +1,21 @@
 //! Finds the frames in a stream of bytes that may be cut anywhere and damaged anywhere.
 
-use memchr::memchr2;
+mod belief;
+mod held;
+mod search;
+
+use held::Held;
+use search::{Search, Sight};
 
 use crate::frame::Facts;
-use crate::header::{Header, STX_V1, STX_V2};
-use crate::{Frame, FrameError, MAX_FRAME, Table, zero_extended};
+use crate::header::Header;
+use crate::{Frame, Statistics, Table};
 
 /// Finds frames in a stream of bytes, wherever it is cut into chunks.
 ///
 /// What is found depends on the bytes alone, not on the cuts. After a wrong checksum or a false start the search goes on
-/// with the next byte, so that a damaged frame costs only itself. Frames that lie within one chunk are not copied.
-///
-/// A frame of an unknown message is handed over, unverified, wherever some `crc_extra` explains its checksum. Of the places
-/// in damaged bytes that look like the start of one, one in 256 passes, and takes known frames that lie in it along.
+/// with the next byte, so that a damaged frame costs only itself. Frames that lie within one chunk are not copied. A parser
+/// takes some 650 bytes of memory.
 ///
 /// ```
 /// use mavlink_wire::{Parser, Table};
@@ -23,85 +26,137 @@ use crate::{Frame, FrameError, MAX_FRAME, Table, zero_extended};
 ///     assert_eq!((frame.id(), frame.crc_extra(), frame.payload().len()), (0, 50, 9));
 /// }
 /// assert!(chunk.is_empty());
+/// assert_eq!(parser.statistics().unverified, 1);
 /// ```
+///
+/// # Unknown messages
+///
+/// A frame of a message that the table does not have is handed over, unverified, if some `crc_extra` explains its checksum.
+/// Of the places in damaged bytes that look like the start of one, one in 256 passes that. Such a false frame must not take
+/// the frames along that lie in it, and a true one may carry a whole frame in its payload (a tunnel, a file transfer), which
+/// must not be taken for a frame of this stream. So:
+///
+/// - behind a frame, or at the beginning of the stream, and directly before the start of another, or at the end, it is
+///   handed over whatever it carries;
+/// - elsewhere, as behind damage, only if no verified frame starts inside of it. Else that one is handed over.
+///
+/// If bytes in it look like the start of a known frame, it is handed over as soon as the bytes behind it have decided that,
+/// or [`finish`](Self::finish) is called; all others at once.
 #[derive(Clone, Debug)]
 pub struct Parser<'t> {
-    table: &'t Table<'t>,
-    /// Bytes of earlier chunks: first those of the frame that was handed out last, then the beginning of another.
-    held: [u8; MAX_FRAME],
-    length: usize,
-    handed_out: usize,
+    search: Search<'t>,
+    held: Held,
+    /// With fewer held bytes there is nothing new to find out.
+    needed: usize,
+}
+
+/// A frame, and where it lies: at the end of the bytes of the input that were used, or of those that were held.
+pub(crate) struct Found {
+    header: Header,
+    facts: Facts,
+    held: bool,
 }
 
 impl<'t> Parser<'t> {
     /// A parser that verifies the messages of this table, and hands over others unverified.
     #[must_use]
     pub const fn new(table: &'t Table<'t>) -> Self {
-        Self { table, held: [0; MAX_FRAME], length: 0, handed_out: 0 }
+        Self { search: Search::new(table), held: Held::EMPTY, needed: 0 }
     }
 
     /// The next frame; `input` moves behind what was used. `None` when `input` is used up: the beginning of a frame at
     /// its end is kept until the next chunk comes.
     #[inline]
     pub fn next<'s, 'i: 's>(&'s mut self, input: &mut &'i [u8]) -> Option<Frame<'s>> {
-        if self.length > 0 {
-            if let Some((header, facts)) = self.resume(input, false) {
-                return Some(Frame::with_facts(&self.held, header, facts));
-            }
-            if self.length > 0 {
-                return None;
-            }
-        }
-        loop {
-            match Frame::parse(input, self.table) {
-                Ok(frame) => {
-                    skip(input, frame.bytes().len());
-                    return Some(frame);
-                }
-                Err(FrameError::Incomplete { .. }) => {
-                    self.hold(core::mem::take(input));
-                    return None;
-                }
-                Err(error) => skip(input, to_next_start(input, error)),
-            }
-        }
+        let before = *input;
+        let found = self.find(input)?;
+        let used = before.len() - input.len();
+        Some(self.frame(found, before.get(..used).unwrap_or_default()))
     }
 
     /// The frames behind an unfinished one: call it when the stream has ended, or paused for long, until it gives `None`.
     ///
     /// A damaged byte can look like the start of a long frame, which then waits for bytes that do not come. This gives it
-    /// up and searches what was waiting with it.
+    /// up and searches what was waiting with it. What comes afterwards is a new stream.
     pub fn finish(&mut self) -> Option<Frame<'_>> {
-        let (header, facts) = self.resume(&mut &[][..], true)?;
-        Some(Frame::with_facts(&self.held, header, facts))
+        let found = self.find_at_end()?;
+        Some(self.frame(found, &[]))
+    }
+
+    /// What was found since the parser was made.
+    #[must_use]
+    pub fn statistics(&self) -> Statistics {
+        self.search.statistics
+    }
+
+    /// [`next`](Self::next) without the borrow, for those who own the input as well.
+    #[inline]
+    pub(crate) fn find(&mut self, input: &mut &[u8]) -> Option<Found> {
+        if !self.held.is_empty() {
+            if let Some(found) = self.resume(input, false) {
+                return Some(found);
+            }
+            if !self.held.is_empty() {
+                return None;
+            }
+        }
+        loop {
+            match self.search.look(input, false) {
+                Sight::Frame(header, facts) => {
+                    skip(input, header.frame_length());
+                    return Some(Found { header, facts, held: false });
+                }
+                Sight::Unfinished { needed } => {
+                    self.held.reset();
+                    self.wait(needed, input);
+                    return None;
+                }
+                Sight::Nothing { passed } => skip(input, passed),
+            }
+        }
+    }
+
+    /// [`finish`](Self::finish) without the borrow.
+    pub(crate) fn find_at_end(&mut self) -> Option<Found> {
+        let found = self.resume(&mut &[][..], true);
+        if found.is_none() {
+            self.search.restart();
+        }
+        found
+    }
+
+    /// The frame that was found last; `used` are the bytes that the input lost to it.
+    #[inline]
+    pub(crate) fn frame<'s>(&'s self, found: Found, used: &'s [u8]) -> Frame<'s> {
+        let bytes = if found.held { self.held.released() } else { used };
+        let start = bytes.len().saturating_sub(found.header.frame_length());
+        Frame::with_facts(bytes.get(start..).unwrap_or_default(), found.header, found.facts)
     }
 
     /// Searches the held bytes for a frame, which may end in `input`. Of `input`, only what belongs to that frame is
     /// used, so that the search returns to it, and to whole chunks, as soon as no earlier byte is left.
-    fn resume(&mut self, input: &mut &[u8], at_end: bool) -> Option<(Header, Facts)> {
-        let handed_out = core::mem::take(&mut self.handed_out);
-        self.release(handed_out);
+    fn resume(&mut self, input: &mut &[u8], at_end: bool) -> Option<Found> {
+        if !at_end && self.held.length() + input.len() < self.needed {
+            self.wait(self.needed, input);
+            return None;
+        }
         let mut borrowed = 0;
-        while self.length > 0 {
-            let bytes = self.held.get(..self.length + borrowed).unwrap_or_default();
-            match Facts::of(bytes, self.table) {
-                Ok((header, facts)) => {
-                    self.handed_out = header.frame_length();
-                    skip(input, self.handed_out.saturating_sub(self.length));
-                    self.length = self.length.max(self.handed_out);
-                    return Some((header, facts));
+        while !self.held.is_empty() {
+            match self.search.look(self.held.with_borrowed(borrowed), at_end) {
+                Sight::Frame(header, facts) => {
+                    self.held.release(header.frame_length(), input);
+                    self.needed = 0;
+                    return Some(Found { header, facts, held: true });
                 }
-                Err(FrameError::Incomplete { needed }) if !at_end => {
-                    borrowed = self.borrow(needed, input);
-                    if self.length + borrowed < needed {
-                        self.length += borrowed;
-                        skip(input, borrowed);
+                Sight::Unfinished { needed } => {
+                    borrowed = self.held.borrow(needed, input);
+                    if self.held.length() + borrowed < needed {
+                        self.wait(needed, input);
                         return None;
                     }
                 }
-                Err(error) => {
-                    let held = self.held.get(..self.length).unwrap_or_default();
-                    self.release(to_next_start(held, error));
+                Sight::Nothing { passed } => {
+                    self.held.release(passed, input);
                     borrowed = 0;
                 }
             }
@@ -109,35 +164,10 @@ impl<'t> Parser<'t> {
         None
     }
 
-    /// Puts bytes of `input` behind the held ones, as many as a frame of `needed` bytes lacks; gives their number.
-    fn borrow(&mut self, needed: usize, input: &[u8]) -> usize {
-        let free = self.held.get_mut(self.length..needed).unwrap_or_default();
-        free.iter_mut().zip(input).map(|(to, from)| *to = *from).count()
-    }
-
-    /// Keeps the beginning of a frame.
-    fn hold(&mut self, bytes: &[u8]) {
-        self.held = zero_extended(bytes);
-        self.length = bytes.len();
-    }
-
-    /// Drops the first held bytes.
-    fn release(&mut self, count: usize) {
-        if count > 0 {
-            let kept = zero_extended(self.held.get(count..self.length).unwrap_or_default());
-            self.held = kept;
-            self.length = self.length.saturating_sub(count);
-        }
-    }
-}
-
-/// How far it is from the start of something that is no frame to the next byte that may start one.
-#[inline]
-fn to_next_start(bytes: &[u8], error: FrameError) -> usize {
-    match error {
-        // The common case while searching: nothing was found out about the first byte but that it starts nothing.
-        FrameError::NotStx { .. } => memchr2(STX_V1, STX_V2, bytes).unwrap_or(bytes.len()),
-        _ => 1,
+    /// Keeps all of `input`, which is not enough.
+    fn wait(&mut self, needed: usize, input: &mut &[u8]) {
+        self.held.keep(needed, input);
+        self.needed = needed;
     }
 }
 

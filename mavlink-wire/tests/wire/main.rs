@@ -9,6 +9,8 @@ mod known_frames;
 mod metadata;
 mod reflection;
 mod small;
+mod statistics;
 mod streams;
 mod text;
+mod unknown;
 mod values;

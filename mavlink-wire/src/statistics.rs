@@ -1,0 +1,23 @@
+//! What a parser counts.
+
+/// What a [`Parser`](crate::Parser) found so far, and what it could make nothing of.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub struct Statistics {
+    /// Frames handed over, the unverified ones among them.
+    pub frames: u64,
+    /// Frames of messages that the table does not have.
+    pub unverified: u64,
+    /// Frames whose checksum was wrong: damaged, or of a message that the sender defines otherwise.
+    ///
+    /// A start of a frame inside of one that was counted is not counted again. Garbage counts, too, where it looks like
+    /// the start of a frame.
+    pub bad_checksums: u64,
+    /// Bytes that belong to no frame that was handed over: garbage, damaged frames, the times of a log.
+    pub skipped_bytes: u64,
+}
+
+impl Statistics {
+    /// Nothing so far.
+    pub(crate) const NONE: Self = Self { frames: 0, unverified: 0, bad_checksums: 0, skipped_bytes: 0 };
+}
