@@ -14,7 +14,9 @@ pub use json::json;
 pub use nearest::nearest;
 pub use render::{Style, one_line, render};
 
-use crate::source::Span;
+use std::collections::BTreeSet;
+
+use crate::source::{FileId, Span};
 
 /// One problem.
 #[derive(Clone, Debug)]
@@ -81,34 +83,84 @@ impl Diagnostic {
     }
 }
 
-/// The problems found so far.
+/// How many problems of one severity are kept: more than anybody reads, few enough for a file that is nothing but mistakes.
+const MOST: usize = 200;
+
+/// The problems found so far: the first 200 of each severity, and how many more there were.
 #[derive(Clone, Debug, Default)]
 pub struct Diagnostics {
     list: Vec<Diagnostic>,
+    errors: Count,
+    warnings: Count,
+    notes: Count,
+    broken: BTreeSet<Option<FileId>>,
+}
+
+/// How many problems of a severity there are.
+#[derive(Clone, Copy, Debug, Default)]
+struct Count {
+    listed: usize,
+    more: usize,
 }
 
 impl Diagnostics {
     /// Adds one.
     pub fn push(&mut self, diagnostic: Diagnostic) {
-        self.list.push(diagnostic);
+        let count = match diagnostic.severity() {
+            Severity::Error => &mut self.errors,
+            Severity::Warning => &mut self.warnings,
+            Severity::Note => &mut self.notes,
+        };
+        if diagnostic.severity() == Severity::Error {
+            self.broken.insert(diagnostic.span.map(|span| span.file));
+        }
+        if count.listed < MOST {
+            count.listed += 1;
+            self.list.push(diagnostic);
+        } else {
+            count.more += 1;
+        }
     }
 
     /// Adds several, or the one that there may be.
     pub fn extend(&mut self, diagnostics: impl IntoIterator<Item = Diagnostic>) {
-        self.list.extend(diagnostics);
+        diagnostics.into_iter().for_each(|diagnostic| self.push(diagnostic));
+    }
+
+    /// Puts them in the order in which a person mends them, file by file as they were loaded and from top to bottom, and says
+    /// at the end how many are not listed. Those without a place come first.
+    pub(crate) fn arrange(&mut self) {
+        self.list.sort_by_key(|diagnostic| diagnostic.span.map(|span| (span.file, span.start)));
+        let counts = [(self.errors.more, "error"), (self.warnings.more, "warning"), (self.notes.more, "note")];
+        let more = counts.iter().filter(|(count, _)| *count > 0).map(|(count, what)| match count {
+            1 => format!("1 more {what}"),
+            _ => format!("{count} more {what}s"),
+        });
+        let more: Vec<String> = more.collect();
+        if !more.is_empty() {
+            let message = format!("not listed: {}", more.join(", "));
+            let help = "mend some of these first";
+            self.list.push(Diagnostic::without_place(Code::NotListed, message).help(help));
+        }
+        (self.errors.more, self.warnings.more, self.notes.more) = (0, 0, 0);
+    }
+
+    /// The files that have an error; `None` stands for those that could not be read.
+    pub(crate) fn broken_files(&self) -> impl Iterator<Item = Option<FileId>> {
+        self.broken.iter().copied()
     }
 
     /// Whether one of them is an error.
     pub fn has_errors(&self) -> bool {
-        self.list.iter().any(|diagnostic| diagnostic.severity() == Severity::Error)
+        !self.broken.is_empty()
     }
 
-    /// All of them, in the order in which they were found.
+    /// All that are listed: by file and place once the dialect is resolved, before that in the order in which they were found.
     pub fn iter(&self) -> std::slice::Iter<'_, Diagnostic> {
         self.list.iter()
     }
 
-    /// How many there are.
+    /// How many are listed.
     pub fn len(&self) -> usize {
         self.list.len()
     }
@@ -116,5 +168,42 @@ impl Diagnostics {
     /// Whether there is none.
     pub fn is_empty(&self) -> bool {
         self.list.is_empty()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::source::Sources;
+
+    #[test]
+    fn arranged_by_file_and_place() {
+        let mut sources = Sources::default();
+        let (a, b) = (sources.add("a.xml", ""), sources.add("b.xml", ""));
+        let mut diagnostics = Diagnostics::default();
+        for (file, at) in [(b, 3), (a, 7), (b, 1), (a, 7), (a, 2)] {
+            let message = diagnostics.len().to_string();
+            diagnostics.push(Diagnostic::new(Code::BadName, Span::new(file, at..at), message));
+        }
+        diagnostics.push(Diagnostic::without_place(Code::Unreadable, "5"));
+        diagnostics.arrange();
+        let order: String = diagnostics.iter().map(|diagnostic| diagnostic.message.as_str()).collect();
+        assert_eq!(order, "541320");
+    }
+
+    #[test]
+    fn what_is_not_listed_is_counted() {
+        let mut diagnostics = Diagnostics::default();
+        let add = |diagnostics: &mut Diagnostics, code| diagnostics.push(Diagnostic::without_place(code, ""));
+        (0..=MOST + 1).for_each(|_| add(&mut diagnostics, Code::Units));
+        assert!(!diagnostics.has_errors());
+        (0..=MOST).for_each(|_| add(&mut diagnostics, Code::BadName));
+        assert!(diagnostics.has_errors());
+        diagnostics.arrange();
+        assert_eq!(diagnostics.len(), 2 * MOST + 1);
+        let last = diagnostics.iter().last().unwrap();
+        assert_eq!(last.message, "not listed: 1 more error, 2 more warnings");
+        diagnostics.arrange();
+        assert_eq!(diagnostics.len(), 2 * MOST + 1);
     }
 }

@@ -6,6 +6,7 @@
 mod bytes;
 mod characters;
 mod elements;
+mod encoding;
 mod enums;
 mod fault;
 mod include;

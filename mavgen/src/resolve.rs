@@ -24,7 +24,10 @@ mod number;
 mod origin;
 mod overlay;
 mod owner;
+mod reserved;
 mod suggest;
+mod truth;
+mod units;
 mod uses;
 mod version;
 mod view;
@@ -53,6 +56,7 @@ pub fn resolve(loaded: &Loaded, sources: &Sources, diagnostics: &mut Diagnostics
     overlay::refine(loaded, &mut enums, diagnostics);
     let versions: Vec<Version> = loaded.files.iter().map(|file| Version::of(file, diagnostics)).collect();
     duplicates::check(loaded, diagnostics);
+    reserved::check(loaded, diagnostics);
     let mut drafts = message::drafts(loaded, &versions, &losses, diagnostics);
     uses::check(loaded, &enums, diagnostics);
     let uses = uses::collect(&drafts, &enums, diagnostics);
@@ -84,6 +88,7 @@ pub fn resolve(loaded: &Loaded, sources: &Sources, diagnostics: &mut Diagnostics
         messages,
     };
     overlay::note(loaded, &mut dialect, &losses, diagnostics);
+    diagnostics.arrange();
     if diagnostics.has_errors() { None } else { Some(dialect) }
 }
 

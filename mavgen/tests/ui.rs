@@ -1,6 +1,8 @@
 //! Every diagnostic as a user sees it: each `ui/*.xml`, and each folder with a `main.xml`, has its rendering beside it. The
 //! `*.overlay.xml` of a folder are overlays of its `main.xml`.
 //!
+//! Some are recorded in colour as well, as `*.coloured`, and as JSON, as `*.json`.
+//!
 //! `MAVGEN_BLESS=1 cargo test -p mavgen --test ui` writes the renderings anew; review them like code.
 
 #![expect(clippy::unwrap_used, clippy::indexing_slicing, reason = "a test may panic")]
@@ -18,12 +20,18 @@ use mavgen::source::Sources;
 /// Relative to the crate, which is where cargo runs tests: no rendering names a folder of the machine.
 const FOLDER: &str = "tests/ui";
 
-/// What a user sees of a dialect: every diagnostic, drawn, and in one line.
-fn rendering(top: &Path) -> String {
+/// The problems of a dialect.
+fn problems(top: &Path) -> (Diagnostics, Sources) {
     let (mut sources, mut diagnostics) = (Sources::default(), Diagnostics::default());
     let loaded = load(top, &[], &overlays(top), &mut sources, &mut diagnostics);
     let dialect = resolve(&loaded, &sources, &mut diagnostics);
     assert_eq!(dialect.is_none(), diagnostics.has_errors(), "{}", top.display());
+    (diagnostics, sources)
+}
+
+/// What a user sees of a dialect: every diagnostic, drawn, and in one line.
+fn rendering(top: &Path) -> String {
+    let (diagnostics, sources) = problems(top);
     let mut text = String::new();
     for diagnostic in diagnostics.iter() {
         writeln!(text, "{}\n", render(diagnostic, &sources, Style::Plain)).unwrap();
@@ -78,27 +86,76 @@ fn difference(expected: &str, actual: &str) -> String {
     text
 }
 
+/// Compares with what is recorded, or records it; what differs is added to `wrong`.
+fn compare(golden: &Path, actual: &str, wrong: &mut String) {
+    if std::env::var_os("MAVGEN_BLESS").is_some() {
+        fs::write(golden, actual).unwrap();
+        return;
+    }
+    match fs::read_to_string(golden) {
+        Ok(expected) if expected == actual => {}
+        Ok(expected) => writeln!(wrong, "{}:\n{}", golden.display(), difference(&expected, actual)).unwrap(),
+        Err(_) => writeln!(wrong, "{} is missing", golden.display()).unwrap(),
+    }
+}
+
 #[test]
 fn renderings_are_as_recorded() {
-    let bless = std::env::var_os("MAVGEN_BLESS").is_some();
     let mut wrong = String::new();
     let cases = cases();
-    assert!(cases.len() > 40, "only {} cases were found", cases.len());
+    assert!(cases.len() > 150, "only {} cases were found", cases.len());
     for (input, golden) in &cases {
-        let actual = rendering(input);
-        if bless {
-            fs::write(golden, actual).unwrap();
-            continue;
-        }
-        match fs::read_to_string(golden) {
-            Ok(expected) if expected == actual => {}
-            Ok(expected) => {
-                writeln!(wrong, "{}:\n{}", golden.display(), difference(&expected, &actual)).unwrap();
-            }
-            Err(_) => writeln!(wrong, "{} is missing", golden.display()).unwrap(),
-        }
+        compare(golden, &rendering(input), &mut wrong);
     }
     assert!(wrong.is_empty(), "\n{wrong}MAVGEN_BLESS=1 records what is printed now");
+}
+
+/// One with labels in two files, one with warnings and a note.
+#[test]
+fn colours_are_as_recorded() {
+    let mut wrong = String::new();
+    for name in [
+        "include_cycle/main",
+        "message_duplicate_of_included/main",
+        "command_param_default",
+        "enum_automatic_value/main",
+    ] {
+        let input = Path::new(FOLDER).join(name).with_extension("xml");
+        let (diagnostics, sources) = problems(&input);
+        let text: String =
+            diagnostics.iter().map(|problem| render(problem, &sources, Style::Coloured) + "\n\n").collect();
+        assert!(text.contains('\u{1b}'), "{name}");
+        compare(&recorded(&input, "coloured"), &text, &mut wrong);
+    }
+    assert!(wrong.is_empty(), "\n{wrong}MAVGEN_BLESS=1 records what is printed now");
+}
+
+#[cfg(feature = "cli")]
+#[test]
+fn json_is_as_recorded() {
+    let mut wrong = String::new();
+    for name in ["include_cycle/main", "include_missing", "twenty_mistakes", "overlay_base/main"] {
+        let input = Path::new(FOLDER).join(name).with_extension("xml");
+        let (diagnostics, sources) = problems(&input);
+        let text: String = diagnostics.iter().map(|problem| mavgen::diag::json(problem, &sources) + "\n").collect();
+        compare(&recorded(&input, "json"), &text, &mut wrong);
+    }
+    assert!(wrong.is_empty(), "\n{wrong}MAVGEN_BLESS=1 records what is printed now");
+}
+
+/// Where more is recorded of an input.
+fn recorded(input: &Path, extension: &str) -> PathBuf {
+    let case = if input.ends_with("main.xml") { input.parent().unwrap() } else { input };
+    case.with_extension(extension)
+}
+
+/// Mistakes of twenty kinds in one file: each is told, none twice, and from top to bottom.
+#[test]
+fn twenty_mistakes_are_twenty_problems() {
+    let (diagnostics, _) = problems(&Path::new(FOLDER).join("twenty_mistakes.xml"));
+    let places: Vec<u32> = diagnostics.iter().map(|problem| problem.span.unwrap().start).collect();
+    assert_eq!(places.len(), 20);
+    assert!(places.is_sorted_by(|a, b| a < b), "{places:?}");
 }
 
 #[test]

@@ -60,6 +60,8 @@ catalogue! {
     5 UnknownEntity Error "An entity reference is not one of XML's own five.";
     6 DocumentType Error "A document type declaration is refused: nothing is expanded or fetched.";
     7 TooLarge Error "A file is larger or deeper than any dialect.";
+    8 DeclaredEncoding Warning "The XML declaration names an encoding that the file is not in.";
+    9 NotListed Note "There are more problems than are listed.";
 
     100 WrongRoot Error "The root element is not the one of such a file.";
     101 UnknownElement Warning "An element is not part of the grammar.";
@@ -70,10 +72,12 @@ catalogue! {
     106 BadNumber Error "A number is not written as one, or is out of range.";
     107 BadBoolean Error "A truth value is not `true`, `false`, `1` or `0`.";
     108 StrayText Warning "Text stands where the grammar has none.";
+    109 TruthSpelling Warning "A truth value is spelled so that pymavlink takes it otherwise.";
 
     200 MissingInclude Error "An included file cannot be read.";
     201 IncludeCycle Error "Files include each other in a circle.";
     202 IncludeDepth Error "Includes are nested more deeply than pymavlink follows.";
+    203 SameFile Warning "A file is included by two different paths.";
 
     300 DuplicateMessageId Error "Two messages have one id.";
     301 DuplicateMessageName Error "Two messages have one name.";
@@ -96,6 +100,9 @@ catalogue! {
     318 Range Warning "A range is empty: its minimum is above its maximum.";
     319 Display Warning "`display` is not understood, or does not suit its field.";
     320 Instance Warning "A message has more than one instance field.";
+    321 Units Warning "A unit is not one of MAVLink's.";
+    322 TypeSpelling Warning "A field type is spelled as it was long ago.";
+    323 LateVersion Warning "`<version>` stands after a message that has the version as a field.";
 
     400 BadValue Error "An enum value is not a number from 0 to 2^64 - 1.";
     401 DuplicateValue Error "Two entries of an enum have one value.";
@@ -107,14 +114,17 @@ catalogue! {
     407 WidenedEnum Warning "An entry of another file does not fit the enum, which becomes wider.";
     408 LikelyBitmask Warning "An enum has only single bits as values, and is not declared a bitmask.";
     409 SameEntryName Warning "Entries of two enums have one name.";
+    410 EnumTwice Warning "An enum is defined twice in one file.";
 
     500 ParamIndex Error "A param index is not a number from 1 to 7, or stands twice.";
     501 ParamEnum Warning "A param names an enum that does not exist.";
+    502 ParamDefault Warning "A param that can be an integer on the wire has the default NaN.";
 
     600 BadName Error "A name is not letters, digits and underscores after a first letter.";
     601 NameCollision Error "Two names become one in Rust.";
-    602 Lifecycle Warning "A lifecycle element lacks its date, or its date is not `YYYY-MM`.";
+    602 Lifecycle Warning "A lifecycle element does not say since when, as `YYYY-MM`, or what replaces it.";
     603 AccessorLost Warning "A field has no getter and setter, because another field's have their names.";
+    604 ReservedName Warning "A name means something in C or Python, so that pymavlink does not take it.";
 
     700 OverlayVersion Error "An overlay is of a version that is not known.";
     701 OverlayBase Error "An overlay belongs to a file that is not part of the dialect.";

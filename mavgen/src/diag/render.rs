@@ -81,7 +81,7 @@ fn snippet<'s>(file: &'s SourceFile, marks: &[Mark<'s>]) -> Snippet<'s, Annotati
     let end = text.get(last..).and_then(|after| after.find('\n')).map_or(text.len(), |at| last + at);
     // A carriage return before the line end is part of it.
     let end = if end > last && text.get(..end).is_some_and(|t| t.ends_with('\r')) { end - 1 } else { end };
-    let number = text.get(..start).unwrap_or_default().matches('\n').count() + 1;
+    let number = file.position(u32::try_from(start).unwrap_or(u32::MAX)).line;
     Snippet::source(text.get(start..end).unwrap_or_default())
         .path(file.path().to_string_lossy())
         .line_start(number)

@@ -1,6 +1,7 @@
 //! Elements by the rules of a grammar: what is not in it is reported and skipped.
 
 use super::characters::illegal;
+use super::encoding;
 use super::range::{first_line, trimmed};
 use super::tag::{self, Tag};
 use super::xml::{Content, Token, Xml};
@@ -59,6 +60,7 @@ impl<'t, 'd> Elements<'t, 'd> {
             let fault = Diagnostic::new(Code::NotWellFormed, self.xml.span(range), message);
             return Err(self.broken(fault));
         }
+        self.diagnostics.extend(encoding::check(self.file, self.xml.text()));
         match self.step()? {
             Step::Child(tag) if tag.name == name => Ok(tag),
             Step::Child(tag) => {

@@ -54,6 +54,7 @@ pub fn load(
         edges: Vec::new(),
         found: Vec::new(),
         seen: HashMap::new(),
+        same: HashMap::new(),
     };
     loader.top(top);
     let mut next = 0;
@@ -99,6 +100,8 @@ struct Loader<'a> {
     found: Vec<Found>,
     /// The files by absolute path; `None` for one that cannot be read, which was said already.
     seen: HashMap<PathBuf, Option<FileIndex>>,
+    /// The files by the path without symbolic links.
+    same: HashMap<PathBuf, FileIndex>,
 }
 
 impl Loader<'_> {
@@ -145,6 +148,7 @@ impl Loader<'_> {
             self.seen.insert(paths::absolute(path), read.is_ok().then_some(index));
         }
         let file = super::read(read?, self.sources, self.diagnostics);
+        self.same.extend(std::fs::canonicalize(path).map(|path| (path, index)));
         self.loaded.files.push(file);
         self.edges.push(Vec::new());
         self.found.push(found);
@@ -180,6 +184,9 @@ impl Loader<'_> {
             if let Some(seen) = self.seen.get(&paths::absolute(place)) {
                 return *seen;
             }
+            if let Some(index) = self.by_other_path(place, include) {
+                return Some(index);
+            }
             if level > MAX_LEVEL && place.is_file() {
                 self.too_deep(from, include);
                 return None;
@@ -195,11 +202,27 @@ impl Loader<'_> {
                 }
             }
         }
-        self.missing(include, places, &tried.join(", "));
+        self.missing(from, include, places, &tried.join(", "));
         None
     }
 
-    fn missing(&mut self, include: &Text, places: &[PathBuf], tried: &str) {
+    /// The file at `place`, if it was read by another path: through a symbolic link, say. It is not read again.
+    fn by_other_path(&mut self, place: &Path, include: &Text) -> Option<FileIndex> {
+        let index = *self.same.get(&std::fs::canonicalize(place).ok()?)?;
+        self.seen.insert(paths::absolute(place), Some(index));
+        self.loaded.watched.push(place.to_owned());
+        let message = format!("`{}` is `{}` by another path", place.display(), self.name(index));
+        let problem = Diagnostic::new(Code::SameFile, include.span, message);
+        let problem = match self.found.get(index.0).and_then(|found| found.by) {
+            Some((_, first)) => problem.related(first, "included here first"),
+            None => problem,
+        };
+        self.diagnostics
+            .push(problem.help("include it by one path: pymavlink reads it twice, and finds all of it twice"));
+        Some(index)
+    }
+
+    fn missing(&mut self, from: FileIndex, include: &Text, places: &[PathBuf], tried: &str) {
         self.loaded.watched.extend_from_slice(places);
         let message = format!("the included file `{}` cannot be read", include.value);
         let help = match paths::similar(places) {
@@ -207,23 +230,26 @@ impl Loader<'_> {
             None => format!("looked for {tried}"),
         };
         let error = Diagnostic::new(Code::MissingInclude, include.span, message);
+        let error = self.with_chain(from, error);
         self.diagnostics.push(error.help(help));
     }
 
     fn too_deep(&mut self, from: FileIndex, include: &Text) {
         let message = format!("`{}` is more than {MAX_LEVEL} includes below the top file", include.value);
-        let mut error = Diagnostic::new(Code::IncludeDepth, include.span, message);
+        let error = self.with_chain(from, Diagnostic::new(Code::IncludeDepth, include.span, message));
+        let help = "pymavlink follows no further: include it from a file nearer to the top";
+        self.diagnostics.push(error.help(help));
+    }
+
+    /// Adds how the file `from` was come to, from the top.
+    fn with_chain(&self, from: FileIndex, problem: Diagnostic) -> Diagnostic {
         let mut chain = Vec::new();
         let mut at = from;
         while let Some((parent, span)) = self.found.get(at.0).and_then(|found| found.by) {
             chain.push((span, format!("includes `{}`", self.name(at))));
             at = parent;
         }
-        for (span, label) in chain.into_iter().rev() {
-            error = error.related(span, label);
-        }
-        let help = "pymavlink follows no further: include it from a file nearer to the top";
-        self.diagnostics.push(error.help(help));
+        chain.into_iter().rev().fold(problem, |problem, (span, label)| problem.related(span, label))
     }
 
     fn name(&self, index: FileIndex) -> String {

@@ -6,13 +6,17 @@ use super::enums::Entry;
 use super::merge::Enums;
 use super::origin::{self, Described};
 use super::suggest::suggest;
-use super::{limits, number};
+use super::truth::{self, Attribute};
+use super::{limits, number, units};
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{Command, EnumId, FileIndex, Param};
 use crate::syntax::{self, Text};
 
 /// Commands carry so many params.
 const PARAMS: u8 = 7;
+
+/// Two of them are integers in some messages.
+const INTEGER_PARAMS: [u8; 2] = [5, 6];
 
 /// What an entry of the enum of that name says as a command.
 ///
@@ -29,7 +33,10 @@ pub(super) fn resolve(
     if !enum_name.contains("MAV_CMD") && !says_something {
         return None;
     }
-    let [has_location, is_destination, mission_only] = flags.map(|flag| number::boolean(flag.as_ref(), diagnostics));
+    let location = Attribute::OnlyWords("hasLocation");
+    let has_location = truth::read(syntax.has_location.as_ref(), location, diagnostics);
+    let is_destination = truth::read(syntax.is_destination.as_ref(), Attribute::Unread, diagnostics);
+    let mission_only = truth::read(syntax.mission_only.as_ref(), Attribute::Unread, diagnostics);
     let mut seen: HashMap<u8, &Text> = HashMap::new();
     let mut params = Vec::with_capacity(syntax.params.len());
     for element in &syntax.params {
@@ -50,6 +57,7 @@ pub(super) fn resolve(
 /// A param without its enum.
 fn param(index: u8, element: &syntax::Param, file: FileIndex, diagnostics: &mut Diagnostics) -> Param {
     let described = Described { file, span: element.span, description: element.description.as_ref(), lifecycle: None };
+    units::check(element.units.as_ref(), diagnostics);
     let ranges = [element.min.as_ref(), element.max.as_ref(), element.increment.as_ref()];
     Param {
         index,
@@ -57,8 +65,8 @@ fn param(index: u8, element: &syntax::Param, file: FileIndex, diagnostics: &mut 
         units: origin::non_empty(element.units.as_ref()),
         values: None,
         limits: limits::resolve(ranges, diagnostics),
-        default: element.default.as_ref().and_then(|text| default(text, diagnostics)),
-        reserved: number::boolean(element.reserved.as_ref(), diagnostics),
+        default: element.default.as_ref().and_then(|text| default(index, text, diagnostics)),
+        reserved: truth::read(element.reserved.as_ref(), Attribute::AnyText("reserved"), diagnostics),
         origin: described.origin(diagnostics),
     }
 }
@@ -84,12 +92,17 @@ fn index(text: &Text, diagnostics: &mut Diagnostics) -> Option<u8> {
     index
 }
 
-/// A number, or NaN.
-fn default(text: &Text, diagnostics: &mut Diagnostics) -> Option<f64> {
+/// A number, or NaN. `COMMAND_INT` and `MISSION_ITEM_INT` carry the params 5 and 6 as integers, which are never NaN.
+fn default(index: u8, text: &Text, diagnostics: &mut Diagnostics) -> Option<f64> {
     let value = number::float(&text.value);
     if value.is_none() {
         let message = format!("default `{}` is neither a number nor NaN", text.value);
         diagnostics.push(Diagnostic::new(Code::BadNumber, text.span, message));
+    }
+    if value.is_some_and(f64::is_nan) && INTEGER_PARAMS.contains(&index) {
+        let message = format!("param {index} has the default NaN, which `COMMAND_INT` cannot carry");
+        let problem = Diagnostic::new(Code::ParamDefault, text.span, message).label("an `int32_t` there");
+        diagnostics.push(problem.help("leave it out, or give a number"));
     }
     value
 }

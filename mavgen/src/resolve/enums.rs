@@ -3,6 +3,7 @@
 use super::losses::Losses;
 use super::merge::{Enums, Merged};
 use super::origin::Described;
+use super::truth::{self, Attribute};
 use super::width::Width;
 use super::{command, lifecycle, naming, number};
 use crate::diag::{Code, Diagnostic, Diagnostics};
@@ -39,7 +40,7 @@ impl<'a> Block<'a> {
         losses: &Losses,
         diagnostics: &mut Diagnostics,
     ) -> Self {
-        let bitmask = number::boolean(syntax.bitmask.as_ref(), diagnostics);
+        let bitmask = truth::read(syntax.bitmask.as_ref(), Attribute::OnlyTrue("bitmask"), diagnostics);
         let exact = !losses.near(syntax.span);
         let mut block = Self { file, syntax, bitmask, entries: Vec::new(), highest: 0, exact };
         if exact && syntax.entries.is_empty() {

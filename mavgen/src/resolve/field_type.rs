@@ -9,7 +9,7 @@ use crate::ir::{FieldType, Scalar};
 use crate::syntax::Text;
 
 /// The type whose value is the version of the file that holds the message.
-const VERSION: &str = "uint8_t_mavlink_version";
+pub(super) const VERSION: &str = "uint8_t_mavlink_version";
 
 /// The types as the schema spells them.
 const SPELLINGS: [(&str, Scalar); 11] = [
@@ -33,12 +33,17 @@ pub(super) fn resolve(text: &Text, version: u8, diagnostics: &mut Diagnostics) -
         None => (text.value.as_str(), None),
     };
     // pymavlink knows `array[N]` from the days of MAVLink 0.9.
-    let element = if element == "array" && brackets.is_some() { "int8_t" } else { element };
-    let Some(scalar) = scalar(element, version) else {
+    let plain = if element == "array" && brackets.is_some() { "int8_t" } else { element };
+    let Some(scalar) = scalar(plain, version) else {
         let problem = unknown(text, element, diagnostics);
         diagnostics.push(problem);
         return None;
     };
+    if !SPELLINGS.iter().any(|(spelling, _)| *spelling == element) && element != VERSION {
+        let message = format!("type `{element}` is an old spelling of `{}`", scalar.wire_name());
+        let problem = Diagnostic::new(Code::TypeSpelling, text.span, message);
+        diagnostics.push(problem.label("pymavlink's schema refuses it"));
+    }
     let array = brackets.map(|rest| length(text, scalar, rest)).transpose();
     array.map(|array| FieldType { scalar, array }).map_err(|problem| diagnostics.push(*problem)).ok()
 }

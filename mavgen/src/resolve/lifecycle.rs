@@ -54,6 +54,11 @@ fn check_date(element: &syntax::Lifecycle, diagnostics: &mut Diagnostics) {
         }
         _ => {}
     }
+    if element.stage != Stage::Wip && element.replaced_by.is_none() {
+        let message = format!("`<{name}>` does not say what replaces it");
+        let problem = Diagnostic::new(Code::Lifecycle, element.span, message);
+        diagnostics.push(problem.label("`replaced_by` is missing").help("add `replaced_by=\"…\"`; it may be empty"));
+    }
 }
 
 /// Whether a text is `YYYY-MM`.

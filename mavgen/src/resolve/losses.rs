@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 
-use crate::diag::{Diagnostics, Severity};
+use crate::diag::Diagnostics;
 use crate::source::{FileId, Span};
 
 /// The files of which something could not be read.
@@ -13,8 +13,7 @@ pub(super) struct Losses {
 impl Losses {
     /// The losses behind the errors so far.
     pub(super) fn behind(diagnostics: &Diagnostics) -> Self {
-        let errors = diagnostics.iter().filter(|problem| problem.severity() == Severity::Error);
-        Self { files: errors.map(|error| error.span.map(|span| span.file)).collect() }
+        Self { files: diagnostics.broken_files().collect() }
     }
 
     /// Whether anything was lost: a name without a definition may then be no mistake.

@@ -75,6 +75,10 @@ impl<'a> Enums<'a> {
         match self.by_name.entry(&block.syntax.name.value) {
             hash_map::Entry::Occupied(place) => {
                 let Some(merged) = self.list.get_mut(place.get().0) else { return };
+                let mut before = merged.blocks.iter().filter(|first| first.file == block.file);
+                if let (Some(first), None) = (before.next(), before.next()) {
+                    diagnostics.push(twice(&block, first));
+                }
                 if merged.blocks.len() == MOST_DEFINITIONS {
                     diagnostics.push(too_many(&block));
                 }
@@ -197,6 +201,13 @@ fn too_many(block: &Block<'_>) -> Diagnostic {
     let name = &block.syntax.name;
     let message = format!("enum `{}` has more than {MOST_DEFINITIONS} definitions", name.value);
     Diagnostic::new(Code::TooLarge, name.span, message)
+}
+
+fn twice(block: &Block<'_>, first: &Block<'_>) -> Diagnostic {
+    let name = &block.syntax.name;
+    let message = format!("enum `{}` is defined twice in this file", name.value);
+    let problem = Diagnostic::new(Code::EnumTwice, name.span, message).label("its entries are added to the first");
+    problem.related(first.syntax.name.span, "the first one").help("put all entries into one `<enum>`")
 }
 
 fn redefined(name: &Text, first: &Merged<'_>) -> Diagnostic {

@@ -1,6 +1,6 @@
 //! `<version>`, and which messages of its file see it.
 
-use super::number;
+use super::{field_type, number};
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::syntax;
 
@@ -20,6 +20,7 @@ impl Version {
         let Some(version) = &file.version else {
             return Self { number: DEFAULT, messages_before: 0 };
         };
+        check_place(version, file, diagnostics);
         let number = number::count(&version.text.value).and_then(|number| u8::try_from(number).ok());
         if number.is_none() {
             let message = format!("version `{}` is not a number from 0 to 255", version.text.value);
@@ -37,4 +38,16 @@ impl Version {
     pub(super) fn seen_by(self, message_index: usize) -> u8 {
         if message_index < self.messages_before { DEFAULT } else { self.number }
     }
+}
+
+/// A message that has the version as a field should come after it.
+fn check_place(version: &syntax::Version, file: &syntax::File, diagnostics: &mut Diagnostics) {
+    let before = file.messages.iter().take(version.messages_before);
+    let mut fields = before.flat_map(|message| message.fields.iter().map(move |field| (message, field)));
+    let Some((message, field)) = fields.find(|(_, field)| field.ty.value == field_type::VERSION) else { return };
+    let name = &message.name.value;
+    let text = format!("`<version>` comes too late for message `{name}`, whose version is {DEFAULT}");
+    let problem = Diagnostic::new(Code::LateVersion, version.text.span, text);
+    let problem = problem.related(field.ty.span, format!("stands for {DEFAULT} here"));
+    diagnostics.push(problem.help("move `<version>` before `<messages>`"));
 }

@@ -79,7 +79,7 @@ fn notes_are_paragraphs_of_their_own() {
 /// What an overlay says of a message that cannot be read is not a second mistake.
 #[test]
 fn what_is_broken_is_reported_once() {
-    let base = message(1, "M", &["uint8 f", "uin8_t g"]);
+    let base = message(1, "M", &["uint8_t f", "uin8_t g"]);
     let overlay = "<note message='M' field='f'>.</note>\
                    <message name='M'><bind name='x' field='f' enum='NONE'/></message>";
     assert_eq!(of(&base, overlay).codes(), [Code::UnknownType]);
