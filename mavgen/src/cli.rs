@@ -7,6 +7,7 @@ mod dump;
 mod generate;
 mod input;
 mod report;
+mod vendor;
 
 use std::process::ExitCode;
 
@@ -15,6 +16,7 @@ use clap::{Parser, Subcommand};
 use check::Check;
 use dump::Dump;
 use generate::Generate;
+use vendor::Vendor;
 
 /// The MAVLink dialect compiler: typed Rust from dialect XML.
 #[derive(Parser)]
@@ -29,6 +31,7 @@ enum Action {
     Generate(Generate),
     Check(Check),
     Dump(Dump),
+    Vendor(Vendor),
 }
 
 /// Runs the command that the arguments name.
@@ -37,6 +40,7 @@ pub(crate) fn run() -> ExitCode {
         Action::Generate(generate) => generate.run(),
         Action::Check(check) => check.run(),
         Action::Dump(dump) => dump.run(),
+        Action::Vendor(vendor) => vendor.run(),
     };
     outcome.unwrap_or_else(|failure| {
         report::failure(&failure);

@@ -54,6 +54,8 @@ pub mod resolve;
 mod select;
 pub mod source;
 pub mod syntax;
+#[cfg(feature = "vendor")]
+pub mod vendor;
 
 pub use builder::{Builder, Failure, Problems, Resolved};
 pub use emit::GeneratedFile;

@@ -30,6 +30,12 @@ const MAVLINK: Grammar = Grammar::parts(&["include", "version", "dialect", "enum
 const ENUMS: Grammar = Grammar::parts(&["enum"]);
 const MESSAGES: Grammar = Grammar::parts(&["message"]);
 
+/// Adds the text of a file that was asked for by name to the sources; what is wrong with it goes to `diagnostics`.
+#[cfg(feature = "vendor")]
+pub(crate) fn open(path: &std::path::Path, sources: &mut Sources, diagnostics: &mut Diagnostics) -> Option<FileId> {
+    bytes::read(path, sources).map_err(|why| diagnostics.push(why.diagnostic(path))).ok()
+}
+
 /// Reads one dialect file.
 ///
 /// Returns what could be understood: an element that lacks a required attribute is left out, and a text that is not

@@ -18,6 +18,19 @@ pub(super) enum NoText {
     NotText(Box<Diagnostic>),
 }
 
+impl NoText {
+    /// The problem of a file that was asked for by name.
+    pub(super) fn diagnostic(self, path: &Path) -> Diagnostic {
+        match self {
+            Self::NotText(diagnostic) => *diagnostic,
+            Self::Io(error) => {
+                let message = format!("`{}` cannot be read: {}", path.display(), reason(&error));
+                Diagnostic::without_place(Code::Unreadable, message)
+            }
+        }
+    }
+}
+
 /// Adds the text of the file at `path` to the sources.
 pub(super) fn read(path: &Path, sources: &mut Sources) -> Result<FileId, NoText> {
     let mut bytes = Vec::new();

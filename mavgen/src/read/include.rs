@@ -110,7 +110,7 @@ impl Loader<'_> {
             if matches!(why, NoText::Io(_)) {
                 self.loaded.watched.push(path.to_owned());
             }
-            self.unreadable(path, why);
+            self.diagnostics.push(why.diagnostic(path));
         }
     }
 
@@ -124,18 +124,7 @@ impl Loader<'_> {
                 let overlay = super::read_overlay(id, self.sources, self.diagnostics);
                 self.loaded.overlays.push(overlay);
             }
-            Err(why) => self.unreadable(path, why),
-        }
-    }
-
-    /// Reports a file that was asked for by name and is no text, or not there.
-    fn unreadable(&mut self, path: &Path, why: NoText) {
-        match why {
-            NoText::NotText(diagnostic) => self.diagnostics.push(*diagnostic),
-            NoText::Io(error) => {
-                let message = format!("`{}` cannot be read: {}", path.display(), bytes::reason(&error));
-                self.diagnostics.push(Diagnostic::without_place(Code::Unreadable, message));
-            }
+            Err(why) => self.diagnostics.push(why.diagnostic(path)),
         }
     }
 

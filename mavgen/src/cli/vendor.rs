@@ -1,0 +1,87 @@
+//! `mavgen vendor`.
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::Args;
+use mavgen::Failure;
+use mavgen::vendor::{Copy, Prose, Vendored, Written, vendor, write};
+
+use super::report;
+
+/// Copies a dialect and its includes into one folder.
+///
+/// Each copy begins with a comment that names the file it was made of and that file's SHA-256. Below that it is the same
+/// text, but for includes, which lead to the one folder. Two files of the same name are an error.
+///
+/// With --no-prose the copies carry the facts alone: names, ids, types, order, values, units, ranges, labels, flags and stages
+/// of life. With --prose-from they also carry descriptions and comments, those of the files in another folder or, to take
+/// over a new state of the definitions, of the very files that are written anew.
+///
+/// Nothing is written before everything is read. Files that are no copies are never touched, and no file is removed.
+#[derive(Args)]
+#[command(after_help = "\
+Examples:
+  mavgen vendor mavlink/message_definitions/v1.0/ardupilotmega.xml --out xml
+  mavgen vendor upstream/common.xml --out xml --prose-from xml   take over new facts, keep our descriptions")]
+pub(super) struct Vendor {
+    /// The dialect's XML file.
+    xml: PathBuf,
+    /// The folder for the copies.
+    #[arg(long, value_name = "DIR")]
+    out: PathBuf,
+    /// Where to look for includes that do not lie beside the file that names them; may be given several times.
+    #[arg(long, value_name = "DIR")]
+    include_dir: Vec<PathBuf>,
+    /// Leave descriptions and comments behind.
+    #[arg(long)]
+    no_prose: bool,
+    /// Take descriptions and comments from the files of the same names in this folder, each by the name of what it is about.
+    #[arg(long, value_name = "DIR", conflicts_with = "no_prose")]
+    prose_from: Option<PathBuf>,
+    /// With --prose-from: name everything that has no description, not only what is new.
+    #[arg(long, requires = "prose_from")]
+    all: bool,
+}
+
+impl Vendor {
+    pub(super) fn run(&self) -> Result<ExitCode, Failure> {
+        let prose = match &self.prose_from {
+            Some(folder) => Prose::From(folder.clone()),
+            None if self.no_prose => Prose::Drop,
+            None => Prose::Keep,
+        };
+        let vendored = vendor(&self.xml, &self.include_dir, &prose)?;
+        report::diagnostics(&vendored.diagnostics, &vendored.sources);
+        let Written { written, kept, others } = write(&self.out, &vendored.files).map_err(Failure::Output)?;
+        anstream::eprintln!("{}: {written} files written, {kept} kept", self.out.display());
+        for other in others {
+            anstream::eprintln!("{}: left alone, not a file of this dialect", other.display());
+        }
+        if self.prose_from.is_some() {
+            self.descriptions(&vendored);
+        }
+        Ok(ExitCode::SUCCESS)
+    }
+
+    /// Says what lacks a description, and which ones found no place.
+    fn descriptions(&self, Vendored { files, homeless, .. }: &Vendored) {
+        for lost in homeless {
+            let (file, name, words) = (lost.file.display(), &lost.name, &lost.words);
+            anstream::eprintln!("{file}: no longer in the definitions: {name}: {words}");
+        }
+        for Copy { name: file, items, .. } in files {
+            for item in items.iter().filter(|item| !item.described && (item.new || self.all)) {
+                let new = if item.new { "new, and " } else { "" };
+                anstream::eprintln!("{}: {new}without a description: {}", self.out.join(file).display(), item.name);
+            }
+        }
+        let items = || files.iter().flat_map(|file| &file.items);
+        let (all, without) = (items().count(), items().filter(|item| !item.described).count());
+        let new = items().filter(|item| !item.described && item.new).count();
+        anstream::eprintln!(
+            "{without} of {all} items have no description, {new} of them new; {} descriptions found no place",
+            homeless.len()
+        );
+    }
+}

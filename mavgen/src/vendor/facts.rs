@@ -1,0 +1,181 @@
+//! A dialect file without its prose, laid out for people: two spaces a level, one element a line.
+
+use super::grammar::{self, Content, content};
+use super::prose::{Key, Keys, Words};
+use super::tree::Element;
+
+/// Gives the words about an element.
+pub(super) type Describe<'a> = dyn FnMut(&str) -> Option<Words> + 'a;
+
+/// The text of one file.
+pub(super) struct Facts {
+    /// The root element, with the comments before it.
+    pub(super) text: String,
+    /// Every element that should have a description, and whether it has one.
+    pub(super) described: Vec<(Key, bool)>,
+}
+
+/// Writes down the facts of the file with this root element, with the words that `describe` has for them.
+///
+/// `includes` are the paths of its includes, in their order.
+pub(super) fn write(root: &Element<'_>, includes: &[String], describe: &mut Describe<'_>) -> Facts {
+    let facts = Facts { text: String::new(), described: Vec::new() };
+    let mut writer = Writer { facts, keys: Keys::default(), includes: includes.iter(), describe };
+    let words = writer.words("", root);
+    writer.element(root, 0, words);
+    writer.facts
+}
+
+/// The keys of all elements that [`write`] writes.
+pub(super) fn keys(root: &Element<'_>) -> Vec<Key> {
+    let mut keys = Vec::new();
+    collect("", root, &mut Keys::default(), &mut keys);
+    keys
+}
+
+fn collect(parent: &str, element: &Element<'_>, names: &mut Keys, keys: &mut Vec<Key>) {
+    let (key, base) = names.key(parent, element);
+    keys.push(key);
+    children(element).for_each(|child| collect(&base, child, names, keys));
+}
+
+/// The children that the grammar has, those that `mavlink.xsd` wants first before the others. Descriptions are no facts.
+fn children<'e, 't>(element: &'e Element<'t>) -> impl Iterator<Item = &'e Element<'t>> {
+    let known = match content(element.name) {
+        Content::Elements(known) => known,
+        _ => &[],
+    };
+    let children = element.children.iter().filter(|child| known.contains(&child.name) && child.name != "description");
+    let mut children: Vec<_> = children.collect();
+    children.sort_by_key(|child| grammar::rank(child.name));
+    children.into_iter()
+}
+
+/// The words about an element, and under what key its children are looked up.
+struct Known {
+    key: Key,
+    base: Key,
+    words: Words,
+}
+
+struct Writer<'a, 'd> {
+    facts: Facts,
+    keys: Keys,
+    includes: std::slice::Iter<'a, String>,
+    describe: &'a mut Describe<'d>,
+}
+
+impl Writer<'_, '_> {
+    fn words(&mut self, parent: &str, element: &Element<'_>) -> Known {
+        let (key, base) = self.keys.key(parent, element);
+        let words = (self.describe)(&key).unwrap_or_default();
+        Known { key, base, words }
+    }
+
+    fn element(&mut self, element: &Element<'_>, depth: usize, known: Known) {
+        known.words.above.iter().for_each(|comment| self.line(depth, comment));
+        let tag = format!("{}{}", element.name, attributes(element));
+        match content(element.name) {
+            Content::Elements(_) => self.container(element, depth, &tag, known),
+            Content::Fact if element.name == "include" => {
+                let path = self.includes.next().cloned().unwrap_or_default();
+                self.leaf(depth, element.name, &tag, &escaped(&path));
+            }
+            Content::Fact => self.leaf(depth, element.name, &tag, &fact(element.inner)),
+            Content::Prose => {
+                self.leaf(depth, element.name, &tag, &known.words.text);
+                self.note(element, known.key, &known.words.text);
+            }
+            Content::Nothing => self.leaf(depth, element.name, &tag, ""),
+        }
+    }
+
+    fn container(&mut self, element: &Element<'_>, depth: usize, tag: &str, known: Known) {
+        let start = self.facts.text.len();
+        self.line(depth, &format!("<{tag}>"));
+        let empty = self.facts.text.len();
+        let mut description = match content(element.name) {
+            Content::Elements(elements) if elements.contains(&"description") => {
+                let words = (self.describe)(&format!("{} description", known.key)).unwrap_or_default();
+                self.note(element, known.key, &words.text);
+                Some(words)
+            }
+            _ => None,
+        };
+        for child in children(element) {
+            if grammar::rank(child.name) > grammar::rank("description") {
+                self.description(element, depth + 1, description.take());
+            }
+            let known = self.words(&known.base, child);
+            self.element(child, depth + 1, known);
+        }
+        self.description(element, depth + 1, description);
+        known.words.below.iter().for_each(|comment| self.line(depth + 1, comment));
+        if self.facts.text.len() == empty {
+            self.facts.text.truncate(start);
+            self.line(depth, &format!("<{tag}/>"));
+        } else {
+            self.line(depth, &format!("</{}>", element.name));
+        }
+    }
+
+    fn description(&mut self, parent: &Element<'_>, depth: usize, words: Option<Words>) {
+        let Some(words) = words else { return };
+        words.above.iter().for_each(|comment| self.line(depth, comment));
+        if !words.text.trim().is_empty() || grammar::requires_description(parent.name) {
+            self.leaf(depth, "description", "description", &words.text);
+        }
+    }
+
+    /// Notes whether an element that should have a description has one.
+    fn note(&mut self, element: &Element<'_>, key: Key, text: &str) {
+        if grammar::wants_description(element.name) {
+            self.facts.described.push((key, !text.trim().is_empty()));
+        }
+    }
+
+    fn leaf(&mut self, depth: usize, name: &str, tag: &str, content: &str) {
+        if content.trim().is_empty() {
+            self.line(depth, &format!("<{tag}/>"));
+        } else {
+            self.line(depth, &format!("<{tag}>{content}</{name}>"));
+        }
+    }
+
+    fn line(&mut self, depth: usize, line: &str) {
+        let text = &mut self.facts.text;
+        text.extend(std::iter::repeat_n("  ", depth));
+        text.push_str(line);
+        text.push('\n');
+    }
+}
+
+/// The attributes that the grammar has; at the root also those that tell an editor where the grammar is.
+fn attributes(element: &Element<'_>) -> String {
+    let known = grammar::attributes(element.name);
+    let of_xml = |name: &str| element.name == "mavlink" && (name == "xmlns" || name.contains(':'));
+    let kept = element.attributes.iter().filter(|(name, _)| known.contains(name) || of_xml(name));
+    kept.map(|(name, value)| {
+        let value = value.replace("\r\n", " ").replace(['\r', '\n', '\t'], " ");
+        let quote = if value.contains('"') { '\'' } else { '"' };
+        format!(" {name}={quote}{value}{quote}")
+    })
+    .collect()
+}
+
+/// A number or a name as it stands in its element, without comments.
+fn fact(inner: &str) -> String {
+    let mut fact = String::new();
+    let mut rest = inner;
+    while let Some((before, comment)) = rest.split_once("<!--") {
+        fact.push_str(before);
+        rest = comment.split_once("-->").map_or("", |(_, rest)| rest);
+    }
+    fact.push_str(rest);
+    fact.trim().to_owned()
+}
+
+/// A text with the characters that XML needs for itself written as references.
+pub(super) fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+}

@@ -1,0 +1,103 @@
+//! The folder of the copies: no file in it that a person wrote is touched.
+
+use std::fs;
+use std::io::{self, Read};
+use std::path::{Path, PathBuf};
+
+use super::{Copy, header, prose};
+use crate::output::{OutputError, write_file};
+
+/// How much of a file is looked at for its header.
+const HEAD: u64 = 4096;
+
+/// What [`write()`] did.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Written {
+    /// Files that are new or changed.
+    pub written: usize,
+    /// Files that were already as they should be, and left untouched.
+    pub kept: usize,
+    /// Copies in the folder that are not of this dialect. They are left alone: another may need them, and somebody may have
+    /// written descriptions into them.
+    pub others: Vec<PathBuf>,
+}
+
+/// Writes copies into a folder. Each file is replaced in one step.
+///
+/// # Errors
+/// Before anything is written: if a copy would replace its own source, a file that is no copy, or one that has descriptions of
+/// its own by one that has not; or if the folder holds files, but no copy. After that, if the system refuses something.
+pub fn write(folder: &Path, files: &[Copy]) -> Result<Written, OutputError> {
+    let present = present(folder)?;
+    let copies: Vec<&Found> = present.iter().filter(|found| found.is_copy).collect();
+    if copies.is_empty() && !present.is_empty() {
+        let text = "the folder is not empty and holds nothing that `mavgen vendor` wrote: choose another, or empty it";
+        return Err(refused(folder.to_owned(), text));
+    }
+    files.iter().try_for_each(|file| check(folder, file))?;
+    let mut written = Written::default();
+    for file in files {
+        if write_file(&folder.join(&file.name), &file.text)? {
+            written.written += 1;
+        } else {
+            written.kept += 1;
+        }
+    }
+    let others = copies.iter().filter(|found| !files.iter().any(|file| folder.join(&file.name) == found.path));
+    written.others = others.map(|found| found.path.clone()).collect();
+    written.others.sort();
+    Ok(written)
+}
+
+/// A file or folder that is there already.
+struct Found {
+    path: PathBuf,
+    is_copy: bool,
+}
+
+/// What is in the folder; nothing if there is no folder.
+fn present(folder: &Path) -> Result<Vec<Found>, OutputError> {
+    let failed = |source| OutputError { path: folder.to_owned(), source };
+    let entries = match fs::read_dir(folder) {
+        Ok(entries) => entries,
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Vec::new()),
+        Err(source) => return Err(failed(source)),
+    };
+    let mut present = Vec::new();
+    for entry in entries {
+        let path = entry.map_err(failed)?.path();
+        let is_copy = header::read(&head(&path)).is_some();
+        present.push(Found { path, is_copy });
+    }
+    Ok(present)
+}
+
+/// Refuses to lose what a person wrote.
+fn check(folder: &Path, file: &Copy) -> Result<(), OutputError> {
+    let path = folder.join(&file.name);
+    // Fails where there is no such file, which then can be no source either.
+    let Ok(target) = fs::canonicalize(&path) else { return Ok(()) };
+    let why = match header::read(&head(&path)) {
+        _ if fs::canonicalize(&file.source).is_ok_and(|source| source == target) => {
+            "this is the file that would be copied: choose another folder"
+        }
+        None => "`mavgen vendor` did not write this file: remove it, or choose another folder",
+        Some(true) if !file.described_here && fs::read_to_string(&path).is_ok_and(|text| prose::is_in(&text)) => {
+            "this file has descriptions of its own: keep them with `--prose-from`, or remove it"
+        }
+        Some(_) => return Ok(()),
+    };
+    Err(refused(path, why))
+}
+
+fn refused(path: PathBuf, text: &str) -> OutputError {
+    OutputError { path, source: io::Error::other(text.to_owned()) }
+}
+
+/// The start of a file; nothing of one that cannot be read.
+fn head(path: &Path) -> String {
+    let mut head = Vec::new();
+    // A folder, or a file that may not be read, is no copy of ours.
+    let _ = fs::File::open(path).and_then(|file| file.take(HEAD).read_to_end(&mut head));
+    String::from_utf8_lossy(&head).into_owned()
+}

@@ -1,0 +1,126 @@
+//! A dialect's XML as a tree that borrows its text: what has to be written down again, spelled as it is.
+//!
+//! The reader has read the text before, so that it is known to be well-formed and not nested without end; what is not is cut
+//! short here.
+
+use std::borrow::Cow;
+
+use quick_xml::events::attributes::Attributes;
+use quick_xml::events::{BytesStart, Event};
+use quick_xml::reader::Reader;
+
+/// An element.
+pub(super) struct Element<'t> {
+    pub(super) name: &'t str,
+    /// Name and value of each attribute, references not expanded.
+    pub(super) attributes: Vec<(&'t str, &'t str)>,
+    /// All that stands between its tags.
+    pub(super) inner: &'t str,
+    pub(super) children: Vec<Element<'t>>,
+    /// The comments before its start tag, back to the tag before.
+    pub(super) above: Vec<&'t str>,
+    /// The comments before its end tag, back to the tag before; of the root, those after it as well.
+    pub(super) below: Vec<&'t str>,
+}
+
+impl<'t> Element<'t> {
+    /// The root element of a text, if it has one.
+    pub(super) fn root(text: &'t str) -> Option<Self> {
+        Builder { text, reader: Reader::from_str(text), comments: Vec::new(), open: Vec::new() }.root()
+    }
+
+    /// An attribute.
+    pub(super) fn attribute(&self, name: &str) -> Option<&'t str> {
+        self.attributes.iter().find(|(found, _)| *found == name).map(|(_, value)| *value)
+    }
+}
+
+struct Builder<'t> {
+    text: &'t str,
+    reader: Reader<&'t [u8]>,
+    /// The comments since the last tag.
+    comments: Vec<&'t str>,
+    /// The elements that are not closed yet, and where their content starts.
+    open: Vec<(Element<'t>, usize)>,
+}
+
+impl<'t> Builder<'t> {
+    fn root(mut self) -> Option<Element<'t>> {
+        self.reader.config_mut().expand_empty_elements = true;
+        let mut root: Option<Element<'t>> = None;
+        loop {
+            let start = self.position();
+            match self.reader.read_event().ok()? {
+                Event::Start(tag) => {
+                    let element = self.element(&tag, start)?;
+                    let content = self.position();
+                    self.open.push((element, content));
+                }
+                Event::End(_) => {
+                    let (mut element, content) = self.open.pop()?;
+                    element.inner = self.text.get(content..start).unwrap_or_default();
+                    element.below = std::mem::take(&mut self.comments);
+                    match self.open.last_mut() {
+                        Some((parent, _)) => parent.children.push(element),
+                        None => root = Some(element),
+                    }
+                }
+                Event::Comment(_) => {
+                    let comment = self.text.get(start..self.position())?;
+                    self.comments.push(comment);
+                }
+                Event::Eof => {
+                    let mut root = root.filter(|_| self.open.is_empty())?;
+                    root.below.append(&mut self.comments);
+                    return Some(root);
+                }
+                _ => {}
+            }
+        }
+    }
+
+    fn position(&self) -> usize {
+        usize::try_from(self.reader.buffer_position()).unwrap_or(usize::MAX)
+    }
+
+    /// The element whose start tag begins at `start`.
+    fn element(&mut self, tag: &BytesStart<'_>, start: usize) -> Option<Element<'t>> {
+        let length = tag.name().as_ref().len();
+        let inner = self.text.get(start + 1..self.position().checked_sub(1)?)?;
+        let inner = inner.strip_suffix('/').unwrap_or(inner);
+        let mut attributes = Vec::new();
+        for attribute in Attributes::new(inner, length).with_checks(false) {
+            let attribute = attribute.ok()?;
+            let Cow::Borrowed(value) = attribute.value else { return None };
+            attributes.push((attribute.key.0, value));
+        }
+        let above = std::mem::take(&mut self.comments);
+        let (children, below) = (Vec::new(), Vec::new());
+        Some(Element { name: inner.get(..length)?, attributes, inner: "", children, above, below })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn spelling_and_comments_are_kept() {
+        let text = "<?xml version='1.0'?>\n<!-- head --><a x = 'a&amp;b'\n y=\"'\"><!-- b --><b/>t<![CDATA[<c/>]]><!-- end --></a><!-- foot -->";
+        let root = Element::root(text).unwrap();
+        assert_eq!((root.name, &root.attributes[..]), ("a", &[("x", "a&amp;b"), ("y", "'")][..]));
+        assert_eq!(
+            (&root.above[..], &root.below[..]),
+            (&["<!-- head -->"][..], &["<!-- end -->", "<!-- foot -->"][..])
+        );
+        assert_eq!(root.inner, "<!-- b --><b/>t<![CDATA[<c/>]]><!-- end -->");
+        assert_eq!((root.children[0].name, &root.children[0].above[..]), ("b", &["<!-- b -->"][..]));
+    }
+
+    #[test]
+    fn what_is_no_xml_is_no_tree() {
+        for text in ["", "<a>", "<a", "</a>", "<a b='>"] {
+            assert!(Element::root(text).is_none(), "{text}");
+        }
+    }
+}

@@ -1,0 +1,110 @@
+//! `mavgen vendor`: exit status, and what it says.
+//!
+//! Needs the feature `cli`, without which there is no command to test.
+#![cfg(feature = "cli")]
+#![expect(clippy::unwrap_used, reason = "in what the tests share, too, a failure is a failed test")]
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+
+const ACME: &str = "<mavlink>
+  <include>parts/base.xml</include>
+  <messages>
+    <message id=\"4711\" name=\"SPRAYER\">
+      <description>What the sprayer does.</description>
+      <field type=\"uint8_t\" name=\"state\" enum=\"SPRAY_STATE\">Whether it sprays.</field>
+      <field type=\"uint16_t\" name=\"level\">What is left.</field>
+    </message>
+  </messages>
+</mavlink>
+";
+
+const BASE: &str = "<mavlink>
+  <enums>
+    <enum name=\"SPRAY_STATE\">
+      <entry value=\"0\" name=\"SPRAY_STATE_OFF\"/>
+    </enum>
+  </enums>
+  <messages/>
+</mavlink>
+";
+
+fn folder() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    fs::create_dir(folder.path().join("parts")).unwrap();
+    fs::write(folder.path().join("acme.xml"), ACME).unwrap();
+    fs::write(folder.path().join("parts/base.xml"), BASE).unwrap();
+    folder
+}
+
+fn vendor(folder: &Path, arguments: &[&str]) -> Output {
+    let command = ["vendor", "acme.xml", "--out", "xml"].iter().chain(arguments);
+    Command::new(env!("CARGO_BIN_EXE_mavgen")).current_dir(folder).args(command).output().unwrap()
+}
+
+fn stderr(output: &Output) -> String {
+    String::from_utf8(output.stderr.clone()).unwrap()
+}
+
+#[test]
+fn a_copy_generates_what_its_original_does() {
+    let folder = folder();
+    let copied = vendor(folder.path(), &[]);
+    assert_eq!((copied.status.code(), stderr(&copied).as_str()), (Some(0), "xml: 2 files written, 0 kept\n"));
+    assert!(fs::read_to_string(folder.path().join("xml/acme.xml")).unwrap().contains("<include>base.xml</include>"));
+    for (xml, out) in [("acme.xml", "original"), ("xml/acme.xml", "copy")] {
+        let arguments = ["generate", xml, "--out", out];
+        let generate = Command::new(env!("CARGO_BIN_EXE_mavgen")).current_dir(folder.path()).args(arguments).output();
+        assert!(generate.unwrap().status.success());
+    }
+    let sprayer = |out: &str| fs::read_to_string(folder.path().join(out).join("messages/sprayer.rs")).unwrap();
+    assert_eq!(sprayer("copy"), sprayer("original"));
+}
+
+#[test]
+fn descriptions_are_kept_over_new_facts() {
+    let folder = folder();
+    let copy = folder.path().join("xml/acme.xml");
+    assert_eq!(vendor(folder.path(), &["--no-prose"]).status.code(), Some(0));
+    let bare = fs::read_to_string(&copy).unwrap();
+    assert!(!bare.contains("sprayer does"));
+    fs::write(&copy, bare.replace("name=\"level\"/>", "name=\"level\">In the tank.</field>")).unwrap();
+    let changed = ACME.replace("\"level\">What is left.", "\"level\" units=\"cm\">What is left.");
+    let changed =
+        changed.replace("    </message>", "<field type=\"uint8_t\" name=\"nozzles\">How many.</field></message>");
+    fs::write(folder.path().join("acme.xml"), &changed).unwrap();
+
+    let kept = vendor(folder.path(), &["--prose-from", "xml"]);
+    let said = "xml: 2 files written, 0 kept\n\
+        xml/acme.xml: new, and without a description: message SPRAYER field nozzles\n\
+        5 of 6 items have no description, 1 of them new; 0 descriptions found no place\n";
+    assert_eq!((kept.status.code(), stderr(&kept).as_str()), (Some(0), said));
+    let copied = fs::read_to_string(&copy).unwrap();
+    assert!(
+        copied.contains("name=\"level\" units=\"cm\">In the tank.</field>") && !copied.contains("How many"),
+        "{copied}"
+    );
+
+    let all = vendor(folder.path(), &["--prose-from", "xml", "--all"]);
+    assert!(stderr(&all).contains("xml/base.xml: without a description: enum SPRAY_STATE\n"), "{}", stderr(&all));
+    fs::write(folder.path().join("acme.xml"), changed.replace("level", "height")).unwrap();
+    let lost = vendor(folder.path(), &["--prose-from", "xml"]);
+    let line = "xml/acme.xml: no longer in the definitions: message SPRAYER field level: In the tank.\n";
+    assert!(stderr(&lost).contains(line), "{}", stderr(&lost));
+}
+
+#[test]
+fn refusals_are_2_and_cost_nothing() {
+    let folder = folder();
+    fs::create_dir(folder.path().join("xml")).unwrap();
+    fs::write(folder.path().join("xml/notes.txt"), "mine").unwrap();
+    assert_eq!(vendor(folder.path(), &[]).status.code(), Some(2));
+    assert_eq!(vendor(folder.path(), &["--no-prose", "--prose-from", "xml"]).status.code(), Some(2));
+    fs::remove_file(folder.path().join("xml/notes.txt")).unwrap();
+    fs::write(folder.path().join("acme.xml"), ACME.replace("uint16_t", "uint24_t")).unwrap();
+    let refused = vendor(folder.path(), &[]);
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(stderr(&refused).contains("acme.xml:7:20"), "{}", stderr(&refused));
+    assert_eq!(fs::read_dir(folder.path().join("xml")).unwrap().count(), 0);
+}
