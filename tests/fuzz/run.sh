@@ -1,0 +1,31 @@
+#!/bin/sh
+# Fuzzes: run.sh [SECONDS] [TARGET]... , all targets for a minute each if not told otherwise. Needs cargo-fuzz and a nightly compiler.
+# The corpus grows below the target directory; what breaks something is shown, and kept in artifacts/ there.
+set -eu
+cd "$(dirname "$0")"
+seconds=${1:-60}
+[ $# -eq 0 ] || shift
+[ $# -gt 0 ] || set -- dialect overlay parser decode
+work=${CARGO_TARGET_DIR:-target}/fuzz
+for target in "$@"; do
+    corpus=$work/corpus/$target
+    mkdir -p "$corpus" "$work/artifacts/$target"
+    case $target in
+        dialect)
+            find ../../mavgen/tests ../hostile -name '*.xml' ! -name '*.overlay.xml' -size -16k | while read -r seed; do
+                cp "$seed" "$corpus/$(echo "$seed" | tr / _)"
+            done
+            set -- -dict=mavlink.dict -max_len=16384 ;;
+        overlay)
+            find ../../mavgen/tests ../packed ../../xml -name '*.overlay.xml' | while read -r seed; do
+                cp "$seed" "$corpus/$(echo "$seed" | tr / _)"
+            done
+            set -- -dict=mavlink.dict -max_len=16384 ;;
+        *)
+            # One input a line: frames that pymavlink made, the last line several with damage between them.
+            perl -ne 'chomp; open my $f, ">", "'"$corpus"'/frames-$."; print $f pack "H*", $_' seeds/frames.hex
+            set -- -max_len=2048 ;;
+    esac
+    cargo +nightly fuzz run --fuzz-dir . "$target" "$corpus" -- \
+        -artifact_prefix="$work/artifacts/$target/" -max_total_time="$seconds" -timeout=20 -rss_limit_mb=2048 -print_final_stats=1 "$@"
+done
