@@ -14,6 +14,13 @@ pub enum EncodeError {
         /// The id of the message.
         id: u32,
     },
+    /// MAVLink 1 has no signatures, and the sender is to sign every frame.
+    SignatureInV1 {
+        /// The id of the message.
+        id: u32,
+    },
+    /// A `SETUP_SIGNING` that was received is not to be sent on: its payload is a secret key.
+    CarriesKey,
 }
 
 impl fmt::Display for EncodeError {
@@ -22,6 +29,10 @@ impl fmt::Display for EncodeError {
             Self::IdTooLarge { id } => {
                 write!(f, "message id {id} is over 255, which MAVLink 1 cannot carry: send it with Sender::v2")
             }
+            Self::SignatureInV1 { id } => {
+                write!(f, "MAVLink 1 cannot carry the signature of message {id}: send it in MAVLink 2, or do not sign")
+            }
+            Self::CarriesKey => f.write_str("SETUP_SIGNING carries a secret key: do not forward it"),
         }
     }
 }

@@ -1,8 +1,15 @@
 //! Frames: a header, a payload, a checksum, perhaps a signature.
 
+mod buffer;
+
+pub use buffer::FrameBuf;
+
 use crate::header::{Header, STX_V2};
 use crate::reflect::Reflected;
-use crate::{Dialect, FieldInfo, FrameError, MAX_FRAME, Message, MessageInfo, Table, Version, crc, get, zero_extended};
+use crate::{Dialect, FieldInfo, FrameError, Message, MessageInfo, Table, Timestamp, Version, crc, get};
+
+/// Id of `SETUP_SIGNING`.
+pub(crate) const SETUP_SIGNING: u32 = 256;
 
 /// A frame whose checksum was verified; a view of the received bytes.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -126,7 +133,7 @@ impl<'a> Frame<'a> {
         }
     }
 
-    /// The signature, not verified, if the frame has one.
+    /// The signature, if the frame has one. It is not verified: `signing::Verifier` does that (feature `signing`).
     #[must_use]
     pub fn signature(&self) -> Option<Signature<'a>> {
         if self.incompat_flags() == 0 { None } else { self.bytes.last_chunk().map(|bytes| Signature { bytes }) }
@@ -137,6 +144,17 @@ impl<'a> Frame<'a> {
     #[must_use]
     pub fn bytes(&self) -> &'a [u8] {
         self.bytes
+    }
+
+    /// Whether this is a `SETUP_SIGNING` (message 256), whose payload is a secret key: neither forward nor log it.
+    ///
+    /// It goes to one system over a link that is secure by other means (MAVLink guide, "Message Signing"). By id alone:
+    /// what only looks like one is better kept, too. [`Sender::forward`](crate::Sender::forward) refuses it, and
+    /// `Debug` leaves the payload out.
+    #[inline]
+    #[must_use]
+    pub fn carries_key(&self) -> bool {
+        self.facts.id == SETUP_SIGNING
     }
 
     /// Whether the table knew the message. If not, some `crc_extra` explains the checksum, which damage achieves in 1 of
@@ -204,13 +222,14 @@ impl<'a> Frame<'a> {
 
 impl core::fmt::Debug for Frame<'_> {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        let payload = if self.carries_key() { &"secret" as &dyn core::fmt::Debug } else { &self.payload };
         f.debug_struct("Frame")
             .field("version", &self.version())
             .field("sequence", &self.sequence())
             .field("system", &self.system())
             .field("component", &self.component())
             .field("id", &self.facts.id)
-            .field("payload", &self.payload)
+            .field("payload", payload)
             .field("signature", &self.signature())
             .field("verified", &self.facts.verified)
             .finish()
@@ -230,11 +249,11 @@ impl<'a> Signature<'a> {
         self.bytes[0]
     }
 
-    /// 48 bits: units of 10 µs since 2015-01-01T00:00:00Z.
+    /// When it was made, by the sender's clock.
     #[must_use]
-    pub fn timestamp(&self) -> u64 {
+    pub fn timestamp(&self) -> Timestamp {
         let [_, a, b, c, d, e, f, ..] = *self.bytes;
-        u64::from_le_bytes([a, b, c, d, e, f, 0, 0])
+        Timestamp::from_bytes([a, b, c, d, e, f])
     }
 
     /// Link id, timestamp (6 bytes), hash (6 bytes).
@@ -243,55 +262,3 @@ impl<'a> Signature<'a> {
         self.bytes
     }
 }
-
-/// A frame that owns its bytes, to be kept while the parser goes on.
-#[derive(Clone, Copy)]
-pub struct FrameBuf {
-    bytes: [u8; MAX_FRAME],
-    /// Ranges in `bytes`; they fit by construction.
-    length: u16,
-    payload: (u8, u8),
-    facts: Facts,
-}
-
-impl FrameBuf {
-    /// The frame.
-    #[must_use]
-    pub fn as_frame(&self) -> Frame<'_> {
-        let (start, length) = (usize::from(self.payload.0), usize::from(self.payload.1));
-        Frame {
-            bytes: self.bytes.get(..usize::from(self.length)).unwrap_or_default(),
-            payload: self.bytes.get(start..start + length).unwrap_or_default(),
-            facts: self.facts,
-        }
-    }
-}
-
-impl From<Frame<'_>> for FrameBuf {
-    fn from(frame: Frame<'_>) -> Self {
-        let start = match frame.version() {
-            Version::V1 => 6,
-            Version::V2 => 10,
-        };
-        Self {
-            bytes: zero_extended(frame.bytes),
-            length: frame.bytes.len() as u16,
-            payload: (start, frame.payload.len() as u8),
-            facts: frame.facts,
-        }
-    }
-}
-
-impl core::fmt::Debug for FrameBuf {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        self.as_frame().fmt(f)
-    }
-}
-
-impl PartialEq for FrameBuf {
-    fn eq(&self, other: &Self) -> bool {
-        self.as_frame() == other.as_frame()
-    }
-}
-
-impl Eq for FrameBuf {}

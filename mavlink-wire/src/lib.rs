@@ -56,13 +56,16 @@
 //! A [`Sender`] per link numbers the frames and writes each into a buffer of yours. Prefer `..Message::DEFAULT` over
 //! naming every field: definitions grow.
 //!
-//! # What is not here
+//! # Forwarding
 //!
-//! Signatures are handed over ([`Frame::signature`]), not verified.
+//! [`Frame::bytes`] are what came, to the byte. A [`FrameBuf`] keeps a frame for a queue, and can give it another sequence
+//! number or take its signature away; [`Sender::forward`] makes it the next frame of a link.
 //!
 //! # Features
 //!
 //! - `fast-crc` (default): the checksum from a table of 8 KiB. Without it, a few instructions per byte and no table.
+//! - `signing`: signatures are made and verified, in the module `signing`. Without it they are only handed over
+//!   ([`Frame::signature`]).
 
 #![no_std]
 #![forbid(unsafe_code)]
@@ -83,8 +86,11 @@ mod parser;
 pub mod reflect;
 mod scale;
 mod sender;
+#[cfg(feature = "signing")]
+pub mod signing;
 mod statistics;
 mod table;
+mod timestamp;
 mod wire;
 
 pub use chars::Chars;
@@ -99,6 +105,7 @@ pub use scale::raw_of;
 pub use sender::Sender;
 pub use statistics::Statistics;
 pub use table::{Table, index};
+pub use timestamp::Timestamp;
 pub use wire::{Wire, get, put, zero_extended};
 
 /// Bytes of the longest frame: MAVLink 2, signed.

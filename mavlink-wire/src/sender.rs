@@ -1,8 +1,10 @@
 //! Makes frames.
 
-use crate::header::{STX_V1, STX_V2};
+use crate::header::{CHECKSUM, STX_V1, STX_V2};
 use crate::message::sent_length;
-use crate::{Encode, EncodeError, MAX_FRAME, MAX_PAYLOAD, MessageInfo, Version, crc, put};
+use crate::{Encode, EncodeError, Frame, FrameBuf, MAX_FRAME, MAX_PAYLOAD, MessageInfo, Version, crc, put};
+#[cfg(feature = "signing")]
+use crate::{Timestamp, header::SIGNED, signing::Signer};
 
 /// Where the payload lies in the buffer for both versions, so that a message is written by one piece of code.
 const PAYLOAD: usize = 10;
@@ -16,6 +18,8 @@ pub struct Sender {
     system: u8,
     component: u8,
     sequence: u8,
+    #[cfg(feature = "signing")]
+    signer: Option<Signer>,
 }
 
 impl Sender {
@@ -30,7 +34,42 @@ impl Sender {
     }
 
     const fn new(version: Version, system: u8, component: u8) -> Self {
-        Self { version, system, component, sequence: 0 }
+        Self {
+            version,
+            system,
+            component,
+            sequence: 0,
+            #[cfg(feature = "signing")]
+            signer: None,
+        }
+    }
+
+    /// The same sender, signing every frame. MAVLink 1 cannot.
+    #[cfg(feature = "signing")]
+    #[must_use]
+    pub fn signed(self, signer: Signer) -> Self {
+        Self { signer: Some(signer), ..self }
+    }
+
+    /// Signs every frame from now on, or none.
+    #[cfg(feature = "signing")]
+    pub fn set_signer(&mut self, signer: Option<Signer>) {
+        self.signer = signer;
+    }
+
+    /// What signs the frames; its timestamp is to be saved.
+    #[cfg(feature = "signing")]
+    #[must_use]
+    pub fn signer(&self) -> Option<&Signer> {
+        self.signer.as_ref()
+    }
+
+    /// Tells the time to what signs the frames: see [`Signer::advance_time`].
+    #[cfg(feature = "signing")]
+    pub fn advance_time(&mut self, now: Timestamp) {
+        if let Some(signer) = &mut self.signer {
+            signer.advance_time(now);
+        }
     }
 
     /// The sequence number of the next frame.
@@ -48,7 +87,7 @@ impl Sender {
     ///
     /// # Errors
     ///
-    /// MAVLink 1 cannot carry an id over 255. The sequence does not advance then.
+    /// MAVLink 1 can carry neither an id over 255 nor a signature. Nothing advances then.
     #[inline]
     pub fn encode<'b>(
         &mut self,
@@ -62,32 +101,79 @@ impl Sender {
         self.seal(info, buffer)
     }
 
-    /// Puts header and checksum around a written payload.
-    fn seal<'b>(&mut self, info: &MessageInfo, buffer: &'b mut [u8; MAX_FRAME]) -> Result<&'b [u8], EncodeError> {
-        let [id, id_high @ ..] = info.id.to_le_bytes();
-        if self.version == Version::V1 && id_high != [0; 3] {
-            return Err(EncodeError::IdTooLarge { id: info.id });
+    /// Makes a received frame the next of this link: with this sender's sequence number, and with its signature or
+    /// none.
+    ///
+    /// The version stays, and so do system and component, which say who speaks: take a sender for each of those that
+    /// are forwarded. Without need for a number or a signature, forward [`Frame::bytes`] as they came.
+    ///
+    /// # Errors
+    ///
+    /// A `SETUP_SIGNING` is never forwarded, and a MAVLink 1 frame cannot be signed. Nothing advances then.
+    pub fn forward(&mut self, frame: &Frame<'_>) -> Result<FrameBuf, EncodeError> {
+        if frame.carries_key() {
+            return Err(EncodeError::CarriesKey);
         }
+        let mut next = FrameBuf::from(*frame);
+        next.set_sequence(self.sequence);
+        #[cfg(feature = "signing")]
+        if let Some(signer) = &mut self.signer {
+            next.sign(signer)?;
+        }
+        self.sequence = self.sequence.wrapping_add(1);
+        Ok(next)
+    }
+
+    /// Puts header, checksum and signature around a written payload.
+    fn seal<'b>(&mut self, info: &MessageInfo, buffer: &'b mut [u8; MAX_FRAME]) -> Result<&'b [u8], EncodeError> {
         let payload = buffer.get(PAYLOAD..PAYLOAD + MAX_PAYLOAD).unwrap_or_default();
         let length = sent_length(info, self.version, payload);
-        let start = match self.version {
-            Version::V1 => {
-                put(buffer, START_V1, [STX_V1, length as u8, self.sequence, self.system, self.component, id]);
-                START_V1
-            }
-            Version::V2 => {
-                let [id_middle, id_top, _] = id_high;
-                let ids = [self.sequence, self.system, self.component, id, id_middle, id_top];
-                put(buffer, 0, [STX_V2, length as u8, 0, 0]);
-                put(buffer, 4, ids);
-                0
-            }
-        };
+        let start = self.put_header(info, length, buffer)?;
         self.sequence = self.sequence.wrapping_add(1);
         let end = PAYLOAD + length;
         let checked = buffer.get(start + 1..end).unwrap_or_default();
         let checksum = crc::step(crc::checksum(checked), info.crc_extra);
         put(buffer, end, checksum);
-        Ok(buffer.get(start..end + 2).unwrap_or_default())
+        let end = end + CHECKSUM;
+        #[cfg(feature = "signing")]
+        let end = match &mut self.signer {
+            Some(signer) => signer.sign(buffer, end),
+            None => end,
+        };
+        Ok(buffer.get(start..end).unwrap_or_default())
+    }
+
+    /// Puts the header in front of a payload of `length` bytes; gives the start of the frame.
+    #[inline]
+    fn put_header(
+        &self,
+        info: &MessageInfo,
+        length: usize,
+        buffer: &mut [u8; MAX_FRAME],
+    ) -> Result<usize, EncodeError> {
+        let [id, id_high @ ..] = info.id.to_le_bytes();
+        let flags = self.incompat_flags();
+        match self.version {
+            Version::V1 if id_high != [0; 3] => Err(EncodeError::IdTooLarge { id: info.id }),
+            Version::V1 if flags != 0 => Err(EncodeError::SignatureInV1 { id: info.id }),
+            Version::V1 => {
+                put(buffer, START_V1, [STX_V1, length as u8, self.sequence, self.system, self.component, id]);
+                Ok(START_V1)
+            }
+            Version::V2 => {
+                let [id_middle, id_top, _] = id_high;
+                put(buffer, 0, [STX_V2, length as u8, flags, 0]);
+                put(buffer, 4, [self.sequence, self.system, self.component, id, id_middle, id_top]);
+                Ok(0)
+            }
+        }
+    }
+
+    const fn incompat_flags(&self) -> u8 {
+        #[cfg(feature = "signing")]
+        if self.signer.is_some() {
+            return SIGNED;
+        }
+        0
     }
 }

@@ -89,7 +89,7 @@ fn the_signature_is_handed_over() {
     let bytes = bytes(HEARTBEAT_SIGNED);
     let frame = Frame::parse(&bytes, &TABLE).unwrap();
     let signature = frame.signature().unwrap();
-    assert_eq!((frame.incompat_flags(), signature.link_id(), signature.timestamp()), (1, 3, 1000));
+    assert_eq!((frame.incompat_flags(), signature.link_id(), signature.timestamp().units()), (1, 3, 1000));
     assert_eq!(signature.bytes()[7..], [0x44, 0x3d, 0xf4, 0x50, 0xd5, 0x92]);
     let unsigned = self::bytes(HEARTBEAT_V2);
     assert_eq!(Frame::parse(&unsigned, &TABLE).unwrap().signature(), None);

@@ -4,10 +4,13 @@
 
 mod checksum;
 mod flags_interface;
+mod forwarding;
 mod hygiene;
 mod known_frames;
 mod metadata;
 mod reflection;
+#[cfg(feature = "signing")]
+mod signing;
 mod small;
 mod statistics;
 mod streams;

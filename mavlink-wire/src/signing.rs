@@ -1,0 +1,59 @@
+//! Signed frames: who sent them, and that they are new. Feature `signing`.
+//!
+//! A signature is 48 bits of SHA-256 over a secret key, the frame, the number of the link and the time (MAVLink guide,
+//! "Message Signing"). It proves that a holder of the key made the frame, and a receiver that remembers the last time
+//! of each stream takes no frame twice. It hides nothing: payloads are readable.
+//!
+//! # Sending
+//!
+//! A [`Signer`] per link, given to the link's [`Sender`](crate::Sender). Its timestamp goes up with every frame and
+//! with the clock that you tell it, and never back. Save it, and start from the saved one.
+//!
+//! # Receiving
+//!
+//! A [`Verifier`] for all links says of each frame how far to [`Trust`] it:
+//!
+//! ```
+//! use mavlink_wire::signing::{Key, SigningError, Trust, Verifier};
+//! use mavlink_wire::{Frame, Table, Timestamp};
+//!
+//! let bytes = [
+//!     0xfd, 9, 1, 0, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 6, 8, 0, 4, 3, 0xed, 0x78, // a heartbeat …
+//!     3, 0xe8, 3, 0, 0, 0, 0, 0x44, 0x3d, 0xf4, 0x50, 0xd5, 0x92, // … of link 3, time 1000
+//! ];
+//! let frame = Frame::parse(&bytes, &Table::of(&[]))?;
+//! let key = Key::new(core::array::from_fn(|at| at as u8));
+//!
+//! let (mut verifier, now) = (Verifier::new(Some(key)), Timestamp::new(2000));
+//! assert_eq!(verifier.check(&frame, now), Ok(Trust::Signed));
+//! let again = SigningError::Replayed { timestamp: Timestamp::new(1000), last: Timestamp::new(1000) };
+//! assert_eq!(verifier.check(&frame, now), Err(again));
+//! # Ok::<_, mavlink_wire::FrameError>(())
+//! ```
+//!
+//! What the key does not vouch for is refused, but for `RADIO_STATUS`, which telemetry radios put into the stream and
+//! cannot sign. [`Verifier::check_with`] takes another rule, say for a cable.
+//!
+//! # Routers and logs
+//!
+//! Frames are [forwarded to the byte](crate::Frame::bytes), or [re-signed](crate::FrameBuf::sign) for a link with
+//! another key, or numbered and signed as that link's sender does it ([`Sender::forward`](crate::Sender::forward)).
+//! Logs [take signatures away](crate::FrameBuf::strip_signature) and leave out frames that [carry a
+//! key](crate::Frame::carries_key).
+//!
+//! # What to save
+//!
+//! The key, [`Signer::timestamp`] of each link, [`Verifier::timestamp`] and, against replays of the last minute,
+//! [`Verifier::streams`].
+
+mod error;
+mod key;
+mod setup;
+mod signer;
+mod verifier;
+
+pub use error::SigningError;
+pub use key::Key;
+pub use setup::Setup;
+pub use signer::Signer;
+pub use verifier::{Stream, Trust, Verifier};

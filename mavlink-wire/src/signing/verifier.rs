@@ -1,0 +1,203 @@
+//! Says which frames to trust.
+
+use super::{Key, SigningError};
+use crate::{Frame, Timestamp};
+
+/// How far the first frame of a stream may be behind the local time: one minute.
+const LATE: u64 = 6_000_000;
+/// What telemetry radios put into the stream; they have no key.
+const RADIO_STATUS: u32 = 109;
+
+/// Why a frame was accepted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Trust {
+    /// A holder of the key made it, and it is new.
+    Signed,
+    /// Nothing vouches for it, but the rule for such frames lets it pass.
+    Allowed,
+    /// There is no key: anybody may have made it.
+    Unchecked,
+}
+
+/// The frames of one component over one of its links, and the timestamp of the last one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Stream {
+    /// Which of the sender's links.
+    pub link_id: u8,
+    /// The sending system.
+    pub system: u8,
+    /// The sending component.
+    pub component: u8,
+    /// The timestamp of the last frame that was accepted.
+    pub timestamp: Timestamp,
+}
+
+impl Stream {
+    fn is_of(&self, other: &Self) -> bool {
+        (self.link_id, self.system, self.component) == (other.link_id, other.system, other.component)
+    }
+}
+
+/// Verifies signatures, and remembers the last timestamp of each stream, at most `STREAMS` of them.
+///
+/// One for all links of a process: with one each, a frame could be replayed on another link. The order is that of
+/// `mavlink_signature_check` in the C library: first the hash, then the timestamp, and only what passes both is
+/// remembered, so that a forged frame cannot make genuine ones look old.
+#[derive(Clone, Debug)]
+pub struct Verifier<const STREAMS: usize = 16> {
+    key: Option<Key>,
+    timestamp: Timestamp,
+    streams: [Stream; STREAMS],
+    known: usize,
+}
+
+impl Verifier {
+    /// A verifier of sixteen streams, as many as the C library has. Without a key it accepts every frame, as
+    /// [`Trust::Unchecked`].
+    ///
+    /// For another key, make another verifier: no frame of the old one passes it.
+    #[must_use]
+    pub const fn new(key: Option<Key>) -> Self {
+        Self::bounded(key)
+    }
+}
+
+impl<const STREAMS: usize> Verifier<STREAMS> {
+    /// A verifier of another number of streams: `Verifier::<40>::bounded(key)`.
+    #[must_use]
+    pub const fn bounded(key: Option<Key>) -> Self {
+        let none = Stream { link_id: 0, system: 0, component: 0, timestamp: Timestamp::ZERO };
+        Self { key, timestamp: Timestamp::ZERO, streams: [none; STREAMS], known: 0 }
+    }
+
+    /// Whether to trust a frame, now. Unsigned ones only if they are `RADIO_STATUS` (message 109).
+    ///
+    /// The signature covers all of the frame but not what its message is taken for: see [`Frame::is_verified`].
+    ///
+    /// # Errors
+    ///
+    /// The frame is to be discarded.
+    pub fn check(&mut self, frame: &Frame<'_>, now: Timestamp) -> Result<Trust, SigningError> {
+        self.check_with(frame, now, |frame| frame.id() == RADIO_STATUS)
+    }
+
+    /// Like [`check`](Self::check), with a rule of yours for frames that no signature vouches for: unsigned ones, and
+    /// those with a signature that is wrong or old. They are never remembered, whatever the rule says.
+    ///
+    /// # Errors
+    ///
+    /// The frame is to be discarded: what is wrong with the signature, and the rule does not allow the frame.
+    pub fn check_with(
+        &mut self,
+        frame: &Frame<'_>,
+        now: Timestamp,
+        allow: impl FnOnce(&Frame<'_>) -> bool,
+    ) -> Result<Trust, SigningError> {
+        self.advance_time(now);
+        let Some(key) = &self.key else { return Ok(Trust::Unchecked) };
+        match verified(key, frame).and_then(|stream| self.accept(stream)) {
+            Ok(()) => Ok(Trust::Signed),
+            Err(_) if allow(frame) => Ok(Trust::Allowed),
+            Err(error) => Err(error),
+        }
+    }
+
+    /// The local time: the latest that was told, restored, or received from a holder of the key. It never goes back.
+    ///
+    /// To be saved, and to be told to every [`Signer`](super::Signer::advance_time).
+    #[must_use]
+    pub const fn timestamp(&self) -> Timestamp {
+        self.timestamp
+    }
+
+    /// Tells the time; an earlier one changes nothing. [`check`](Self::check) does so itself.
+    pub fn advance_time(&mut self, now: Timestamp) {
+        self.timestamp = self.timestamp.max(now);
+    }
+
+    /// The streams so far, to be saved.
+    #[must_use]
+    pub fn streams(&self) -> &[Stream] {
+        self.streams.get(..self.known).unwrap_or_default()
+    }
+
+    /// Goes on from what was saved. Of a stream that is known already, the later timestamp counts.
+    ///
+    /// # Errors
+    ///
+    /// [`SigningError::TooManyStreams`]: those that there is room for were restored.
+    pub fn restore(&mut self, timestamp: Timestamp, streams: &[Stream]) -> Result<(), SigningError> {
+        self.advance_time(timestamp);
+        for &stream in streams {
+            match self.find(&stream) {
+                Some(known) => known.timestamp = known.timestamp.max(stream.timestamp),
+                None => self.add(stream)?,
+            }
+        }
+        Ok(())
+    }
+
+    /// Makes room: forgets the streams that stopped over a minute ago, and says how many. No frame of theirs can be
+    /// replayed, since each is too old to be the first of a stream.
+    pub fn forget_stale(&mut self) -> usize {
+        let (before, local) = (self.known, self.timestamp);
+        let mut kept = 0;
+        for at in 0..before {
+            if let Some(&stream) = self.streams.get(at)
+                && !is_late(stream.timestamp, local)
+                && let Some(place) = self.streams.get_mut(kept)
+            {
+                *place = stream;
+                kept += 1;
+            }
+        }
+        self.known = kept;
+        before - kept
+    }
+
+    /// Judges the timestamp of a frame whose hash is right, and remembers it.
+    fn accept(&mut self, stream: Stream) -> Result<(), SigningError> {
+        let (timestamp, local) = (stream.timestamp, self.timestamp);
+        match self.find(&stream) {
+            Some(Stream { timestamp: last, .. }) if timestamp <= *last => {
+                return Err(SigningError::Replayed { timestamp, last: *last });
+            }
+            Some(known) => *known = stream,
+            None => {
+                // Room comes first, as in the C library.
+                if self.known < STREAMS && is_late(timestamp, local) {
+                    return Err(SigningError::TooOld { timestamp, local });
+                }
+                self.add(stream)?;
+            }
+        }
+        self.advance_time(timestamp);
+        Ok(())
+    }
+
+    fn add(&mut self, stream: Stream) -> Result<(), SigningError> {
+        let free = self.streams.get_mut(self.known).ok_or(SigningError::TooManyStreams { limit: STREAMS })?;
+        *free = stream;
+        self.known += 1;
+        Ok(())
+    }
+
+    fn find(&mut self, stream: &Stream) -> Option<&mut Stream> {
+        self.streams.iter_mut().take(self.known).find(|known| known.is_of(stream))
+    }
+}
+
+/// The stream that a frame belongs to, and its timestamp there, if the hash is right.
+fn verified(key: &Key, frame: &Frame<'_>) -> Result<Stream, SigningError> {
+    let signature = frame.signature().ok_or(SigningError::Unsigned { id: frame.id() })?;
+    let (link_id, system, component) = (signature.link_id(), frame.system(), frame.component());
+    if key.made(frame.bytes()) {
+        Ok(Stream { link_id, system, component, timestamp: signature.timestamp() })
+    } else {
+        Err(SigningError::WrongHash { link_id, system, component })
+    }
+}
+
+fn is_late(timestamp: Timestamp, local: Timestamp) -> bool {
+    timestamp.units() + LATE < local.units()
+}
