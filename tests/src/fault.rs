@@ -30,6 +30,10 @@ pub enum Check {
     Signed,
     /// The signature is that of the key.
     Signature,
+    /// A sender with the key makes the signed frame.
+    Sign,
+    /// A verifier with the key believes the signed frame, once.
+    Verify,
     /// The constants of an enum, their number and names.
     Constants,
     /// The table of an enum.

@@ -32,6 +32,7 @@ pub fn check_case<D: Dialect>(subject: &Subject<D>, definition: &Definition, cas
     let place = &format!("{}, case {}", definition.name, case.name);
     check_encode(subject, case, place, findings);
     signature::check(case, place, findings);
+    signature::check_runtime(subject, case, place, findings);
     let golden = [(Version::V1, case.v1.as_ref()), (Version::V2, Some(&case.v2)), (Version::V2, Some(&case.signed))];
     for (version, frame) in golden {
         let Some(frame) = frame else { continue };
@@ -108,7 +109,7 @@ impl<D: Dialect> Received<'_, D> {
         let signature = frame.signature().map(|signature| signature.bytes().to_vec());
         let expected = Some(self.frame.signature.clone()).filter(|signature| !signature.is_empty());
         findings.equal(Check::Parse, self.place, signature, expected);
-        let stamp = frame.signature().map(|signature| (signature.link_id(), signature.timestamp()));
+        let stamp = frame.signature().map(|signature| (signature.link_id(), signature.timestamp().units()));
         let expected = frame.signature().map(|_| (self.case.link, self.case.timestamp));
         findings.equal(Check::Parse, self.place, stamp, expected);
     }
