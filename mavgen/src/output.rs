@@ -1,11 +1,19 @@
-//! The output folder: written only where something changed, and never touching what is not ours.
+//! The output folder: written as a whole or not at all, only where something changed, and never touching what is not ours.
 
-use std::collections::BTreeSet;
+mod ours;
+mod staged;
+
+#[cfg(test)]
+mod tests;
+
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use crate::emit::{GeneratedFile, MARK};
+use crate::emit::GeneratedFile;
+
+use ours::{has_mark, ours};
+use staged::{STAGING, Staged};
 
 /// The input or output could not be read or written.
 #[derive(Debug)]
@@ -14,6 +22,12 @@ pub struct OutputError {
     pub path: PathBuf,
     /// What the system says.
     pub source: io::Error,
+}
+
+impl OutputError {
+    fn new(path: &Path, source: io::Error) -> Self {
+        Self { path: path.to_owned(), source }
+    }
 }
 
 impl std::fmt::Display for OutputError {
@@ -57,29 +71,26 @@ impl Differences {
     }
 }
 
-/// Makes `folder` hold these files.
+/// Makes `folder` hold these files, all of them or, if it fails, what it held before.
 ///
 /// Files that are equal are not touched; files that carry our header and are not among them are removed; all others are
-/// left alone. Each file is replaced in one step, so that a reader never sees half of one.
+/// left alone, and so are trees that another run wrote into a folder below. Each file is replaced in one step, so that a
+/// reader never sees half of one. What is new is written into a folder `.mavgen-staging` first, which is gone afterwards.
 ///
 /// # Errors
-/// If `folder` holds files but none of ours (it is somebody's folder), or the system refuses something.
+/// If `folder` holds files but none of ours (it is somebody's folder), if one of the files to write is there and is not
+/// ours, or if the system refuses something.
 pub fn write(folder: &Path, files: &[GeneratedFile]) -> Result<Report, OutputError> {
     let ours = ours(folder)?;
-    refuse_foreign(folder, &ours)?;
-    let mut report = Report::default();
-    for file in files {
-        if write_file(&folder.join(&file.path), &file.text)? {
-            report.written += 1;
-        } else {
-            report.kept += 1;
-        }
+    if ours.is_empty() {
+        refuse_occupied(folder)?;
     }
-    for stale in stale(folder, files, &ours) {
-        fs::remove_file(&stale).map_err(|source| OutputError { path: stale, source })?;
-        report.removed += 1;
-    }
-    Ok(report)
+    let changed: Vec<&GeneratedFile> =
+        files.iter().filter(|file| !is_current(&folder.join(&file.path), &file.text)).collect();
+    changed.iter().try_for_each(|file| refuse_foreign(&folder.join(&file.path)))?;
+    let stale = ours.stale(files);
+    Staged::replace(folder, &changed, &stale)?;
+    Ok(Report { written: changed.len(), kept: files.len() - changed.len(), removed: stale.len() })
 }
 
 /// Compares `folder` with these files; writes nothing.
@@ -87,7 +98,9 @@ pub fn write(folder: &Path, files: &[GeneratedFile]) -> Result<Report, OutputErr
 /// # Errors
 /// If the folder cannot be read.
 pub fn check(folder: &Path, files: &[GeneratedFile]) -> Result<Differences, OutputError> {
-    let mut differences = Differences { stale: stale(folder, files, &ours(folder)?), ..Differences::default() };
+    let stale = ours(folder)?.stale(files);
+    let mut differences =
+        Differences { stale: stale.iter().map(|path| folder.join(path)).collect(), ..Differences::default() };
     for file in files {
         let path = folder.join(&file.path);
         if !path.is_file() {
@@ -99,100 +112,40 @@ pub fn check(folder: &Path, files: &[GeneratedFile]) -> Result<Differences, Outp
     Ok(differences)
 }
 
-/// Makes one file hold this text; whether it had to be written.
+/// Makes one file hold this text, in one step; whether it had to be written.
 pub(crate) fn write_file(path: &Path, text: &str) -> Result<bool, OutputError> {
-    let changed = !is_current(path, text);
-    if changed {
-        replace(path, text)?;
+    if is_current(path, text) {
+        return Ok(false);
     }
-    Ok(changed)
+    let temporary = path.with_extension("mavgen-staging");
+    let written = path.parent().map_or(Ok(()), fs::create_dir_all);
+    let written = written.and_then(|()| fs::write(&temporary, text)).and_then(|()| fs::rename(&temporary, path));
+    written.map(|()| true).map_err(|source| {
+        // What was left behind is ours alone; if even that cannot be removed, the first error is the one to tell.
+        let _ = fs::remove_file(&temporary);
+        OutputError::new(path, source)
+    })
 }
 
 fn is_current(path: &Path, text: &str) -> bool {
     fs::read(path).is_ok_and(|bytes| bytes == text.as_bytes())
 }
 
-/// Writes beside the target and renames over it.
-fn replace(path: &Path, text: &str) -> Result<(), OutputError> {
-    let failed = |source| OutputError { path: path.to_owned(), source };
-    if let Some(folder) = path.parent() {
-        fs::create_dir_all(folder).map_err(failed)?;
-    }
-    let temporary = path.with_extension(format!("tmp{}", std::process::id()));
-    let written = fs::write(&temporary, text).and_then(|()| fs::rename(&temporary, path));
-    written.map_err(|source| {
-        // What was left behind is ours alone; if even that cannot be removed, the first error is the one to tell.
-        let _ = fs::remove_file(&temporary);
-        failed(source)
-    })
-}
-
-/// The generated files in `folder` and the folders below it that we make; none if there is no such folder.
-fn ours(folder: &Path) -> Result<BTreeSet<PathBuf>, OutputError> {
-    let mut ours = BTreeSet::new();
-    for folder in [folder.to_owned(), folder.join("messages"), folder.join("enums"), folder.join("views")] {
-        let entries = match fs::read_dir(&folder) {
-            Ok(entries) => entries,
-            Err(error) if error.kind() == io::ErrorKind::NotFound => continue,
-            Err(source) => return Err(OutputError { path: folder, source }),
-        };
-        let paths = entries.filter_map(|entry| entry.ok().map(|entry| entry.path()));
-        ours.extend(paths.filter(|path| path.extension().is_some_and(|extension| extension == "rs") && has_mark(path)));
-    }
-    Ok(ours)
-}
-
-fn has_mark(path: &Path) -> bool {
-    use io::Read;
-    let mut head = [0; MARK.len()];
-    fs::File::open(path).is_ok_and(|mut file| file.read_exact(&mut head).is_ok()) && head == *MARK.as_bytes()
-}
-
-fn refuse_foreign(folder: &Path, ours: &BTreeSet<PathBuf>) -> Result<(), OutputError> {
-    let occupied = fs::read_dir(folder).is_ok_and(|mut entries| entries.next().is_some());
-    if occupied && ours.is_empty() {
+/// A folder that holds nothing of ours is somebody's, unless it is empty.
+fn refuse_occupied(folder: &Path) -> Result<(), OutputError> {
+    let mut entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    if entries.any(|entry| entry.file_name() != STAGING) {
         let text = "the folder is not empty and holds nothing that mavgen wrote: choose another, or empty it";
-        return Err(OutputError { path: folder.to_owned(), source: io::Error::other(text) });
+        return Err(OutputError::new(folder, io::Error::other(text)));
     }
     Ok(())
 }
 
-fn stale(folder: &Path, files: &[GeneratedFile], ours: &BTreeSet<PathBuf>) -> Vec<PathBuf> {
-    let wanted: BTreeSet<PathBuf> = files.iter().map(|file| folder.join(&file.path)).collect();
-    ours.difference(&wanted).cloned().collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn file(path: &str, text: &str) -> GeneratedFile {
-        GeneratedFile { path: path.to_owned(), text: format!("{MARK}\n{text}") }
+/// A file without our header is somebody's, whatever it is called.
+fn refuse_foreign(path: &Path) -> Result<(), OutputError> {
+    if path.symlink_metadata().is_ok_and(|present| !present.is_dir()) && !has_mark(path) {
+        let text = "this file is in the way and was not written by mavgen: move or delete it";
+        return Err(OutputError::new(path, io::Error::other(text)));
     }
-
-    #[test]
-    fn writes_keeps_and_removes() {
-        let folder = tempfile::tempdir().unwrap();
-        let folder = folder.path().join("out");
-        let (a, b) = (file("mod.rs", "a"), file("messages/b.rs", "b"));
-        let first = write(&folder, &[a.clone(), b.clone()]).unwrap();
-        assert_eq!(first, Report { written: 2, kept: 0, removed: 0 });
-        fs::write(folder.join("notes.txt"), "mine").unwrap();
-        fs::write(folder.join("messages/mine.rs"), "// mine").unwrap();
-        let second = write(&folder, &[a.clone(), file("messages/c.rs", "c")]).unwrap();
-        assert_eq!(second, Report { written: 1, kept: 1, removed: 1 });
-        assert!(folder.join("notes.txt").exists() && folder.join("messages/mine.rs").exists());
-        assert!(!folder.join("messages/b.rs").exists());
-        let differences = check(&folder, &[file("mod.rs", "changed"), b]).unwrap();
-        assert_eq!((differences.changed.len(), differences.missing.len(), differences.stale.len()), (1, 1, 1));
-    }
-
-    #[test]
-    fn somebodys_folder_is_refused() {
-        let folder = tempfile::tempdir().unwrap();
-        fs::write(folder.path().join("thesis.txt"), "x").unwrap();
-        let error = write(folder.path(), &[file("mod.rs", "a")]).unwrap_err();
-        assert!(error.to_string().contains("not empty"));
-        assert!(!folder.path().join("mod.rs").exists());
-    }
+    Ok(())
 }

@@ -1,0 +1,150 @@
+//! All or nothing: what is new is written beside the tree first, and what was there is kept until all of it is in place.
+//!
+//! Writing is what fails, for want of space or permission, and it comes first. Renaming needs neither; should it fail all the
+//! same, what was renamed before is taken back.
+
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use super::OutputError;
+use crate::emit::GeneratedFile;
+
+/// The folder in the output folder that holds what is new, until it is in place.
+pub(super) const STAGING: &str = ".mavgen-staging";
+
+/// Changes to a folder that are made together.
+pub(super) struct Staged<'f> {
+    folder: &'f Path,
+    /// Folders that were made, each after the one that it lies in.
+    made: Vec<PathBuf>,
+    steps: Vec<Step>,
+    /// How many of the steps are done.
+    done: usize,
+}
+
+/// What becomes of one file.
+struct Step {
+    /// Its path in the folder.
+    path: PathBuf,
+    /// Whether it is replaced; if not, it is removed.
+    wanted: bool,
+    /// Whether there was one before.
+    present: bool,
+}
+
+impl<'f> Staged<'f> {
+    /// Makes the folder hold what is new, and no longer what is stale.
+    pub(super) fn replace(folder: &'f Path, new: &[&GeneratedFile], stale: &[PathBuf]) -> Result<(), OutputError> {
+        if new.is_empty() && stale.is_empty() {
+            return Ok(());
+        }
+        let mut staged = Self::new(folder);
+        let replaced = staged.prepare(new, stale).and_then(|()| staged.commit());
+        if replaced.is_err() {
+            staged.undo();
+        }
+        // If the staging folder cannot be removed the tree is no worse for it, and the next run removes it.
+        let _ = fs::remove_dir_all(staged.staging());
+        // Folders are removed only if they are empty, and those that are not have to stay.
+        if replaced.is_err() {
+            staged.made.iter().rev().for_each(|folder| drop(fs::remove_dir(folder)));
+        } else {
+            let above = stale.iter().flat_map(|path| path.ancestors().skip(1));
+            let below = above.filter(|above| !above.as_os_str().is_empty());
+            below.for_each(|emptied| drop(fs::remove_dir(folder.join(emptied))));
+        }
+        replaced
+    }
+
+    pub(super) fn new(folder: &'f Path) -> Self {
+        Self { folder, made: Vec::new(), steps: Vec::new(), done: 0 }
+    }
+
+    fn staging(&self) -> PathBuf {
+        self.folder.join(STAGING)
+    }
+
+    /// Where a new file waits.
+    fn new_file(&self, path: &Path) -> PathBuf {
+        self.staging().join("new").join(path)
+    }
+
+    /// Where an old file is kept.
+    fn old_file(&self, path: &Path) -> PathBuf {
+        self.staging().join("old").join(path)
+    }
+
+    /// Writes what is new beside the tree, keeps what is there, and makes the folders: all that can fail for good reasons.
+    pub(super) fn prepare(&mut self, new: &[&GeneratedFile], stale: &[PathBuf]) -> Result<(), OutputError> {
+        match fs::remove_dir_all(self.staging()) {
+            Err(error) if !matches!(error.kind(), io::ErrorKind::NotFound | io::ErrorKind::NotADirectory) => {
+                return Err(OutputError::new(&self.staging(), error));
+            }
+            _ => {}
+        }
+        for file in new {
+            let path = Path::new(&file.path);
+            self.make_parent(&self.folder.join(path))?;
+            self.keep(path, true)?;
+            self.make_parent(&self.new_file(path))?;
+            fs::write(self.new_file(path), &file.text).map_err(|error| self.failed(path, error))?;
+        }
+        stale.iter().try_for_each(|path| self.keep(path, false))
+    }
+
+    /// Keeps what is there of a file, and notes what becomes of it.
+    fn keep(&mut self, path: &Path, wanted: bool) -> Result<(), OutputError> {
+        let at = self.folder.join(path);
+        let present = at.symlink_metadata();
+        if present.as_ref().is_ok_and(|present| present.is_dir()) {
+            return Err(self.failed(path, io::Error::other("there is a folder of that name: move or delete it")));
+        }
+        if present.is_ok() {
+            let old = self.old_file(path);
+            self.make_parent(&old)?;
+            // Not every file system has links.
+            fs::hard_link(&at, &old)
+                .or_else(|_| fs::copy(&at, &old).map(drop))
+                .map_err(|error| self.failed(path, error))?;
+        }
+        self.steps.push(Step { path: path.to_owned(), wanted, present: present.is_ok() });
+        Ok(())
+    }
+
+    /// Puts everything in place.
+    pub(super) fn commit(&mut self) -> Result<(), OutputError> {
+        for step in &self.steps {
+            let at = self.folder.join(&step.path);
+            let done = if step.wanted { fs::rename(self.new_file(&step.path), &at) } else { fs::remove_file(&at) };
+            done.map_err(|error| self.failed(&step.path, error))?;
+            self.done += 1;
+        }
+        Ok(())
+    }
+
+    /// Takes back what was put in place. There is nobody to tell if that fails as well: the first error is the one to tell.
+    pub(super) fn undo(&mut self) {
+        for step in self.steps.iter().take(self.done).rev() {
+            let at = self.folder.join(&step.path);
+            let _ = if step.present { fs::rename(self.old_file(&step.path), &at) } else { fs::remove_file(&at) };
+        }
+        self.done = 0;
+    }
+
+    /// Makes the folder that a file lies in, and those above it.
+    fn make_parent(&mut self, file: &Path) -> Result<(), OutputError> {
+        let above = file.ancestors().skip(1);
+        let missing: Vec<&Path> =
+            above.take_while(|folder| !folder.as_os_str().is_empty() && !folder.is_dir()).collect();
+        for folder in missing.into_iter().rev() {
+            fs::create_dir(folder).map_err(|error| OutputError::new(folder, error))?;
+            self.made.push(folder.to_owned());
+        }
+        Ok(())
+    }
+
+    fn failed(&self, path: &Path, error: io::Error) -> OutputError {
+        OutputError::new(&self.folder.join(path), error)
+    }
+}
