@@ -9,7 +9,7 @@ use crate::emit::MARK;
 use crate::ir::Dialect;
 use crate::names::module_name;
 use crate::output::{write, write_file};
-use crate::source::{FileId, Sources};
+use crate::source::Sources;
 
 impl Builder {
     /// The whole of a `build.rs`: generates into `OUT_DIR` and tells cargo what it needs to know.
@@ -34,7 +34,7 @@ impl Builder {
                 watch(&resolved.watched);
                 (self.for_cargo(&resolved.diagnostics, &resolved.sources), self.write_out_dir(&resolved, out_dir).err())
             }
-            Err(Failure::Definitions(problems)) => {
+            Err(Failure::Definitions(problems) | Failure::Denied(problems)) => {
                 watch(&problems.watched);
                 (self.for_cargo(&problems.diagnostics, &problems.sources), None)
             }
@@ -56,15 +56,15 @@ impl Builder {
         Ok(())
     }
 
-    /// Errors, and warnings about the files that the user asked for by name, one directive a line.
-    fn for_cargo(&self, diagnostics: &Diagnostics, sources: &Sources) -> Vec<String> {
-        let is_own = |file: FileId| sources.get(file).is_some_and(|source| self.names(source.path()));
+    /// Errors, and warnings about what the user wrote, one directive a line; warnings that are denied are errors.
+    fn for_cargo(&self, problems: &Diagnostics, sources: &Sources) -> Vec<String> {
+        let warning = if self.deny_warnings { "error" } else { "warning" };
         let kind = |diagnostic: &Diagnostic| match diagnostic.severity() {
             Severity::Error => Some("error"),
-            Severity::Warning if diagnostic.span.is_none_or(|span| is_own(span.file)) => Some("warning"),
+            Severity::Warning if self.concerns(diagnostic, sources) => Some(warning),
             Severity::Warning | Severity::Note => None,
         };
-        let kinds = diagnostics.iter().filter_map(|diagnostic| Some((kind(diagnostic)?, diagnostic)));
+        let kinds = problems.iter().filter_map(|diagnostic| Some((kind(diagnostic)?, diagnostic)));
         let directives = |(kind, diagnostic): (&str, &Diagnostic)| -> Vec<String> {
             let drawn = render(diagnostic, sources, Style::Plain);
             drawn.lines().map(|line| format!("cargo::{kind}={line}")).collect()

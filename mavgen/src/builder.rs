@@ -3,7 +3,7 @@
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-use crate::diag::{Diagnostics, Style, render};
+use crate::diag::{Diagnostic, Diagnostics, Severity, Style, render};
 use crate::emit::{GeneratedFile, Options, emit};
 use crate::ir::Dialect;
 use crate::output::{Differences, OutputError, Report, check, write};
@@ -35,6 +35,7 @@ pub struct Builder {
     pub(crate) out_dir: Option<PathBuf>,
     runtime: String,
     deprecated: bool,
+    pub(crate) deny_warnings: bool,
 }
 
 /// A dialect that was read and resolved without errors.
@@ -56,6 +57,8 @@ pub struct Resolved {
 pub enum Failure {
     /// The definitions are wrong.
     Definitions(Box<Problems>),
+    /// There are warnings, and [`Builder::deny_warnings`] was asked for; these are they.
+    Denied(Box<Problems>),
     /// The output folder could not be read or written.
     Output(OutputError),
     /// The builder was told something impossible.
@@ -65,7 +68,7 @@ pub enum Failure {
 /// The problems of a set of definitions.
 #[derive(Debug)]
 pub struct Problems {
-    /// The problems; at least one is an error.
+    /// The problems.
     pub diagnostics: Diagnostics,
     /// The texts that the spans point into.
     pub sources: Sources,
@@ -85,6 +88,7 @@ impl Builder {
             out_dir: None,
             runtime: "::mavlink_wire".to_owned(),
             deprecated: true,
+            deny_warnings: false,
         }
     }
 
@@ -147,10 +151,21 @@ impl Builder {
         self
     }
 
+    /// Whether warnings fail, as [`Failure::Denied`] (off by default).
+    ///
+    /// Only those that [`Builder::concerns`] says are about the dialect's own file or its overlays: nobody can mend an
+    /// upstream file that they include.
+    #[must_use]
+    pub fn deny_warnings(mut self, deny: bool) -> Self {
+        self.deny_warnings = deny;
+        self
+    }
+
     /// Reads, resolves and selects; writes nothing.
     ///
     /// # Errors
-    /// [`Failure::Definitions`] with every problem, [`Failure::Usage`] if [`Builder::messages`] names what there is not.
+    /// [`Failure::Definitions`] with every problem, [`Failure::Denied`] if [`Builder::deny_warnings`] was asked for and there
+    /// are some, [`Failure::Usage`] if [`Builder::messages`] names what there is not.
     pub fn resolve(&self) -> Result<Resolved, Failure> {
         let selection = self.selection()?;
         let (mut sources, mut diagnostics) = (Sources::default(), Diagnostics::default());
@@ -163,6 +178,10 @@ impl Builder {
         let Some(dialect) = dialect else {
             return Err(Failure::Definitions(Box::new(Problems { diagnostics, sources, watched })));
         };
+        let denied = self.denied(&diagnostics, &sources);
+        if !denied.is_empty() {
+            return Err(Failure::Denied(Box::new(Problems { diagnostics: denied, sources, watched })));
+        }
         let dialect = match &selection {
             Some(selection) => {
                 selection.check(&[&dialect]).map_err(Failure::Usage)?;
@@ -226,15 +245,30 @@ impl Builder {
         names.transpose().map_err(Failure::Usage)
     }
 
-    /// Whether this is the dialect's file or an overlay, as opposed to a file that one includes.
-    pub(crate) fn names(&self, path: &Path) -> bool {
-        self.xml == path || self.overlays.iter().any(|overlay| overlay == path)
+    /// Whether a diagnostic is about the dialect's own file, one of its overlays, or no file at all: about what the user of
+    /// this builder wrote, not about a file that one of those includes.
+    pub fn concerns(&self, diagnostic: &Diagnostic, sources: &Sources) -> bool {
+        let file = diagnostic.span.and_then(|span| sources.get(span.file));
+        file.is_none_or(|file| self.xml == file.path() || self.overlays.iter().any(|overlay| overlay == file.path()))
+    }
+
+    /// The warnings that are not let pass.
+    fn denied(&self, diagnostics: &Diagnostics, sources: &Sources) -> Diagnostics {
+        let is_denied = |diagnostic: &&Diagnostic| {
+            self.deny_warnings && diagnostic.severity() == Severity::Warning && self.concerns(diagnostic, sources)
+        };
+        let mut denied = Diagnostics::default();
+        denied.extend(diagnostics.iter().filter(is_denied).cloned());
+        denied
     }
 
     fn folder(&self) -> Result<&Path, Failure> {
         self.out_dir.as_deref().ok_or_else(|| Failure::Usage("no output folder: call Builder::out_dir first".into()))
     }
 }
+
+/// What is said after warnings that were denied.
+const DENIED: &str = "warnings about the dialect's own file and its overlays are denied";
 
 /// The names of the sources, and one number that changes with any of them (FNV-1a, 64 bits).
 fn provenance(sources: &Sources) -> String {
@@ -253,6 +287,7 @@ impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Definitions(problems) => problems.fmt(f),
+            Self::Denied(problems) => write!(f, "{problems}\n\nerror: {DENIED}"),
             Self::Output(error) => error.fmt(f),
             Self::Usage(text) => f.write_str(text),
         }

@@ -1,11 +1,14 @@
 //! The command line: parses, calls one library function, prints. One file per command in `cli/`.
 //!
-//! Exit status: 0 fine, 1 the answer is no (`check`), 2 the input or the usage is wrong.
+//! Exit status: 0 fine, 1 the answer is no (`check`, `lint`), 2 the input or the usage is wrong.
 
 mod check;
+mod completions;
 mod dump;
 mod generate;
 mod input;
+mod lint;
+mod man;
 mod report;
 mod vendor;
 
@@ -14,36 +17,86 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand};
 
 use check::Check;
+use completions::Completions;
 use dump::Dump;
 use generate::Generate;
+use lint::Lint;
+use man::Man;
+use report::Report;
 use vendor::Vendor;
 
 /// The MAVLink dialect compiler: typed Rust from dialect XML.
+///
+/// It reads a dialect and all that it includes, understands it exactly as pymavlink does, and says what is wrong with it, with
+/// file, line and column.
 #[derive(Parser)]
-#[command(version, after_help = "Exit status: 0 fine, 1 `check` found differences, 2 the input or the usage is wrong.")]
+#[command(name = "mavgen", version, after_help = AFTER_HELP)]
 struct Command {
     #[command(subcommand)]
     action: Action,
+    #[command(flatten)]
+    color: colorchoice_clap::Color,
+    #[command(flatten)]
+    report: Report,
 }
+
+const AFTER_HELP: &str = "\
+Examples:
+  mavgen lint xml/acme.xml                        what is wrong with it?
+  mavgen generate xml/acme.xml --out src/acme     write Rust
+  mavgen check xml/acme.xml --out src/acme        in CI: is what is committed current?
+  mavgen dump xml/acme.xml                        ids, offsets, lengths, crc_extra, values
+
+Exit status: 0 fine, 1 the answer is no (check, lint), 2 the input or the usage is wrong.";
 
 #[derive(Subcommand)]
 enum Action {
     Generate(Generate),
     Check(Check),
+    Lint(Lint),
     Dump(Dump),
     Vendor(Vendor),
+    Completions(Completions),
+    Man(Man),
 }
 
 /// Runs the command that the arguments name.
 pub(crate) fn run() -> ExitCode {
-    let outcome = match Command::parse().action {
-        Action::Generate(generate) => generate.run(),
-        Action::Check(check) => check.run(),
-        Action::Dump(dump) => dump.run(),
-        Action::Vendor(vendor) => vendor.run(),
+    let Command { action, color, report } = Command::parse();
+    color.write_global();
+    let outcome = match action {
+        Action::Generate(generate) => generate.run(&report),
+        Action::Check(check) => check.run(&report),
+        Action::Lint(lint) => lint.run(&report),
+        Action::Dump(dump) => dump.run(&report),
+        Action::Vendor(vendor) => vendor.run(&report),
+        Action::Completions(completions) => completions.run(),
+        Action::Man(man) => man.run(),
     };
     outcome.unwrap_or_else(|failure| {
-        report::failure(&failure);
+        report.failure(&failure);
         ExitCode::from(2)
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+
+    use super::*;
+
+    #[test]
+    fn the_arguments_are_consistent() {
+        Command::command().debug_assert();
+    }
+
+    #[test]
+    fn every_command_teaches_by_example() {
+        for command in Command::command().get_subcommands() {
+            let help = command.get_after_help().map(ToString::to_string).unwrap_or_default();
+            let example = format!("mavgen {} ", command.get_name());
+            assert!(help.starts_with("Example") && format!("{help} ").contains(&example), "{}", command.get_name());
+            assert!(command.get_about().is_some(), "{}", command.get_name());
+        }
+    }
 }

@@ -10,7 +10,7 @@ mod render;
 
 pub use code::{Code, Severity};
 #[cfg(feature = "cli")]
-pub use json::json;
+pub use json::{json, json_message};
 pub use nearest::nearest;
 pub use render::{Style, one_line, render};
 

@@ -117,3 +117,22 @@ fn only_some_messages_are_built() {
     let wrong = ["no message of acme.xml is called `BEL` (did you mean `BELL`?)"];
     assert_eq!(starting(&said("BEL,SPRAYER"), "cargo::error="), wrong);
 }
+
+#[test]
+fn denied_warnings_are_errors_and_those_of_included_files_are_not_printed() {
+    let unknown = "<messages colour='red'/>";
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    fs::write(path("base.xml"), BASE.replace("<messages/>", unknown)).unwrap();
+    let said = |acme: &str, deny: bool| {
+        fs::write(path("acme.xml"), acme).unwrap();
+        Builder::new(path("acme.xml")).deny_warnings(deny).cargo_directives(Some(folder.path()))
+    };
+    let fine = said(ACME, true);
+    assert!(starting(&fine, "cargo::error=").is_empty() && starting(&fine, "cargo::warning=").is_empty(), "{fine:?}");
+    let own = ACME.replace("<messages>", "<messages colour='red'>");
+    assert!(starting(&said(&own, false), "cargo::warning=")[0].starts_with("warning[M102]"));
+    let denied = said(&own, true);
+    assert!(starting(&denied, "cargo::error=")[0].starts_with("warning[M102]"), "{denied:?}");
+    assert_eq!(starting(&denied, "cargo::rerun-if-changed=").len(), 3);
+}

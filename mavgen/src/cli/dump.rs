@@ -9,11 +9,11 @@ use mavgen::{Failure, Resolved};
 use serde_json::{Value, json};
 
 use super::input::Input;
-use super::report;
+use super::report::{self, Report};
 
 /// Prints the resolved dialect: wire order, offsets, checksums, merged enums.
 #[derive(Args)]
-#[command(after_help = "Example: mavgen dump xml/acme.xml --json | jq '.messages[].name'")]
+#[command(after_help = AFTER_HELP)]
 pub(super) struct Dump {
     #[command(flatten)]
     input: Input,
@@ -22,10 +22,15 @@ pub(super) struct Dump {
     json: bool,
 }
 
+const AFTER_HELP: &str = "\
+Examples:
+  mavgen dump xml/acme.xml
+  mavgen dump xml/common.xml --messages HEARTBEAT
+  mavgen dump xml/acme.xml --json | jq '.messages[].name'";
+
 impl Dump {
-    pub(super) fn run(&self) -> Result<ExitCode, Failure> {
-        let Resolved { dialect, diagnostics, sources, .. } = self.input.builder().resolve()?;
-        report::diagnostics(&diagnostics, &sources);
+    pub(super) fn run(&self, report: &Report) -> Result<ExitCode, Failure> {
+        let Resolved { dialect, .. } = self.input.resolve(&self.input.builder(), report)?;
         report::print(&if self.json { json(&dialect) } else { text(&dialect) })?;
         Ok(ExitCode::SUCCESS)
     }

@@ -7,28 +7,36 @@ use clap::Args;
 use mavgen::Failure;
 
 use super::input::Output;
-use super::report;
+use super::report::Report;
 
 /// Writes Rust sources into a folder.
 ///
 /// Files that are already right are left untouched, files of an earlier run that are no longer generated are removed,
-/// everything else in the folder is left alone.
+/// everything else in the folder is left alone. If something is wrong, with the definitions or with the folder, it stays as
+/// it was.
 #[derive(Args)]
-#[command(after_help = "Example: mavgen generate xml/acme.xml --out src/acme")]
+#[command(after_help = AFTER_HELP)]
 pub(super) struct Generate {
     #[command(flatten)]
     output: Output,
 }
 
+const AFTER_HELP: &str = "\
+Examples:
+  mavgen generate xml/acme.xml --out src/acme
+  mavgen generate xml/acme.xml --overlay xml/acme.overlay.xml --out src/acme
+  mavgen generate xml/common.xml --messages HEARTBEAT,COMMAND_*,PARAM_* --out src/small
+
+In the crate, `mod acme;` takes the sources in; they need the crate mavlink-wire and nothing else.";
+
 impl Generate {
-    pub(super) fn run(&self) -> Result<ExitCode, Failure> {
+    pub(super) fn run(&self, report: &Report) -> Result<ExitCode, Failure> {
         let (start, builder) = (Instant::now(), self.output.builder());
-        let resolved = builder.resolve()?;
-        report::diagnostics(&resolved.diagnostics, &resolved.sources);
+        let resolved = self.output.input.resolve(&builder, report)?;
         let done = builder.write(&resolved)?;
         let (written, kept, removed) = (done.written, done.kept, done.removed);
         let (out, elapsed) = (self.output.out.display(), start.elapsed().as_millis());
-        anstream::eprintln!("{out}: {written} files written, {kept} kept, {removed} removed, in {elapsed} ms");
+        report.note(&format!("{out}: {written} files written, {kept} kept, {removed} removed, in {elapsed} ms"));
         Ok(ExitCode::SUCCESS)
     }
 }

@@ -3,7 +3,11 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use mavgen::Builder;
+use mavgen::diag::{Diagnostic, Diagnostics, Severity};
+use mavgen::source::Sources;
+use mavgen::{Builder, Failure, Resolved};
+
+use super::report::Report;
 
 /// The definitions.
 #[derive(Args)]
@@ -15,10 +19,13 @@ pub(super) struct Input {
     include_dir: Vec<PathBuf>,
     /// A file that says what the XML cannot, like the meaning of packed bits; may be given several times.
     #[arg(long, value_name = "FILE")]
-    pub(super) overlay: Vec<PathBuf>,
+    overlay: Vec<PathBuf>,
     /// Only these messages and what they need: names separated by commas; in a pattern, a star stands for any characters.
     #[arg(long, value_name = "NAME,PREFIX_*", value_delimiter = ',')]
     messages: Option<Vec<String>>,
+    /// Warnings are errors: those about the XML file itself and its overlays, not about the files that they include.
+    #[arg(long)]
+    pub(super) deny_warnings: bool,
 }
 
 /// The definitions, and a folder for what becomes of them.
@@ -33,11 +40,40 @@ pub(super) struct Output {
 
 impl Input {
     pub(super) fn builder(&self) -> Builder {
-        let builder = Builder::new(&self.xml);
+        let builder = Builder::new(&self.xml).deny_warnings(self.deny_warnings);
         let builder = self.include_dir.iter().fold(builder, |builder, folder| builder.include_dir(folder));
         let builder = self.overlay.iter().fold(builder, |builder, file| builder.overlay(file));
         self.messages.iter().fold(builder, |builder, names| builder.messages(names))
     }
+
+    /// Reads and resolves, and shows what concerns the user.
+    ///
+    /// Warnings about included files and notes are for `mavgen lint`: they would be in the way of everything else.
+    pub(super) fn resolve(&self, builder: &Builder, report: &Report) -> Result<Resolved, Failure> {
+        match builder.resolve() {
+            Ok(resolved) => {
+                report.diagnostics(&concerning(builder, &resolved.diagnostics, &resolved.sources), &resolved.sources);
+                Ok(resolved)
+            }
+            Err(Failure::Definitions(mut problems)) => {
+                problems.diagnostics = concerning(builder, &problems.diagnostics, &problems.sources);
+                Err(Failure::Definitions(problems))
+            }
+            Err(other) => Err(other),
+        }
+    }
+}
+
+/// All errors, and the warnings about what the user wrote.
+fn concerning(builder: &Builder, diagnostics: &Diagnostics, sources: &Sources) -> Diagnostics {
+    let concerns = |diagnostic: &&Diagnostic| match diagnostic.severity() {
+        Severity::Error => true,
+        Severity::Warning => builder.concerns(diagnostic, sources),
+        Severity::Note => false,
+    };
+    let mut list = Diagnostics::default();
+    list.extend(diagnostics.iter().filter(concerns).cloned());
+    list
 }
 
 impl Output {

@@ -1,30 +1,89 @@
 //! What goes to standard error, and text to standard output.
 
-use std::io::{ErrorKind, IsTerminal, Write};
+use std::io::{ErrorKind, Write};
 
-use mavgen::Failure;
-use mavgen::diag::{Diagnostics, Style, render};
+use clap::{Args, ValueEnum};
+use mavgen::diag::{Diagnostics, Severity, Style, json, json_message, render};
 use mavgen::source::Sources;
+use mavgen::{Failure, Problems};
 
-/// Why a command did not do what it was asked for.
-pub(super) fn failure(failure: &Failure) {
-    match failure {
-        Failure::Definitions(problems) => diagnostics(&problems.diagnostics, &problems.sources),
-        other => anstream::eprintln!("error: {other}"),
+/// How commands speak of problems.
+#[derive(Args)]
+pub(super) struct Report {
+    /// What diagnostics look like on standard error.
+    #[arg(long, value_name = "FORMAT", value_enum, default_value_t = Format::Human, global = true)]
+    message_format: Format,
+}
+
+/// What a diagnostic looks like.
+#[derive(Clone, Copy, ValueEnum)]
+enum Format {
+    /// Drawn, with the line of the source, for people.
+    Human,
+    /// One JSON object on one line each, for programs.
+    Json,
+}
+
+impl Report {
+    /// Why a command did not do what it was asked for.
+    pub(super) fn failure(&self, failure: &Failure) {
+        match failure {
+            Failure::Definitions(problems) => self.problems(problems),
+            Failure::Denied(problems) => {
+                self.problems(problems);
+                self.denied();
+            }
+            other => self.error(&other.to_string()),
+        }
+    }
+
+    fn problems(&self, Problems { diagnostics, sources, .. }: &Problems) {
+        self.diagnostics(diagnostics, sources);
+    }
+
+    /// Problems with their places.
+    pub(super) fn diagnostics(&self, diagnostics: &Diagnostics, sources: &Sources) {
+        for diagnostic in diagnostics.iter() {
+            match self.message_format {
+                Format::Human => anstream::eprintln!("{}\n", render(diagnostic, sources, Style::Coloured)),
+                Format::Json => anstream::eprintln!("{}", json(diagnostic, sources)),
+            }
+        }
+    }
+
+    /// Says why warnings made a command fail.
+    pub(super) fn denied(&self) {
+        self.error("warnings about the dialect's own file and its overlays are denied");
+    }
+
+    fn error(&self, message: &str) {
+        match self.message_format {
+            Format::Human => anstream::eprintln!("error: {message}"),
+            Format::Json => anstream::eprintln!("{}", json_message(Severity::Error, message)),
+        }
+    }
+
+    /// One line on what was done, or what to do.
+    pub(super) fn note(&self, message: &str) {
+        match self.message_format {
+            Format::Human => anstream::eprintln!("{message}"),
+            Format::Json => anstream::eprintln!("{}", json_message(Severity::Note, message)),
+        }
     }
 }
 
-/// Problems, drawn.
-pub(super) fn diagnostics(diagnostics: &Diagnostics, sources: &Sources) {
-    let style = if std::io::stderr().is_terminal() { Style::Coloured } else { Style::Plain };
-    for diagnostic in diagnostics.iter() {
-        anstream::eprintln!("{}\n", render(diagnostic, sources, style));
-    }
-}
-
-/// Prints a command's result.
+/// Prints a command's result as it is.
 pub(super) fn print(text: &str) -> Result<(), Failure> {
-    match std::io::stdout().lock().write_all(text.as_bytes()) {
+    printed(std::io::stdout().lock().write_all(text.as_bytes()))
+}
+
+/// Prints a command's result, without its colours where nobody sees them.
+pub(super) fn print_coloured(text: &str) -> Result<(), Failure> {
+    printed(anstream::stdout().lock().write_all(text.as_bytes()))
+}
+
+fn printed(result: std::io::Result<()>) -> Result<(), Failure> {
+    match result {
         // A reader that has seen enough, like `head`, is no error.
         Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Failure::Usage(format!("standard output: {error}"))),
         _ => Ok(()),

@@ -7,7 +7,7 @@ use clap::Args;
 use mavgen::Failure;
 use mavgen::vendor::{Copy, Prose, Vendored, Written, vendor, write};
 
-use super::report;
+use super::report::Report;
 
 /// Copies a dialect and its includes into one folder.
 ///
@@ -45,43 +45,43 @@ pub(super) struct Vendor {
 }
 
 impl Vendor {
-    pub(super) fn run(&self) -> Result<ExitCode, Failure> {
+    pub(super) fn run(&self, report: &Report) -> Result<ExitCode, Failure> {
         let prose = match &self.prose_from {
             Some(folder) => Prose::From(folder.clone()),
             None if self.no_prose => Prose::Drop,
             None => Prose::Keep,
         };
         let vendored = vendor(&self.xml, &self.include_dir, &prose)?;
-        report::diagnostics(&vendored.diagnostics, &vendored.sources);
+        report.diagnostics(&vendored.diagnostics, &vendored.sources);
         let Written { written, kept, others } = write(&self.out, &vendored.files).map_err(Failure::Output)?;
-        anstream::eprintln!("{}: {written} files written, {kept} kept", self.out.display());
+        report.note(&format!("{}: {written} files written, {kept} kept", self.out.display()));
         for other in others {
-            anstream::eprintln!("{}: left alone, not a file of this dialect", other.display());
+            report.note(&format!("{}: left alone, not a file of this dialect", other.display()));
         }
         if self.prose_from.is_some() {
-            self.descriptions(&vendored);
+            self.descriptions(&vendored, report);
         }
         Ok(ExitCode::SUCCESS)
     }
 
     /// Says what lacks a description, and which ones found no place.
-    fn descriptions(&self, Vendored { files, homeless, .. }: &Vendored) {
+    fn descriptions(&self, Vendored { files, homeless, .. }: &Vendored, report: &Report) {
         for lost in homeless {
             let (file, name, words) = (lost.file.display(), &lost.name, &lost.words);
-            anstream::eprintln!("{file}: no longer in the definitions: {name}: {words}");
+            report.note(&format!("{file}: no longer in the definitions: {name}: {words}"));
         }
         for Copy { name: file, items, .. } in files {
             for item in items.iter().filter(|item| !item.described && (item.new || self.all)) {
                 let new = if item.new { "new, and " } else { "" };
-                anstream::eprintln!("{}: {new}without a description: {}", self.out.join(file).display(), item.name);
+                report.note(&format!("{}: {new}without a description: {}", self.out.join(file).display(), item.name));
             }
         }
         let items = || files.iter().flat_map(|file| &file.items);
         let (all, without) = (items().count(), items().filter(|item| !item.described).count());
         let new = items().filter(|item| !item.described && item.new).count();
-        anstream::eprintln!(
+        report.note(&format!(
             "{without} of {all} items have no description, {new} of them new; {} descriptions found no place",
             homeless.len()
-        );
+        ));
     }
 }

@@ -2,14 +2,14 @@
 
 use serde_json::{Map, Value, json as value};
 
-use super::{Diagnostic, Style, render};
+use super::{Diagnostic, Severity, Style, render};
 use crate::source::{Sources, Span};
 
 /// One diagnostic as a JSON object on one line, without a line end: what `--message-format json` prints.
 ///
 /// | key | value |
 /// |---|---|
-/// | `code` | the stable number, as in `"M304"`; `mavgen explain M304` says more |
+/// | `code` | the stable number, as in `"M304"`; `mavgen explain M304` says more; `null` in a [`json_message`] |
 /// | `severity` | `"error"`, `"warning"` or `"note"` |
 /// | `message` | what is wrong, in one line |
 /// | `label` | what is said of the place; may be empty |
@@ -38,6 +38,21 @@ pub fn json(diagnostic: &Diagnostic, sources: &Sources) -> String {
     object.append(&mut place(diagnostic.span, sources));
     object.insert("related".to_owned(), related.collect());
     object.insert("rendered".to_owned(), value!(render(diagnostic, sources, Style::Plain)));
+    Value::Object(object).to_string()
+}
+
+/// A message that is none of the catalogue, like a folder that cannot be written, in the schema of [`json`]: its `code` is
+/// `null`, and it has no place.
+pub fn json_message(severity: Severity, message: &str) -> String {
+    let mut object = Map::new();
+    object.insert("code".to_owned(), Value::Null);
+    object.insert("severity".to_owned(), value!(severity.to_string()));
+    object.insert("message".to_owned(), value!(message));
+    object.insert("label".to_owned(), value!(""));
+    object.insert("help".to_owned(), Value::Null);
+    object.append(&mut place(None, &Sources::default()));
+    object.insert("related".to_owned(), value!([]));
+    object.insert("rendered".to_owned(), value!(format!("{severity}: {message}")));
     Value::Object(object).to_string()
 }
 
@@ -82,6 +97,18 @@ mod tests {
             "rendered": render(&diagnostic, &sources, Style::Plain),
         });
         assert_eq!(serde_json::from_str::<Value>(&line).unwrap(), expected);
+    }
+
+    #[test]
+    fn a_message_has_the_keys_of_a_diagnostic() {
+        let keys = |line: &str| -> Vec<String> {
+            let value: Value = serde_json::from_str(line).unwrap();
+            value.as_object().unwrap().keys().cloned().collect()
+        };
+        let diagnostic = Diagnostic::without_place(Code::Unreadable, "x");
+        let message = json_message(Severity::Error, "out: \"full\"");
+        assert_eq!(keys(&message), keys(&json(&diagnostic, &Sources::default())));
+        assert!(message.contains(r#""rendered":"error: out: \"full\"""#), "{message}");
     }
 
     #[test]

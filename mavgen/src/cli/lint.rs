@@ -1,0 +1,76 @@
+//! `mavgen lint`.
+
+use std::process::ExitCode;
+
+use clap::Args;
+use mavgen::diag::{Code, Diagnostics, Severity};
+use mavgen::source::Sources;
+use mavgen::{Builder, Failure, Problems, Resolved};
+
+use super::input::Input;
+use super::report::Report;
+
+/// Says all that there is to say about a dialect, and no (exit status 1) if something is wrong with it.
+///
+/// Warnings and notes about included files are shown as well, which other commands do not. A warning is no reason to say no,
+/// unless warnings are denied. `--messages` has no say in it: a file is right or wrong as a whole.
+#[derive(Args)]
+#[command(after_help = AFTER_HELP)]
+pub(super) struct Lint {
+    #[command(flatten)]
+    input: Input,
+}
+
+const AFTER_HELP: &str = "\
+Examples:
+  mavgen lint xml/acme.xml
+  mavgen lint xml/acme.xml --overlay xml/acme.overlay.xml --deny-warnings
+  mavgen lint xml/acme.xml --message-format json 2>&1 | jq .message
+
+Exit status: 0 fine, 1 errors (or denied warnings), 2 the file cannot be read.";
+
+/// Problems that leave nothing to judge.
+const UNREADABLE: [Code; 3] = [Code::Unreadable, Code::NotUtf8, Code::TooLarge];
+
+impl Lint {
+    pub(super) fn run(&self, report: &Report) -> Result<ExitCode, Failure> {
+        // Denied warnings are found here, beside all the others.
+        let builder = self.input.builder().deny_warnings(false);
+        match builder.resolve() {
+            Ok(Resolved { diagnostics, sources, .. }) => Ok(self.judge(&builder, &diagnostics, &sources, report)),
+            Err(Failure::Definitions(problems)) => {
+                let Problems { diagnostics, sources, .. } = &*problems;
+                if diagnostics.iter().any(|diagnostic| UNREADABLE.contains(&diagnostic.code)) {
+                    return Err(Failure::Definitions(problems));
+                }
+                Ok(self.judge(&builder, diagnostics, sources, report))
+            }
+            Err(other) => Err(other),
+        }
+    }
+
+    fn judge(&self, builder: &Builder, found: &Diagnostics, sources: &Sources, report: &Report) -> ExitCode {
+        report.diagnostics(found, sources);
+        let count = |severity| found.iter().filter(|diagnostic| diagnostic.severity() == severity).count();
+        let (errors, warnings, notes) = (count(Severity::Error), count(Severity::Warning), count(Severity::Note));
+        let xml = self.input.xml.display();
+        report.note(&format!(
+            "{xml}: {}, {}, {}",
+            plural(errors, "error"),
+            plural(warnings, "warning"),
+            plural(notes, "note")
+        ));
+        let denied = self.input.deny_warnings
+            && found.iter().any(|one| one.severity() == Severity::Warning && builder.concerns(one, sources));
+        if denied {
+            report.denied();
+        }
+        if errors > 0 || denied { ExitCode::from(1) } else { ExitCode::SUCCESS }
+    }
+}
+
+/// `1 error`, `2 errors`.
+fn plural(count: usize, what: &str) -> String {
+    let s = if count == 1 { "" } else { "s" };
+    format!("{count} {what}{s}")
+}

@@ -1,0 +1,109 @@
+//! Files and options that cannot be what was meant: exit status 2, one clear line, nothing lost.
+
+use std::fs;
+use std::path::Path;
+
+use crate::{ACME, folder, mavgen, stderr, tree};
+
+/// What `generate` with these arguments says first, after it refused and left everything in the folder as it was.
+fn refused(folder: &Path, arguments: &[&str]) -> String {
+    let before = tree(folder);
+    let output = mavgen(folder, arguments);
+    let said = stderr(&output);
+    assert_eq!(output.status.code(), Some(2), "{said}");
+    assert!(output.stdout.is_empty() && tree(folder) == before, "{said}");
+    said.lines().next().unwrap_or_default().to_owned()
+}
+
+/// A folder with `acme.xml` and its sources in `out`.
+fn generated() -> tempfile::TempDir {
+    let folder = folder(ACME);
+    assert_eq!(mavgen(folder.path(), &["generate", "acme.xml", "--out", "out"]).status.code(), Some(0));
+    folder
+}
+
+#[test]
+fn definitions_that_are_no_text() {
+    let folder = generated();
+    let path = |name: &str| folder.path().join(name);
+    fs::write(path("latin1.xml"), b"<mavlink>\xe9</mavlink>").unwrap();
+    fs::create_dir(path("folder.xml")).unwrap();
+    // A file with nothing in it but its length.
+    fs::File::create(path("huge.xml")).unwrap().set_len((64 << 20) + 1).unwrap();
+    for (xml, line) in [
+        ("missing.xml", "error[M001]: `missing.xml` cannot be read: there is no such file"),
+        ("acme.xml/x.xml", "error[M001]: `acme.xml/x.xml` cannot be read: there is no such file"),
+        ("folder.xml", "error[M001]: `folder.xml` cannot be read: it is a folder"),
+        ("latin1.xml", "error[M002]: the byte 0xE9 in line 1 is not UTF-8"),
+        ("huge.xml", "error[M007]: `huge.xml` is larger than 64 MiB"),
+    ] {
+        let arguments = |command| [command, xml, "--out", "out"];
+        assert_eq!(refused(folder.path(), &arguments("generate")), line);
+        assert_eq!(refused(folder.path(), &arguments("check")), line);
+        assert_eq!(refused(folder.path(), &["dump", xml]), line);
+        assert_eq!(refused(folder.path(), &["lint", xml]), line);
+        let as_overlay = ["generate", "acme.xml", "--overlay", xml, "--out", "out"];
+        assert_eq!(refused(folder.path(), &as_overlay), line);
+    }
+}
+
+#[test]
+fn folders_that_cannot_be_written() {
+    let folder = generated();
+    let generate = |out: &str| refused(folder.path(), &["generate", "acme.xml", "--out", out]);
+    assert!(generate("acme.xml").starts_with("error: acme.xml: "), "{}", generate("acme.xml"));
+    assert!(generate("acme.xml/out").starts_with("error: acme.xml"), "{}", generate("acme.xml/out"));
+    let long = "x".repeat(300);
+    assert!(generate(&long).starts_with(&format!("error: {long}: ")), "{}", generate(&long));
+    assert!(generate("").starts_with("error: "), "{}", generate(""));
+    let check = refused(folder.path(), &["check", "acme.xml", "--out", "acme.xml"]);
+    assert!(check.starts_with("error: acme.xml: "), "{check}");
+}
+
+/// Not even the superuser makes folders there.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_file_system_that_is_not_for_writing() {
+    let folder = generated();
+    let said = refused(folder.path(), &["generate", "acme.xml", "--out", "/proc/acme"]);
+    assert!(said.starts_with("error: /proc/acme: "), "{said}");
+}
+
+/// A limit on the length of files is to a program what a full disk is: some of a file is written, then no more.
+#[cfg(unix)]
+#[test]
+fn a_full_disk_leaves_the_old_tree_whole() {
+    use std::process::Command;
+    let folder = generated();
+    let before = tree(folder.path());
+    let long = "Much to say. ".repeat(10_000);
+    let xml = ACME.replace("What the sprayer does.", &long).replace("uint16_t", "uint32_t");
+    fs::write(folder.path().join("acme.xml"), xml).unwrap();
+    let script = "trap '' XFSZ; ulimit -f 64; exec \"$0\" generate acme.xml --out out";
+    let output =
+        Command::new("sh").args(["-c", script, env!("CARGO_BIN_EXE_mavgen")]).current_dir(folder.path()).output();
+    let output = output.unwrap();
+    assert_eq!(output.status.code(), Some(2), "{}", stderr(&output));
+    assert!(stderr(&output).starts_with("error: out/messages/sprayer.rs: "), "{}", stderr(&output));
+    let after = tree(folder.path());
+    assert_eq!(before.len(), after.len());
+    assert!(before.iter().zip(&after).all(|(old, new)| old == new || old.0 == Path::new("acme.xml")));
+    assert!(!folder.path().join("out/.mavgen-staging").exists());
+}
+
+#[test]
+fn wrong_options() {
+    let folder = generated();
+    for arguments in [
+        &["generate", "acme.xml"][..],
+        &["generate", "--out", "out"],
+        &["generate", "acme.xml", "--out", "out", "--outt", "x"],
+        &["generate", "acme.xml", "--out", "out", "--out", "x"],
+        &["generate", "acme.xml", "--out", "out", "--color", "sometimes"],
+        &["generate", "acme.xml", "--out", "out", "--message-format", "xml"],
+        &["generat", "acme.xml", "--out", "out"],
+        &[],
+    ] {
+        assert_ne!(refused(folder.path(), arguments), "", "{arguments:?}");
+    }
+}
