@@ -5,6 +5,7 @@
 mod check;
 mod completions;
 mod dump;
+mod explain;
 mod generate;
 mod input;
 mod lint;
@@ -19,6 +20,7 @@ use clap::{Parser, Subcommand};
 use check::Check;
 use completions::Completions;
 use dump::Dump;
+use explain::Explain;
 use generate::Generate;
 use lint::Lint;
 use man::Man;
@@ -55,6 +57,7 @@ enum Action {
     Check(Check),
     Lint(Lint),
     Dump(Dump),
+    Explain(Explain),
     Vendor(Vendor),
     Completions(Completions),
     Man(Man),
@@ -69,6 +72,7 @@ pub(crate) fn run() -> ExitCode {
         Action::Check(check) => check.run(&report),
         Action::Lint(lint) => lint.run(&report),
         Action::Dump(dump) => dump.run(&report),
+        Action::Explain(explain) => explain.run(),
         Action::Vendor(vendor) => vendor.run(&report),
         Action::Completions(completions) => completions.run(),
         Action::Man(man) => man.run(),

@@ -20,6 +20,9 @@ use mavgen::source::Sources;
 /// Relative to the crate, which is where cargo runs tests: no rendering names a folder of the machine.
 const FOLDER: &str = "tests/ui";
 
+/// The rendering whose input is made here.
+const MANY: &str = "many_mistakes.stderr";
+
 /// The problems of a dialect.
 fn problems(top: &Path) -> (Diagnostics, Sources) {
     let (mut sources, mut diagnostics) = (Sources::default(), Diagnostics::default());
@@ -158,9 +161,26 @@ fn twenty_mistakes_are_twenty_problems() {
     assert!(places.is_sorted_by(|a, b| a < b), "{places:?}");
 }
 
+/// A file that is nothing but mistakes: how the list ends.
+#[test]
+fn many_mistakes_end_as_recorded() {
+    let folder = tempfile::tempdir().unwrap();
+    let input = folder.path().join("many.xml");
+    let fields = "<field type='uint9_t' name='f'/>".repeat(60);
+    let messages: String = (0..5).map(|id| format!("<message id='{id}' name='M{id}'>{fields}</message>")).collect();
+    fs::write(&input, format!("<mavlink><messages>{messages}</messages></mavlink>")).unwrap();
+    let (diagnostics, sources) = problems(&input);
+    let last = diagnostics.iter().last().unwrap();
+    let text = format!("{}\n\n{}\n", render(last, &sources, Style::Plain), one_line(last, &sources));
+    let mut wrong = String::new();
+    compare(&Path::new(FOLDER).join(MANY), &text, &mut wrong);
+    assert!(wrong.is_empty(), "\n{wrong}MAVGEN_BLESS=1 records what is printed now");
+}
+
 #[test]
 fn no_rendering_is_without_input() {
-    let known: BTreeSet<PathBuf> = cases().into_iter().map(|(_, golden)| golden).collect();
+    let mut known: BTreeSet<PathBuf> = cases().into_iter().map(|(_, golden)| golden).collect();
+    known.insert(Path::new(FOLDER).join(MANY));
     let found = fs::read_dir(FOLDER).unwrap().map(|entry| entry.unwrap().path());
     let orphans: Vec<PathBuf> = found
         .filter(|path| path.extension().is_some_and(|extension| extension == "stderr"))

@@ -29,10 +29,23 @@ impl fmt::Display for Severity {
 
 macro_rules! catalogue {
     ($($number:literal $name:ident $severity:ident $title:literal;)*) => {
-        /// A kind of problem.
+        /// A kind of problem. Each has a page here, which `mavgen explain M304` prints.
+        ///
+        /// The examples are parts of a definition: messages stand in `<messages>`, enums in `<enums>`. A comment in the first
+        /// line names the file where there are several. The overlays from M700 on are for this definition:
+        ///
+        /// ```xml
+        #[cfg_attr(doc, doc = include_str!("pages/acme.xml"))]
+        /// ```
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        #[expect(clippy::zero_prefixed_literal, reason = "the number as it is shown names the page")]
         pub enum Code {
-            $(#[doc = $title] $name = $number,)*
+            $(
+                #[doc = concat!("`M", stringify!($number), "`: ", $title)]
+                #[doc = ""]
+                #[cfg_attr(doc, doc = include_str!(concat!("pages/M", stringify!($number), ".md")))]
+                $name = $number,
+            )*
         }
 
         impl Code {
@@ -48,20 +61,29 @@ macro_rules! catalogue {
             pub fn title(self) -> &'static str {
                 match self { $(Self::$name => $title,)* }
             }
+
+            /// What it means, a wrong example and a right one, and why it matters on the wire: a page of markdown, the same
+            /// as in the documentation of this type.
+            #[cfg(feature = "cli")]
+            pub fn explanation(self) -> &'static str {
+                match self {
+                    $(Self::$name => include_str!(concat!("pages/M", stringify!($number), ".md")),)*
+                }
+            }
         }
     };
 }
 
 catalogue! {
-    1 Unreadable Error "A file cannot be read.";
-    2 NotUtf8 Error "A file is not UTF-8 text.";
-    3 NotWellFormed Error "The text is not well-formed XML.";
-    4 Unclosed Error "An element, a tag or a comment is not closed before the file or its parent ends.";
-    5 UnknownEntity Error "An entity reference is not one of XML's own five.";
-    6 DocumentType Error "A document type declaration is refused: nothing is expanded or fetched.";
-    7 TooLarge Error "A file is larger or deeper than any dialect.";
-    8 DeclaredEncoding Warning "The XML declaration names an encoding that the file is not in.";
-    9 NotListed Note "There are more problems than are listed.";
+    001 Unreadable Error "A file cannot be read.";
+    002 NotUtf8 Error "A file is not UTF-8 text.";
+    003 NotWellFormed Error "The text is not well-formed XML.";
+    004 Unclosed Error "An element, a tag or a comment is not closed before the file or its parent ends.";
+    005 UnknownEntity Error "An entity reference is not one of XML's own five.";
+    006 DocumentType Error "A document type declaration is refused: nothing is expanded or fetched.";
+    007 TooLarge Error "A file is larger or deeper than any dialect.";
+    008 DeclaredEncoding Warning "The XML declaration names an encoding that the file is not in.";
+    009 NotListed Note "There are more problems than are listed.";
 
     100 WrongRoot Error "The root element is not the one of such a file.";
     101 UnknownElement Warning "An element is not part of the grammar.";
