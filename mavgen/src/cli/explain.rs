@@ -19,11 +19,16 @@ const BASE: &str = include_str!("../diag/pages/acme.xml");
 ///
 /// Without a code, lists them all.
 #[derive(Args)]
-#[command(after_help = "Example: mavgen explain M304")]
+#[command(after_help = AFTER_HELP)]
 pub(super) struct Explain {
     /// The code, as it stands in brackets in a diagnostic.
     code: Option<String>,
 }
+
+const AFTER_HELP: &str = "\
+Examples:
+  mavgen explain M304
+  mavgen explain | grep warning";
 
 impl Explain {
     pub(super) fn run(&self) -> Result<ExitCode, Failure> {
