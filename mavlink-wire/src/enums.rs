@@ -4,7 +4,7 @@
 
 use core::fmt;
 
-use crate::{EnumInfo, UnknownName, Wire};
+use crate::{EnumInfo, Kind, UnknownName, Wire};
 
 /// An enum or a flags type of a dialect, for code that works on any of them.
 pub trait Enum: Wire + Eq + 'static {
@@ -23,6 +23,9 @@ pub trait Enum: Wire + Eq + 'static {
 
 /// An integer that can carry an enum: `u8` to `u64`, `i8` to `i64`.
 pub trait Repr: Wire + Eq {
+    /// The type in the XML.
+    const KIND: Kind;
+
     /// The same bits, zeros above.
     fn bits(self) -> u64;
 
@@ -31,8 +34,10 @@ pub trait Repr: Wire + Eq {
 }
 
 macro_rules! repr {
-    ($($type:ident as $unsigned:ident)*) => {$(
+    ($($type:ident as $unsigned:ident $kind:ident)*) => {$(
         impl Repr for $type {
+            const KIND: Kind = Kind::$kind;
+
             #[inline]
             fn bits(self) -> u64 {
                 self as $unsigned as u64
@@ -46,7 +51,8 @@ macro_rules! repr {
     )*};
 }
 
-repr!(u8 as u8 u16 as u16 u32 as u32 u64 as u64 i8 as u8 i16 as u16 i32 as u32 i64 as u64);
+repr!(u8 as u8 U8 u16 as u16 U16 u32 as u32 U32 u64 as u64 U64);
+repr!(i8 as u8 I8 i16 as u16 I16 i32 as u32 I32 i64 as u64 I64);
 
 /// Writes the entry's name, or the number if there is none.
 #[doc(hidden)]
@@ -84,7 +90,7 @@ where
 }
 
 /// Reads an entry's name or a number; whether the number fits is the caller's to check.
-fn parse_entry(info: &'static EnumInfo, text: &str) -> Result<i128, UnknownName> {
+pub(crate) fn parse_entry(info: &'static EnumInfo, text: &str) -> Result<i128, UnknownName> {
     let (digits, negative) = match text.strip_prefix('-') {
         Some(digits) => (digits, true),
         None => (text, false),
@@ -216,5 +222,7 @@ macro_rules! open_enum {
                 value.0
             }
         }
+
+        $crate::__serde!($name, serialize_enum, deserialize_enum);
     };
 }

@@ -66,6 +66,8 @@
 //! - `fast-crc` (default): the checksum from a table of 8 KiB. Without it, a few instructions per byte and no table.
 //! - `signing`: signatures are made and verified, in the module `signing`. Without it they are only handed over
 //!   ([`Frame::signature`]).
+//! - `serde`: messages, enums, flags, [`Chars`] and dialects serialize, without losing a bit, in text by names; the module
+//!   `serde` says how.
 
 #![no_std]
 #![forbid(unsafe_code)]
@@ -82,10 +84,13 @@ mod frame;
 mod header;
 mod info;
 mod message;
+mod optional;
 mod parser;
 pub mod reflect;
 mod scale;
 mod sender;
+#[cfg(feature = "serde")]
+pub mod serde;
 #[cfg(feature = "signing")]
 pub mod signing;
 mod statistics;

@@ -100,7 +100,7 @@ pub trait Targeted: Message {
     fn to(self, system: impl Into<u8>, component: impl Into<u8>) -> Self;
 }
 
-/// Completes a message: `Default`.
+/// Completes a message: `Default`, and what the optional features add.
 #[macro_export]
 macro_rules! message {
     ($name:ident) => {
@@ -110,11 +110,13 @@ macro_rules! message {
                 <Self as $crate::Message>::DEFAULT
             }
         }
+
+        $crate::__serde!($name, serialize_message, deserialize_message);
     };
 }
 
 /// Completes a dialect's enum, whose variants have the names of the types in them: `From` each message, `TryFrom` back
-/// (the error is the enum, unchanged), [`Encode`].
+/// (the error is the enum, unchanged), [`Encode`], and what the optional features add. [`Dialect`] is written out beside it.
 ///
 /// `dialect!(Autoquad { Heartbeat, SysStatus })`
 #[macro_export]
@@ -154,6 +156,8 @@ macro_rules! dialect {
                 }
             }
         )*
+
+        $crate::__serde!($dialect, serialize_dialect, deserialize_dialect, ::core::stringify!($dialect));
     };
 }
 

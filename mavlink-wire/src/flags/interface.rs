@@ -291,6 +291,8 @@ macro_rules! flags {
                 self.complement()
             }
         }
+
+        $crate::__serde!($name, serialize_enum, deserialize_enum);
     };
     (@mask $repr:ident) => {
         (u64::MAX >> (u64::BITS - $repr::BITS))

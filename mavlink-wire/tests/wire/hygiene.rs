@@ -16,6 +16,16 @@ pub(crate) struct Message;
 pub(crate) struct Encode;
 pub(crate) struct Enum;
 pub(crate) struct Wire;
+pub(crate) struct Serialize;
+pub(crate) struct Deserialize;
+pub(crate) struct Serializer;
+pub(crate) struct Deserializer;
+pub(crate) struct Format;
+pub(crate) struct Formatter;
+pub(crate) struct Arbitrary;
+pub(crate) struct Unstructured;
+pub(crate) struct Flags;
+pub(crate) struct Flag;
 pub(crate) trait Default {}
 pub(crate) trait From {}
 pub(crate) trait Into {}
@@ -40,7 +50,7 @@ wire::flags!(Display, u64, DISPLAY);
 
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) struct Copied {
-    debug: Debug,
+    pub(crate) debug: Debug,
 }
 
 impl wire::Message for Copied {
@@ -77,7 +87,28 @@ wire::message!(Copied);
 pub(crate) enum Any {
     Copied(Copied),
 }
+
+static INFOS: [&wire::MessageInfo; 1] = [<Copied as wire::Message>::INFO];
+static TABLE: wire::Table<'static> = wire::Table::of(&INFOS);
+
+impl wire::Dialect for Any {
+    const TABLE: &'static wire::Table<'static> = &TABLE;
+    const FIELDS: &'static [&'static [wire::FieldInfo]] = &[<Copied as wire::Message>::FIELDS];
+    const DEFAULT: Self = Self::Copied(<Copied as wire::Message>::DEFAULT);
+
+    fn decode_into(&mut self, id: u32, payload: &[u8]) -> bool {
+        *self = Self::Copied(wire::Message::decode(payload));
+        id == 1
+    }
+}
 wire::dialect!(Any { Copied });
+
+impl Any {
+    pub(crate) fn debug(self) -> u16 {
+        let Self::Copied(Copied { debug: Debug(number) }) = self;
+        number
+    }
+}
 
 #[test]
 fn macros_name_the_core_items_in_full() {

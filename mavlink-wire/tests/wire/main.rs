@@ -9,6 +9,8 @@ mod hygiene;
 mod known_frames;
 mod metadata;
 mod reflection;
+#[cfg(feature = "serde")]
+mod serde;
 #[cfg(feature = "signing")]
 mod signing;
 mod small;

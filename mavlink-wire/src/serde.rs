@@ -1,0 +1,73 @@
+//! How messages are written by [serde](https://docs.rs/serde) (feature `serde`): everything that is serialized comes back
+//! as it was, to the bit.
+//!
+//! # Human readable formats (JSON, YAML, TOML, RON)
+//!
+//! A message is a struct, its fields in the order and the spelling of the XML. A dialect's enum adds the key `type` with the
+//! name of the message, as `rust-mavlink` and `mavlink2rest` do, and like them calls a field `type` `mavtype`:
+//!
+//! ```json
+//! { "type": "HEARTBEAT", "mavtype": "MAV_TYPE_QUADROTOR", "autopilot": "MAV_AUTOPILOT_AUTOQUAD",
+//!   "base_mode": "MAV_MODE_FLAG_SAFETY_ARMED | MAV_MODE_FLAG_HIL_ENABLED", "custom_mode": 4,
+//!   "system_status": 200, "mavlink_version": 3 }
+//! ```
+//!
+//! - Enums are the names of their entries, and numbers where no entry has the value. Reading also takes a number for a name,
+//!   numbers in text (`"0x10"`), and `{"type": "MAV_STATE_ACTIVE"}`, as `rust-mavlink` writes it.
+//! - Flags are text as the crate `bitflags` writes it: `A | B | 0x40`, empty for none. Reading also takes a number.
+//! - Floats are numbers; what JSON has no number for is `"NaN"`, `"Infinity"` and `"-Infinity"`. A NaN other than the usual
+//!   one keeps its bits: `"NaN(0x7fc00001)"`. Reading also takes `null` for NaN. `serde_json` reads some `double`s one bit
+//!   off, unless its feature `float_roundtrip` is on; `float`s it reads exactly.
+//! - `char` arrays are text; arrays of numbers if they are not UTF-8, or if something follows a NUL.
+//!
+//! Fields that are missing are an error, but for extension fields: they are zero, as in a frame of a sender that does not
+//! know them. Fields that the message does not have are ignored. `type` may come after other fields, as long as those take no
+//! more than about 4 KiB.
+//!
+//! # Other formats (postcard, bincode, MessagePack, CBOR)
+//!
+//! A message is a tuple of its fields in the order of the XML, an enum or flags value the number on the wire, a `char` array
+//! its bytes. A dialect's enum is a variant whose index is the message id, so that data survives new messages.
+
+mod chars;
+mod dialect;
+mod early;
+mod field;
+mod float;
+mod message;
+mod named;
+mod value;
+
+#[doc(hidden)]
+pub use serde_core::{Deserialize, Deserializer, Serialize, Serializer};
+
+#[doc(hidden)]
+pub use dialect::{deserialize_dialect, serialize_dialect};
+#[doc(hidden)]
+pub use message::{deserialize_message, serialize_message};
+#[doc(hidden)]
+pub use value::{deserialize_enum, serialize_enum};
+
+/// Implements serde's traits by two of the functions above: `(type, serialize, deserialize, arguments…)`.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __serde {
+    ($name:ident, $serialize:ident, $deserialize:ident $(, $argument:expr)?) => {
+        impl $crate::serde::Serialize for $name {
+            fn serialize<S: $crate::serde::Serializer>(
+                &self,
+                serializer: S,
+            ) -> ::core::result::Result<S::Ok, S::Error> {
+                $crate::serde::$serialize(self, $($argument,)? serializer)
+            }
+        }
+
+        impl<'de> $crate::serde::Deserialize<'de> for $name {
+            fn deserialize<D: $crate::serde::Deserializer<'de>>(
+                deserializer: D,
+            ) -> ::core::result::Result<Self, D::Error> {
+                $crate::serde::$deserialize($($argument,)? deserializer)
+            }
+        }
+    };
+}

@@ -1,0 +1,138 @@
+//! Enums and flags by the names of their entries.
+
+use core::fmt;
+
+use serde_core::de::{Error, IgnoredAny, MapAccess, Unexpected, Visitor};
+use serde_core::ser::Serializer;
+
+use super::value::{Shape, Value};
+use crate::EnumInfo;
+use crate::enums::parse_entry;
+use crate::flags::{fmt_flags, parse_flags};
+
+pub(super) fn serialize<S: Serializer>(
+    value: Value,
+    info: &'static EnumInfo,
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    if info.bitmask {
+        return match value.bits {
+            0 => serializer.serialize_str(""),
+            bits => serializer.collect_str(&Flags { info, bits }),
+        };
+    }
+    match info.entry_name(value.signed() as u64) {
+        Some(name) => serializer.serialize_str(name),
+        None => value.serialize_number(serializer),
+    }
+}
+
+/// `A | B | 0x40`
+struct Flags {
+    info: &'static EnumInfo,
+    bits: u64,
+}
+
+impl fmt::Display for Flags {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt_flags(self.info, self.bits, f)
+    }
+}
+
+/// Takes names of entries, and numbers that fit.
+pub(super) struct NamedVisitor {
+    pub(super) shape: Shape,
+    pub(super) info: &'static EnumInfo,
+}
+
+impl NamedVisitor {
+    fn parse(&self, text: &str) -> Option<u64> {
+        if !self.info.bitmask {
+            return self.shape.fit(parse_entry(self.info, text).ok()?);
+        }
+        let mask = u64::MAX >> (64 - 8 * self.shape.kind.size());
+        if text.is_empty() { Some(0) } else { parse_flags(self.info, mask, text).ok() }
+    }
+}
+
+impl<'de> Visitor<'de> for NamedVisitor {
+    type Value = u64;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let what = if self.info.bitmask { "flags" } else { "an entry" };
+        write!(f, "{what} of {}, or a number of type {}", self.info.name, self.shape.kind.wire_name())
+    }
+
+    fn visit_str<E: Error>(self, text: &str) -> Result<u64, E> {
+        self.parse(text).ok_or_else(|| E::invalid_value(Unexpected::Str(text), &self))
+    }
+
+    fn visit_u64<E: Error>(self, number: u64) -> Result<u64, E> {
+        self.shape.fit(number.into()).ok_or_else(|| E::invalid_value(Unexpected::Unsigned(number), &self))
+    }
+
+    fn visit_i64<E: Error>(self, number: i64) -> Result<u64, E> {
+        self.shape.fit(number.into()).ok_or_else(|| E::invalid_value(Unexpected::Signed(number), &self))
+    }
+
+    /// `{"type": "MAV_STATE_ACTIVE"}`, as rust-mavlink writes an enum.
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<u64, A::Error> {
+        let mut bits = None;
+        while let Some(is_type) = map.next_key_seed(IsType)? {
+            match (is_type, bits) {
+                (true, None) => bits = Some(map.next_value_seed(Text(&self))?),
+                (true, Some(_)) => return Err(A::Error::duplicate_field("type")),
+                (false, _) => {
+                    map.next_value::<IgnoredAny>()?;
+                }
+            }
+        }
+        bits.ok_or_else(|| A::Error::missing_field("type"))
+    }
+}
+
+/// Whether a key is `type`.
+struct IsType;
+
+impl<'de> serde_core::de::DeserializeSeed<'de> for IsType {
+    type Value = bool;
+
+    fn deserialize<D: serde_core::Deserializer<'de>>(self, deserializer: D) -> Result<bool, D::Error> {
+        deserializer.deserialize_identifier(self)
+    }
+}
+
+impl Visitor<'_> for IsType {
+    type Value = bool;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a key")
+    }
+
+    fn visit_str<E: Error>(self, key: &str) -> Result<bool, E> {
+        Ok(key == "type")
+    }
+}
+
+/// A name, in text.
+struct Text<'v>(&'v NamedVisitor);
+
+impl<'de> serde_core::de::DeserializeSeed<'de> for Text<'_> {
+    type Value = u64;
+
+    fn deserialize<D: serde_core::Deserializer<'de>>(self, deserializer: D) -> Result<u64, D::Error> {
+        deserializer.deserialize_str(self)
+    }
+}
+
+impl Visitor<'_> for Text<'_> {
+    type Value = u64;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.expecting(f)
+    }
+
+    fn visit_str<E: Error>(self, text: &str) -> Result<u64, E> {
+        self.0.parse(text).ok_or_else(|| E::invalid_value(Unexpected::Str(text), &self))
+    }
+}

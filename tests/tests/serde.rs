@@ -1,0 +1,297 @@
+//! Messages through JSON and through postcard: every payload comes back as it was, and what was written reads well.
+
+use std::fmt::Debug;
+
+use mavlink_autoquad::autoquad::{
+    Attitude, Autoquad, GpsStatus, Heartbeat, MavAutopilot, MavModeFlag, MavState, MavType, ParamSet, Statustext,
+};
+use mavlink_conformance::payload::{Canonical, Fill};
+use mavlink_conformance::random::Random;
+use mavlink_wire::{Chars, Dialect, Encode, MAX_PAYLOAD, Message};
+use proptest::prelude::*;
+use serde_json::{Value, json};
+
+/// Messages of every type, over payloads of all kinds.
+fn messages() -> Vec<Autoquad> {
+    let mut random = Random::new(0x5E2D_E000);
+    let mut messages = Vec::new();
+    for info in Autoquad::TABLE.iter() {
+        for fill in Fill::ALL {
+            for _ in 0..8 {
+                messages.extend(Autoquad::decode(info.id, &fill.payload(MAX_PAYLOAD, &mut random)));
+            }
+        }
+        messages.extend(Autoquad::decode(info.id, &[]));
+    }
+    assert!(messages.len() >= 236 * 25, "{}", messages.len());
+    messages
+}
+
+fn same(message: &Autoquad, back: &Autoquad, written: &dyn Debug) {
+    assert_eq!(Canonical::sent(message), Canonical::sent(back), "{} by {written:?}", back.info().name);
+}
+
+#[test]
+fn every_message_survives_json() {
+    for message in messages() {
+        let text = serde_json::to_string(&message).unwrap();
+        same(&message, &serde_json::from_str(&text).unwrap(), &text);
+        let value = serde_json::to_value(message).unwrap();
+        same(&message, &serde_json::from_value(value.clone()).unwrap(), &value);
+    }
+}
+
+#[test]
+fn every_message_survives_json_whose_type_comes_last() {
+    for message in messages() {
+        let Value::Object(fields) = serde_json::to_value(message).unwrap() else { panic!("an object") };
+        let turned = Value::Object(fields.into_iter().rev().collect());
+        same(&message, &serde_json::from_value(turned.clone()).unwrap(), &turned);
+    }
+}
+
+#[test]
+fn every_message_survives_postcard() {
+    let mut buffer = [0; 1024];
+    for message in messages() {
+        let bytes = postcard::to_slice(&message, &mut buffer).unwrap();
+        same(&message, &postcard::from_bytes(bytes).unwrap(), &bytes);
+    }
+}
+
+#[test]
+fn a_message_by_itself_survives() {
+    let mut random = Random::new(7);
+    for fill in Fill::ALL {
+        for _ in 0..100 {
+            let message = ParamSet::decode(&fill.payload(MAX_PAYLOAD, &mut random));
+            let back: ParamSet = serde_json::from_str(&serde_json::to_string(&message).unwrap()).unwrap();
+            same(&message.into(), &back.into(), &message);
+            let mut buffer = [0; 64];
+            let back = postcard::from_bytes(postcard::to_slice(&message, &mut buffer).unwrap()).unwrap();
+            same(&message.into(), &Autoquad::ParamSet(back), &message);
+        }
+    }
+}
+
+proptest! {
+    #[test]
+    fn every_float_survives_json(bits: u32) {
+        let message = Attitude { roll: f32::from_bits(bits), ..Attitude::DEFAULT };
+        let back: Attitude = serde_json::from_str(&serde_json::to_string(&message).unwrap()).unwrap();
+        prop_assert_eq!(back.roll.to_bits(), bits);
+    }
+
+    #[test]
+    fn any_json_is_read_or_refused(text in r#"\{("type":"HEARTBEAT",|"mavtype":[0-9]{1,3},|"x":[\[\{]{0,20}|"[a-z]{1,9}":("[^"]*"|-?[0-9.e]{1,9}|null),){0,5}\}"#) {
+        let _ = serde_json::from_str::<Autoquad>(&text);
+    }
+
+    #[test]
+    fn any_bytes_are_read_or_refused(bytes in proptest::collection::vec(any::<u8>(), 0..300)) {
+        let _ = postcard::from_bytes::<Autoquad>(&bytes);
+    }
+}
+
+/// Read as a `double`, its shortest decimal is the middle between it and the next.
+#[test]
+fn the_one_float_that_rounds_wrong_survives_json() {
+    for bits in [0x15ae_43fd, 0x95ae_43fd] {
+        let message = Attitude { roll: f32::from_bits(bits), ..Attitude::DEFAULT };
+        let text = serde_json::to_string(&message).unwrap();
+        let back: Attitude = serde_json::from_str(&text).unwrap();
+        assert_eq!(back.roll.to_bits(), bits, "{text}");
+    }
+}
+
+const BEAT: Heartbeat = Heartbeat {
+    r#type: MavType::QUADROTOR,
+    autopilot: MavAutopilot::AUTOQUAD,
+    base_mode: MavModeFlag::SAFETY_ARMED.union(MavModeFlag::HIL_ENABLED),
+    custom_mode: 4,
+    system_status: MavState(200),
+    mavlink_version: 3,
+};
+
+fn beat() -> Value {
+    json!({
+        "type": "HEARTBEAT",
+        "mavtype": "MAV_TYPE_QUADROTOR",
+        "autopilot": "MAV_AUTOPILOT_AUTOQUAD",
+        "base_mode": "MAV_MODE_FLAG_HIL_ENABLED | MAV_MODE_FLAG_SAFETY_ARMED",
+        "custom_mode": 4,
+        "system_status": 200,
+        "mavlink_version": 3,
+    })
+}
+
+#[test]
+fn json_has_the_names_of_the_xml() {
+    assert_eq!(serde_json::to_value(Autoquad::Heartbeat(BEAT)).unwrap(), beat());
+    let mut untagged = beat();
+    untagged.as_object_mut().unwrap().shift_remove("type");
+    assert_eq!(serde_json::to_value(BEAT).unwrap(), untagged);
+}
+
+#[test]
+fn json_keeps_the_order_of_the_xml() {
+    let text = serde_json::to_string(&Autoquad::Heartbeat(BEAT)).unwrap();
+    assert!(text.starts_with(r#"{"type":"HEARTBEAT","mavtype":"MAV_TYPE_QUADROTOR","autopilot":"#), "{text}");
+}
+
+/// What rust-mavlink 0.21 writes of a HEARTBEAT.
+#[test]
+fn json_of_rust_mavlink_is_read() {
+    let theirs = json!({
+        "type": "HEARTBEAT",
+        "custom_mode": 4,
+        "mavtype": { "type": "MAV_TYPE_QUADROTOR" },
+        "autopilot": { "type": "MAV_AUTOPILOT_AUTOQUAD" },
+        "base_mode": "MAV_MODE_FLAG_HIL_ENABLED | MAV_MODE_FLAG_SAFETY_ARMED",
+        "system_status": { "type": "MAV_STATE_ACTIVE" },
+        "mavlink_version": 3,
+    });
+    let expected = Heartbeat { system_status: MavState::ACTIVE, ..BEAT };
+    assert_eq!(serde_json::from_value::<Autoquad>(theirs).unwrap(), Autoquad::Heartbeat(expected));
+}
+
+#[test]
+fn what_is_no_number_is_text_in_json() {
+    let floats = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, -0.0, 0.1, f32::from_bits(0xffc0_0001)];
+    let [roll, pitch, yaw, rollspeed, pitchspeed, yawspeed] = floats;
+    let message = Attitude { time_boot_ms: 1, roll, pitch, yaw, rollspeed, pitchspeed, yawspeed };
+    let text = serde_json::to_string(&message).unwrap();
+    let expected = concat!(
+        r#"{"time_boot_ms":1,"roll":"NaN","pitch":"Infinity","yaw":"-Infinity","#,
+        r#""rollspeed":-0.0,"pitchspeed":0.1,"yawspeed":"NaN(0xffc00001)"}"#
+    );
+    assert_eq!(text, expected);
+    let null: Attitude = serde_json::from_str(&text.replace(r#""NaN""#, "null")).unwrap();
+    assert_eq!(null.roll.to_bits(), f32::NAN.to_bits());
+}
+
+#[test]
+fn char_arrays_are_text_unless_that_would_lose_bytes() {
+    let json =
+        |text: Chars<50>| serde_json::to_value(Statustext { text, ..Statustext::DEFAULT }).unwrap()["text"].clone();
+    assert_eq!(json("Grüße".try_into().unwrap()), json!("Grüße"));
+    assert_eq!(json(Chars([b'x'; 50])), json!("x".repeat(50)));
+    let mut behind_nul = [0; 50];
+    behind_nul[49] = b'x';
+    assert_eq!(json(Chars(behind_nul)), json!(behind_nul.to_vec()));
+    assert_eq!(json(Chars([0xff; 50])), json!(vec![0xff; 50]));
+}
+
+/// The text of the error that reading this as a message gives.
+fn error(value: Value) -> String {
+    serde_json::from_value::<Autoquad>(value).unwrap_err().to_string()
+}
+
+fn with(key: &str, value: Value) -> Value {
+    let mut beat = beat();
+    beat[key] = value;
+    beat
+}
+
+#[test]
+fn errors_say_what_is_wrong() {
+    let mut lacking = beat();
+    lacking.as_object_mut().unwrap().shift_remove("autopilot");
+    assert_eq!(error(lacking), "missing field `autopilot`");
+    assert_eq!(error(json!({ "custom_mode": 1 })), "missing field `type`");
+    let expected = "invalid value: string \"HEARTBEET\", expected the name of a message of Autoquad";
+    assert_eq!(error(with("type", json!("HEARTBEET"))), expected);
+    let expected = "invalid value: integer `-1`, expected a number of type uint32_t";
+    assert_eq!(error(with("custom_mode", json!(-1))), expected);
+    let expected = "invalid value: integer `256`, expected an entry of MAV_STATE, or a number of type uint8_t";
+    assert_eq!(error(with("system_status", json!(256))), expected);
+    let expected = "invalid value: string \"A | 4\", expected flags of MAV_MODE_FLAG, or a number of type uint8_t";
+    assert_eq!(error(with("base_mode", json!("A | 4"))), expected);
+    let text = json!({ "type": "STATUSTEXT", "severity": 0, "text": "x".repeat(51) });
+    assert!(error(text).starts_with("51 bytes do not fit a field of 50: "));
+}
+
+#[test]
+fn a_field_may_come_once() {
+    for text in [
+        r#"{"type":"HEARTBEAT","custom_mode":1,"custom_mode":1}"#,
+        r#"{"custom_mode":1,"type":"HEARTBEAT","custom_mode":1}"#,
+        r#"{"custom_mode":1,"custom_mode":1,"type":"HEARTBEAT"}"#,
+    ] {
+        let error = serde_json::from_str::<Autoquad>(text).unwrap_err().to_string();
+        assert!(error.starts_with("duplicate field `custom_mode`"), "{error}");
+    }
+    let error = serde_json::from_str::<Autoquad>(r#"{"type":"HEARTBEAT","type":"HEARTBEAT"}"#).unwrap_err().to_string();
+    assert!(error.starts_with("duplicate field `type`"), "{error}");
+}
+
+#[test]
+fn fields_that_the_message_does_not_have_are_ignored() {
+    for key in ["altitude", "a"] {
+        let read = serde_json::from_value::<Autoquad>(with(key, json!([{ "deep": [1] }, true, null]))).unwrap();
+        assert_eq!(read, Autoquad::Heartbeat(BEAT));
+    }
+    let text = r#"{"a":[{"deep":[1.5,true]},null],"custom_mode":0,"type":"HEARTBEAT","mavtype":0,"autopilot":0,
+        "base_mode":"","system_status":"0x3","mavlink_version":3}"#;
+    let expected = Heartbeat { system_status: MavState::STANDBY, ..Heartbeat::DEFAULT };
+    assert_eq!(serde_json::from_str::<Autoquad>(text).unwrap(), Autoquad::Heartbeat(expected));
+}
+
+#[test]
+fn extension_fields_may_be_missing() {
+    let text = r#"{"severity":"MAV_SEVERITY_INFO","text":"hello"}"#;
+    let read: Statustext = serde_json::from_str(text).unwrap();
+    assert_eq!((read.id, read.chunk_seq, read.text), (0, 0, "hello".try_into().unwrap()));
+}
+
+#[test]
+fn arrays_have_exactly_their_length() {
+    let status = serde_json::to_value(Autoquad::GpsStatus(GpsStatus::DEFAULT)).unwrap();
+    for length in [0, 19, 20, 21] {
+        let mut changed = status.clone();
+        changed["satellite_prn"] = json!(vec![0; length]);
+        let Value::Object(fields) = changed.clone() else { panic!("an object") };
+        let turned = Value::Object(fields.into_iter().rev().collect());
+        for value in [changed, turned] {
+            assert_eq!(serde_json::from_value::<Autoquad>(value).is_ok(), length == 20, "{length}");
+        }
+    }
+}
+
+#[test]
+fn too_much_before_the_type_is_an_error() {
+    let text = format!(r#"{{"a":"{}","type":"HEARTBEAT"}}"#, "x".repeat(5000));
+    let error = serde_json::from_str::<Autoquad>(&text).unwrap_err().to_string();
+    assert!(error.starts_with("too much comes before `type`: put it first"), "{error}");
+    let text = format!(r#"{{"a":{}{},"type":"HEARTBEAT"}}"#, "[".repeat(100), "]".repeat(100));
+    assert!(serde_json::from_str::<Autoquad>(&text).is_err());
+}
+
+#[test]
+fn postcard_has_the_message_id_and_the_fields() {
+    let mut buffer = [0; 64];
+    let bytes = postcard::to_slice(&Autoquad::Heartbeat(BEAT), &mut buffer).unwrap();
+    assert_eq!(bytes, [0, 2, 14, 0xa0, 4, 200, 3]);
+    let status = Autoquad::Statustext(Statustext::DEFAULT);
+    let bytes = postcard::to_slice(&status, &mut buffer).unwrap();
+    assert_eq!(bytes[..2], [0xfd, 0x01], "the id 253 as a varint");
+}
+
+#[test]
+fn enums_and_flags_survive_alone() {
+    for state in [MavState::ACTIVE, MavState(200)] {
+        let text = serde_json::to_string(&state).unwrap();
+        assert_eq!(serde_json::from_str::<MavState>(&text).unwrap(), state);
+        let mut buffer = [0; 4];
+        assert_eq!(postcard::to_slice(&state, &mut buffer).unwrap(), [state.0]);
+        assert_eq!(postcard::from_bytes::<MavState>(&[state.0]).unwrap(), state);
+    }
+    for bits in 0..=255 {
+        let flags = MavModeFlag::from_bits_retain(bits);
+        let text = serde_json::to_string(&flags).unwrap();
+        assert_eq!(serde_json::from_str::<MavModeFlag>(&text).unwrap(), flags);
+    }
+    assert_eq!(serde_json::to_string(&MavModeFlag::empty()).unwrap(), r#""""#);
+    assert_eq!(serde_json::from_str::<MavModeFlag>("0").unwrap(), MavModeFlag::empty());
+    assert_eq!(serde_json::to_string(&MavState(200)).unwrap(), "200");
+}
