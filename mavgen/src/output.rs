@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 use crate::emit::GeneratedFile;
 
 use ours::{has_mark, ours};
-use staged::{STAGING, Staged};
+use staged::{Staged, is_staging};
 
 /// The input or output could not be read or written.
 #[derive(Debug)]
@@ -75,7 +75,7 @@ impl Differences {
 ///
 /// Files that are equal are not touched; files that carry our header and are not among them are removed; all others are
 /// left alone, and so are trees that another run wrote into a folder below. Each file is replaced in one step, so that a
-/// reader never sees half of one. What is new is written into a folder `.mavgen-staging` first, which is gone afterwards.
+/// reader never sees half of one. What is new is written into a folder `.mavgen-staging-…` first, which is gone afterwards.
 ///
 /// # Errors
 /// If `folder` holds files but none of ours (it is somebody's folder), if one of the files to write is there and is not
@@ -117,7 +117,7 @@ pub(crate) fn write_file(path: &Path, text: &str) -> Result<bool, OutputError> {
     if is_current(path, text) {
         return Ok(false);
     }
-    let temporary = path.with_extension("mavgen-staging");
+    let temporary = path.with_extension(format!("mavgen-staging-{}", std::process::id()));
     let written = path.parent().map_or(Ok(()), fs::create_dir_all);
     let written = written.and_then(|()| fs::write(&temporary, text)).and_then(|()| fs::rename(&temporary, path));
     written.map(|()| true).map_err(|source| {
@@ -134,7 +134,7 @@ fn is_current(path: &Path, text: &str) -> bool {
 /// A folder that holds nothing of ours is somebody's, unless it is empty.
 fn refuse_occupied(folder: &Path) -> Result<(), OutputError> {
     let mut entries = fs::read_dir(folder).into_iter().flatten().flatten();
-    if entries.any(|entry| entry.file_name() != STAGING) {
+    if entries.any(|entry| !is_staging(&entry)) {
         let text = "the folder is not empty and holds nothing that mavgen wrote: choose another, or empty it";
         return Err(OutputError::new(folder, io::Error::other(text)));
     }

@@ -43,7 +43,7 @@ impl Check {
         print_coloured(&self.text(&differences, &files))?;
         let Differences { changed, missing, stale } = &differences;
         let (out, changed, missing, stale) = (self.output.out.display(), changed.len(), missing.len(), stale.len());
-        report.note(&format!("{out}: {changed} files differ, {missing} are missing, {stale} are no longer generated"));
+        report.note(&format!("{out}: {changed} changed, {missing} missing, {stale} stale"));
         report.note(&format!("run: {}", generate_instead(env::args_os().skip(1))));
         Ok(ExitCode::from(1))
     }

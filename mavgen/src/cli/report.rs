@@ -1,5 +1,6 @@
 //! What goes to standard error, and text to standard output.
 
+use std::fmt;
 use std::io::{ErrorKind, Write};
 
 use clap::{Args, ValueEnum};
@@ -45,8 +46,8 @@ impl Report {
     pub(super) fn diagnostics(&self, diagnostics: &Diagnostics, sources: &Sources) {
         for diagnostic in diagnostics.iter() {
             match self.message_format {
-                Format::Human => anstream::eprintln!("{}\n", render(diagnostic, sources, Style::Coloured)),
-                Format::Json => anstream::eprintln!("{}", json(diagnostic, sources)),
+                Format::Human => say(format_args!("{}\n", render(diagnostic, sources, Style::Coloured))),
+                Format::Json => say(format_args!("{}", json(diagnostic, sources))),
             }
         }
     }
@@ -58,18 +59,23 @@ impl Report {
 
     fn error(&self, message: &str) {
         match self.message_format {
-            Format::Human => anstream::eprintln!("error: {message}"),
-            Format::Json => anstream::eprintln!("{}", json_message(Severity::Error, message)),
+            Format::Human => say(format_args!("error: {message}")),
+            Format::Json => say(format_args!("{}", json_message(Severity::Error, message))),
         }
     }
 
     /// One line on what was done, or what to do.
     pub(super) fn note(&self, message: &str) {
         match self.message_format {
-            Format::Human => anstream::eprintln!("{message}"),
-            Format::Json => anstream::eprintln!("{}", json_message(Severity::Note, message)),
+            Format::Human => say(format_args!("{message}")),
+            Format::Json => say(format_args!("{}", json_message(Severity::Note, message))),
         }
     }
+}
+
+/// One more line on standard error. If that is closed or full there is nobody to tell; the exit status still says it.
+fn say(line: fmt::Arguments<'_>) {
+    let _ = writeln!(anstream::stderr(), "{line}");
 }
 
 /// Prints a command's result as it is.

@@ -6,16 +6,23 @@
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::{Duration, SystemTime};
 
 use super::OutputError;
 use crate::emit::GeneratedFile;
 
-/// The folder in the output folder that holds what is new, until it is in place.
-pub(super) const STAGING: &str = ".mavgen-staging";
+/// The first letters of the folder in the output folder that holds what is new, until it is in place. The rest is a number of
+/// the process and one of the run in it: runs side by side, which tests and build scripts are, do not see each other.
+const STAGING: &str = ".mavgen-staging";
+
+/// A staging folder of that age is of a run that was killed.
+const ABANDONED: Duration = Duration::from_secs(3600);
 
 /// Changes to a folder that are made together.
 pub(super) struct Staged<'f> {
     folder: &'f Path,
+    staging: PathBuf,
     /// Folders that were made, each after the one that it lies in.
     made: Vec<PathBuf>,
     steps: Vec<Step>,
@@ -44,8 +51,8 @@ impl<'f> Staged<'f> {
         if replaced.is_err() {
             staged.undo();
         }
-        // If the staging folder cannot be removed the tree is no worse for it, and the next run removes it.
-        let _ = fs::remove_dir_all(staged.staging());
+        // If the staging folder cannot be removed the tree is no worse for it, and a later run removes it.
+        let _ = fs::remove_dir_all(&staged.staging);
         // Folders are removed only if they are empty, and those that are not have to stay.
         if replaced.is_err() {
             staged.made.iter().rev().for_each(|folder| drop(fs::remove_dir(folder)));
@@ -58,31 +65,25 @@ impl<'f> Staged<'f> {
     }
 
     pub(super) fn new(folder: &'f Path) -> Self {
-        Self { folder, made: Vec::new(), steps: Vec::new(), done: 0 }
-    }
-
-    fn staging(&self) -> PathBuf {
-        self.folder.join(STAGING)
+        static RUNS: AtomicUsize = AtomicUsize::new(0);
+        let run = RUNS.fetch_add(1, Ordering::Relaxed);
+        let staging = folder.join(format!("{STAGING}-{}-{run}", std::process::id()));
+        Self { folder, staging, made: Vec::new(), steps: Vec::new(), done: 0 }
     }
 
     /// Where a new file waits.
     fn new_file(&self, path: &Path) -> PathBuf {
-        self.staging().join("new").join(path)
+        self.staging.join("new").join(path)
     }
 
     /// Where an old file is kept.
     fn old_file(&self, path: &Path) -> PathBuf {
-        self.staging().join("old").join(path)
+        self.staging.join("old").join(path)
     }
 
     /// Writes what is new beside the tree, keeps what is there, and makes the folders: all that can fail for good reasons.
     pub(super) fn prepare(&mut self, new: &[&GeneratedFile], stale: &[PathBuf]) -> Result<(), OutputError> {
-        match fs::remove_dir_all(self.staging()) {
-            Err(error) if !matches!(error.kind(), io::ErrorKind::NotFound | io::ErrorKind::NotADirectory) => {
-                return Err(OutputError::new(&self.staging(), error));
-            }
-            _ => {}
-        }
+        remove_abandoned(self.folder);
         for file in new {
             let path = Path::new(&file.path);
             self.make_parent(&self.folder.join(path))?;
@@ -104,9 +105,8 @@ impl<'f> Staged<'f> {
             let old = self.old_file(path);
             self.make_parent(&old)?;
             // Not every file system has links.
-            fs::hard_link(&at, &old)
-                .or_else(|_| fs::copy(&at, &old).map(drop))
-                .map_err(|error| self.failed(path, error))?;
+            let kept = fs::hard_link(&at, &old).or_else(|_| fs::copy(&at, &old).map(drop));
+            unless(io::ErrorKind::NotFound, kept).map_err(|error| self.failed(path, error))?;
         }
         self.steps.push(Step { path: path.to_owned(), wanted, present: present.is_ok() });
         Ok(())
@@ -116,7 +116,11 @@ impl<'f> Staged<'f> {
     pub(super) fn commit(&mut self) -> Result<(), OutputError> {
         for step in &self.steps {
             let at = self.folder.join(&step.path);
-            let done = if step.wanted { fs::rename(self.new_file(&step.path), &at) } else { fs::remove_file(&at) };
+            let done = if step.wanted {
+                fs::rename(self.new_file(&step.path), &at)
+            } else {
+                unless(io::ErrorKind::NotFound, fs::remove_file(&at))
+            };
             done.map_err(|error| self.failed(&step.path, error))?;
             self.done += 1;
         }
@@ -138,7 +142,9 @@ impl<'f> Staged<'f> {
         let missing: Vec<&Path> =
             above.take_while(|folder| !folder.as_os_str().is_empty() && !folder.is_dir()).collect();
         for folder in missing.into_iter().rev() {
-            fs::create_dir(folder).map_err(|error| OutputError::new(folder, error))?;
+            let made = fs::create_dir(folder);
+            let made = if folder.is_dir() { unless(io::ErrorKind::AlreadyExists, made) } else { made };
+            made.map_err(|error| OutputError::new(folder, error))?;
             self.made.push(folder.to_owned());
         }
         Ok(())
@@ -147,4 +153,25 @@ impl<'f> Staged<'f> {
     fn failed(&self, path: &Path, error: io::Error) -> OutputError {
         OutputError::new(&self.folder.join(path), error)
     }
+}
+
+/// Another run may have been there first; that is as good.
+fn unless(expected: io::ErrorKind, result: io::Result<()>) -> io::Result<()> {
+    result.or_else(|error| if error.kind() == expected { Ok(()) } else { Err(error) })
+}
+
+/// Removes staging folders of runs that were killed. One that cannot be removed is in nobody's way.
+fn remove_abandoned(folder: &Path) {
+    for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
+        let age = || SystemTime::now().duration_since(entry.metadata()?.modified()?).map_err(io::Error::other);
+        if is_staging(&entry) && age().is_ok_and(|age| age > ABANDONED) {
+            let _ = fs::remove_dir_all(entry.path());
+        }
+    }
+}
+
+/// Whether this is a folder of a run, of this one or another.
+pub(super) fn is_staging(entry: &fs::DirEntry) -> bool {
+    entry.file_name().as_encoded_bytes().starts_with(STAGING.as_bytes())
+        && entry.file_type().is_ok_and(|kind| kind.is_dir())
 }

@@ -171,25 +171,49 @@ fn what_was_put_in_place_is_taken_back() {
     let new = [file("mod.rs", "changed"), file("new.rs", "n"), file("messages/b.rs", "changed")];
     let mut staged = Staged::new(&folder);
     staged.prepare(&new.each_ref(), &[]).unwrap();
-    assert_eq!(before, tree(&folder).into_iter().filter(|(path, _)| !path.starts_with(STAGING)).collect::<Vec<_>>());
-    fs::remove_file(folder.join(STAGING).join("new/messages/b.rs")).unwrap();
+    let staging = fs::read_dir(&folder).unwrap().map(Result::unwrap).find(is_staging).unwrap();
+    let outside = |(path, _): &(PathBuf, _)| !path.starts_with(staging.file_name());
+    assert_eq!(before, tree(&folder).into_iter().filter(outside).collect::<Vec<_>>(), "nothing has changed yet");
+    fs::remove_file(staging.path().join("new/messages/b.rs")).unwrap();
     let error = staged.commit().unwrap_err();
     assert!(error.path.ends_with("messages/b.rs"));
     assert!(fs::read_to_string(folder.join("mod.rs")).unwrap().ends_with("changed"), "the first one was put in place");
     staged.undo();
-    fs::remove_dir_all(folder.join(STAGING)).unwrap();
+    fs::remove_dir_all(staging.path()).unwrap();
     assert_eq!(tree(&folder), before);
 }
 
+#[cfg(unix)]
 #[test]
-fn what_a_killed_run_left_is_no_obstacle() {
+fn what_a_killed_run_left_is_no_obstacle_and_goes_in_the_end() {
     let parent = tempfile::tempdir().unwrap();
     let folder = parent.path().join("out");
-    fs::create_dir_all(folder.join(STAGING).join("new")).unwrap();
-    fs::write(folder.join(STAGING).join("new/old.rs"), MARK).unwrap();
+    let staging = folder.join(".mavgen-staging-1-0");
+    fs::create_dir_all(staging.join("new")).unwrap();
+    fs::write(staging.join("new/old.rs"), MARK).unwrap();
     let report = write(&folder, &[file("mod.rs", "a")]).unwrap();
     assert_eq!((report.written, report.removed), (1, 0));
+    assert!(staging.exists(), "it may be of a run of this moment");
+    let yesterday = SystemTime::now() - Duration::from_secs(86_400);
+    fs::File::open(&staging).unwrap().set_modified(yesterday).unwrap();
+    write(&folder, &[file("mod.rs", "b")]).unwrap();
     assert_eq!(tree(&folder).len(), 1);
+}
+
+#[test]
+fn runs_side_by_side_do_not_hurt_each_other() {
+    let (_parent, folder) = written();
+    for round in 0..20 {
+        let mut new = vec![file("mod.rs", &round.to_string())];
+        new.extend((0..20).map(|n| file(&format!("messages/m_{round}_{n}.rs"), "m")));
+        let runs: Vec<Result<Report, OutputError>> = std::thread::scope(|scope| {
+            let runs: Vec<_> = (0..4).map(|_| scope.spawn(|| write(&folder, &new))).collect();
+            runs.into_iter().map(|run| run.join().unwrap()).collect()
+        });
+        assert!(runs.iter().all(Result::is_ok), "{runs:?}");
+        assert!(check(&folder, &new).unwrap().is_empty());
+        assert_eq!(tree(&folder).len(), 22, "the files, and their folder");
+    }
 }
 
 #[cfg(unix)]

@@ -41,7 +41,7 @@ fn renumbered(needed: &[bool]) -> BTreeMap<EnumId, EnumId> {
 }
 
 /// Visits every enum that a message names.
-fn each_of_message(message: &mut Message, mut visit: impl FnMut(&mut EnumId)) {
+pub(super) fn each_of_message(message: &mut Message, mut visit: impl FnMut(&mut EnumId)) {
     for field in &mut message.fields {
         if let Some(Values::Typed(id) | Values::Converted(id)) = &mut field.values {
             visit(id);

@@ -126,3 +126,28 @@ fn one_selection_has_one_spelling() {
     assert_eq!(spelled(&["B", "A_*", "B"]), "A_*,B");
     assert_eq!(spelled(&["A_*", "B"]), "A_*,B");
 }
+
+/// The names of all enums that a message names, in order, after it was selected alone or with all others.
+fn names_of(dialect: &Dialect, id: u32) -> Vec<String> {
+    let mut message = dialect.messages.iter().find(|message| message.id == id).unwrap().clone();
+    let mut names = Vec::new();
+    needs::each_of_message(&mut message, |id| names.push(dialect.enum_by_id(*id).unwrap().name.xml.clone()));
+    names
+}
+
+#[test]
+fn every_message_of_a_real_dialect_finds_its_enums_alone() {
+    let xml = Path::new(env!("CARGO_MANIFEST_DIR")).join("../xml");
+    let builder = Builder::new(xml.join("autoquad.xml")).overlay(xml.join("autoquad.overlay.xml"));
+    let whole = builder.resolve().unwrap().dialect;
+    let mut carrying = 0;
+    for message in &whole.messages {
+        let one = Selection::new([&*message.name.xml]).unwrap().apply(whole.clone());
+        assert_eq!(names_of(&one, message.id), names_of(&whole, message.id), "{}", message.name.xml);
+        carrying += usize::from(!one.enums.is_empty());
+        for values in &one.enums {
+            assert_eq!(format!("{:?}", values.origin), format!("{:?}", named(&whole, &values.name.xml).origin));
+        }
+    }
+    assert!(carrying > 50, "{carrying}");
+}

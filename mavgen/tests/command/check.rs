@@ -36,7 +36,7 @@ fn what_differs_is_shown_as_a_diff() {
     );
     assert!(diff.contains("\n-    pub level: u8,\n+    pub level: u16,\n"), "{diff}");
     assert!(diff.ends_with("\n-// by hand\n\\ No newline at end of file\n"), "{diff}");
-    let said = "src/acme: 1 files differ, 0 are missing, 0 are no longer generated\n\
+    let said = "src/acme: 1 changed, 0 missing, 0 stale\n\
                 run: mavgen generate acme.xml --out src/acme\n";
     assert_eq!(stderr(&answer), said);
 }
@@ -82,7 +82,7 @@ fn a_long_diff_is_cut_and_says_so() {
     let (diff, said) = (stdout(&answer), stderr(&answer));
     assert!((400..480).contains(&diff.lines().count()), "{}", diff.lines().count());
     assert!(diff.contains(" more lines\n") && diff.contains("\n... and ") && diff.ends_with(" more files\n"), "{diff}");
-    assert!(said.starts_with("src/acme: 30 files differ"), "{said}");
+    assert!(said.starts_with("src/acme: 30 changed"), "{said}");
 }
 
 #[test]

@@ -58,3 +58,22 @@ fn all_else_as_json_has_no_code() {
     let refused = said(&["generate", "acme.xml", "--out", ".", "--message-format=json"]);
     assert_eq!((&refused["code"], &refused["severity"]), (&Value::Null, &"error".into()));
 }
+
+/// What cannot be said is no reason to panic.
+#[cfg(target_os = "linux")]
+#[test]
+fn nobody_listens() {
+    let folder = folder(ACME);
+    let full = || fs::File::options().write(true).open("/dev/full").unwrap();
+    let mavgen = |arguments: &[&str]| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_mavgen"));
+        command.current_dir(folder.path()).args(arguments);
+        command
+    };
+    let generate = ["generate", "acme.xml", "--out", "out"];
+    assert_eq!(mavgen(&generate).stderr(full()).status().unwrap().code(), Some(0));
+    assert_eq!(mavgen(&["dump", "none.xml"]).stderr(full()).status().unwrap().code(), Some(2));
+    let dumped = mavgen(&["dump", "acme.xml"]).stdout(full()).output().unwrap();
+    assert_eq!(dumped.status.code(), Some(2));
+    assert!(stderr(&dumped).starts_with("error: standard output: "), "{}", stderr(&dumped));
+}
