@@ -18,7 +18,10 @@
 //! # In a repository
 //!
 //! [`Builder::generate`] writes the same sources into a folder, and [`Builder::check`] says whether they are current, so
-//! that a test can. The `mavgen` command does both without a line of Rust.
+//! that a test can. The `mavgen` command does both without a line of Rust: `cargo install mavgen --features cli`. It is
+//! behind that feature because a build script has no use for what it depends on.
+//!
+//! [`Builder::messages`] keeps a large dialect small: only the messages that a program speaks, and what they need.
 //!
 //! # Bits inside integers
 //!

@@ -81,6 +81,7 @@ impl Differences {
 /// If `folder` holds files but none of ours (it is somebody's folder), if one of the files to write is there and is not
 /// ours, or if the system refuses something.
 pub fn write(folder: &Path, files: &[GeneratedFile]) -> Result<Report, OutputError> {
+    let folder = named(folder);
     let ours = ours(folder)?;
     if ours.is_empty() {
         refuse_occupied(folder)?;
@@ -98,6 +99,7 @@ pub fn write(folder: &Path, files: &[GeneratedFile]) -> Result<Report, OutputErr
 /// # Errors
 /// If the folder cannot be read.
 pub fn check(folder: &Path, files: &[GeneratedFile]) -> Result<Differences, OutputError> {
+    let folder = named(folder);
     let stale = ours(folder)?.stale(files);
     let mut differences =
         Differences { stale: stale.iter().map(|path| folder.join(path)).collect(), ..Differences::default() };
@@ -125,6 +127,11 @@ pub(crate) fn write_file(path: &Path, text: &str) -> Result<bool, OutputError> {
         let _ = fs::remove_file(&temporary);
         OutputError::new(path, source)
     })
+}
+
+/// The folder that an empty path means when something is joined to it, by a name that can be read.
+fn named(folder: &Path) -> &Path {
+    if folder.as_os_str().is_empty() { Path::new(".") } else { folder }
 }
 
 fn is_current(path: &Path, text: &str) -> bool {

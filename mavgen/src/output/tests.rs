@@ -90,6 +90,9 @@ fn somebodys_folder_is_refused() {
     let error = write(folder.path(), &[file("mod.rs", "a")]).unwrap_err();
     assert!(error.to_string().contains("not empty"));
     assert!(!folder.path().join("mod.rs").exists());
+    // An empty path is the current folder, which is that of this package.
+    let error = write(Path::new(""), &[file("mod.rs", "a")]).unwrap_err();
+    assert!(error.to_string().contains("not empty"));
 }
 
 #[test]

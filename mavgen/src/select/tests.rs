@@ -130,8 +130,10 @@ fn one_selection_has_one_spelling() {
 /// The names of all enums that a message names, in order, after it was selected alone or with all others.
 fn names_of(dialect: &Dialect, id: u32) -> Vec<String> {
     let mut message = dialect.messages.iter().find(|message| message.id == id).unwrap().clone();
+    let named = format!("{message:?}").matches("EnumId(").count();
     let mut names = Vec::new();
     needs::each_of_message(&mut message, |id| names.push(dialect.enum_by_id(*id).unwrap().name.xml.clone()));
+    assert_eq!(names.len(), named, "the visit forgets none");
     names
 }
 
