@@ -31,10 +31,10 @@ class Refused(Exception):
     """pymavlink does not accept the definition; the text is what it says about it."""
 
 
-def _run_mavgen(xml, output, wire_protocol, validate):
-    """Run the generator for Python; it reports by printing, by returning false and by leaving the process."""
+def _run_mavgen(xml, output, wire_protocol, validate, language="Python"):
+    """Run the generator; it reports by printing, by returning false and by leaving the process."""
     log = io.StringIO()
-    options = mavgen.Opts(str(output), wire_protocol, language="Python", validate=validate)
+    options = mavgen.Opts(str(output), wire_protocol, language=language, validate=validate)
     with contextlib.redirect_stdout(log), contextlib.redirect_stderr(log):
         try:
             accepted = mavgen.mavgen(options, [os.path.abspath(xml)])
@@ -80,7 +80,7 @@ class Encoder:
 
     def __init__(self, xml):
         with tempfile.TemporaryDirectory() as folder:
-            self._modules = {wire: _load_module(xml, wire, folder) for wire in ("1.0", "2.0")}
+            self._modules = {wire: load_module(xml, wire, folder) for wire in ("1.0", "2.0")}
 
     def frames(self, message, case):
         """The frames of one case by version; no `v1` where the wire protocol 1.0 lacks the message."""
@@ -108,7 +108,7 @@ class Encoder:
         return message_class(*arguments).pack(sender)
 
 
-def _load_module(xml, wire_protocol, folder):
+def load_module(xml, wire_protocol, folder):
     """Generate and import the Python module of a dialect."""
     name = f"pymavlink_{wire_protocol.replace('.', '_')}"
     path = Path(folder) / f"{name}.py"
@@ -117,6 +117,11 @@ def _load_module(xml, wire_protocol, folder):
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     return module
+
+
+def generate_c(xml, folder):
+    """Generate the C library of a dialect."""
+    _run_mavgen(xml, folder, "2.0", validate=True, language="C")
 
 
 def _python_value(field, patterns):

@@ -14,6 +14,7 @@ pub mod frames;
 mod layout;
 pub mod payload;
 pub mod random;
+pub mod sequences;
 pub mod signature;
 pub mod subject;
 pub mod values;
