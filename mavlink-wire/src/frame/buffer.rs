@@ -1,9 +1,9 @@
 //! Frames that own their bytes, and may change.
 
 use super::{Facts, Frame};
-use crate::header::{CHECKSUM, SIGNED};
+use crate::header::CHECKSUM;
 #[cfg(feature = "signing")]
-use crate::{EncodeError, signing::Signer};
+use crate::{EncodeError, header::SIGNED, signing::Signer};
 use crate::{MAX_FRAME, Version, crc, put, zero_extended};
 
 /// A frame that owns its bytes: to be kept while the parser goes on, or to be changed and sent again.

@@ -6,6 +6,9 @@
 #![no_std]
 #![no_main]
 
+#[cfg(feature = "signing")]
+mod signing;
+
 use core::panic::PanicInfo;
 
 use mavlink_autoquad::autoquad::{AqEscTelemetry, Heartbeat, MavAutopilot};
@@ -27,15 +30,15 @@ fn panic(_: &PanicInfo<'_>) -> ! {
 
 #[unsafe(no_mangle)]
 extern "C" fn main() -> i32 {
-    let (mut parser, mut table, mut seen) = (Parser::new(&RECEIVED), EscTable::new(), 0);
+    let (mut parser, mut firmware, mut seen) = (Parser::new(&RECEIVED), Firmware::new(), 0);
     let mut buffer = [0; 64];
     while let Some(mut chunk) = receive(&mut buffer) {
         while let Some(frame) = parser.next(&mut chunk) {
-            seen += worth(&frame, &mut table);
+            seen += firmware.worth(&frame);
         }
     }
     while let Some(frame) = parser.finish() {
-        seen += worth(&frame, &mut table);
+        seen += firmware.worth(&frame);
     }
     i32::from(seen)
 }
@@ -48,12 +51,33 @@ fn receive(buffer: &mut [u8; 64]) -> Option<&[u8]> {
     buffer.get(..received).filter(|chunk| !chunk.is_empty())
 }
 
-/// 100 for an AutoQuad's heartbeat, 1 for another's, and for a telemetry batch the number of ESCs in the table.
-fn worth(frame: &Frame<'_>, table: &mut EscTable) -> u8 {
-    if let Some(beat) = frame.decode::<Heartbeat>() {
-        if beat.autopilot == MavAutopilot::AUTOQUAD { 100 } else { 1 }
-    } else {
-        frame.decode::<AqEscTelemetry>().map_or(0, |telemetry| shown(table, &telemetry))
+/// What lasts from frame to frame.
+struct Firmware {
+    table: EscTable,
+    #[cfg(feature = "signing")]
+    link: signing::Link,
+}
+
+impl Firmware {
+    fn new() -> Self {
+        Self {
+            table: EscTable::new(),
+            #[cfg(feature = "signing")]
+            link: signing::Link::new(),
+        }
+    }
+
+    /// 100 for an AutoQuad's heartbeat, 1 for another's, and for a telemetry batch the number of ESCs in the table; 1 more
+    /// if a signed link carries the frame.
+    fn worth(&mut self, frame: &Frame<'_>) -> u8 {
+        let worth = if let Some(beat) = frame.decode::<Heartbeat>() {
+            if beat.autopilot == MavAutopilot::AUTOQUAD { 100 } else { 1 }
+        } else {
+            frame.decode::<AqEscTelemetry>().map_or(0, |telemetry| shown(&mut self.table, &telemetry))
+        };
+        #[cfg(feature = "signing")]
+        let worth = worth + u8::from(self.link.carries(frame));
+        worth
     }
 }
 
