@@ -23,7 +23,8 @@ use crate::source::Sources;
 /// // Sources in a repository, and the test that holds them current.
 /// let builder = mavgen::Builder::new("xml/acme.xml").out_dir("src/acme");
 /// builder.generate().unwrap();
-/// assert!(builder.check().unwrap().is_empty());
+/// let differences = builder.check().unwrap();
+/// assert!(differences.is_empty(), "{differences}");
 /// ```
 #[derive(Clone, Debug)]
 pub struct Builder {

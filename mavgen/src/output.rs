@@ -71,6 +71,24 @@ impl Differences {
     }
 }
 
+/// One line for each file, up to a number that one reads.
+impl std::fmt::Display for Differences {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        const SHOWN: usize = 20;
+        let lists =
+            [(&self.changed, "differs"), (&self.missing, "is missing"), (&self.stale, "is no longer generated")];
+        let all = || lists.iter().flat_map(|(paths, what)| paths.iter().map(move |path| (path, what)));
+        for (index, (path, what)) in all().take(SHOWN).enumerate() {
+            let gap = if index == 0 { "" } else { "\n" };
+            write!(f, "{gap}{} {what}", path.display())?;
+        }
+        match all().count().saturating_sub(SHOWN) {
+            0 => Ok(()),
+            more => write!(f, "\n... and {more} more"),
+        }
+    }
+}
+
 /// Makes `folder` hold these files, all of them or, if it fails, what it held before.
 ///
 /// Files that are equal are not touched; files that carry our header and are not among them are removed; all others are
@@ -86,12 +104,29 @@ pub fn write(folder: &Path, files: &[GeneratedFile]) -> Result<Report, OutputErr
     if ours.is_empty() {
         refuse_occupied(folder)?;
     }
-    let changed: Vec<&GeneratedFile> =
-        files.iter().filter(|file| !is_current(&folder.join(&file.path), &file.text)).collect();
-    changed.iter().try_for_each(|file| refuse_foreign(&folder.join(&file.path)))?;
+    let changed = changed(folder, files.iter().map(|file| (Path::new(&file.path), &*file.text)));
+    changed.iter().try_for_each(|(path, _)| refuse_foreign(&folder.join(path)))?;
     let stale = ours.stale(files);
     Staged::replace(folder, &changed, &stale)?;
     Ok(Report { written: changed.len(), kept: files.len() - changed.len(), removed: stale.len() })
+}
+
+/// Makes `folder` hold these files, by path and text, all of them or, if it fails, what it held before; how many had to be
+/// written. Whether they may be is for the caller to know.
+#[cfg(feature = "vendor")]
+pub(crate) fn write_together<'t>(
+    folder: &Path,
+    files: impl IntoIterator<Item = (&'t Path, &'t str)>,
+) -> Result<usize, OutputError> {
+    let folder = named(folder);
+    let changed = changed(folder, files);
+    Staged::replace(folder, &changed, &[])?;
+    Ok(changed.len())
+}
+
+/// Those of the files that are not there or not as they should be.
+fn changed<'t>(folder: &Path, files: impl IntoIterator<Item = (&'t Path, &'t str)>) -> Vec<(&'t Path, &'t str)> {
+    files.into_iter().filter(|(path, text)| !is_current(&folder.join(path), text)).collect()
 }
 
 /// Compares `folder` with these files; writes nothing.
@@ -114,15 +149,14 @@ pub fn check(folder: &Path, files: &[GeneratedFile]) -> Result<Differences, Outp
     Ok(differences)
 }
 
-/// Makes one file hold this text, in one step; whether it had to be written.
-pub(crate) fn write_file(path: &Path, text: &str) -> Result<bool, OutputError> {
+/// Makes one file hold this text, in one step.
+pub(crate) fn write_file(path: &Path, text: &str) -> Result<(), OutputError> {
     if is_current(path, text) {
-        return Ok(false);
+        return Ok(());
     }
     let temporary = path.with_extension(format!("mavgen-staging-{}", std::process::id()));
-    let written = path.parent().map_or(Ok(()), fs::create_dir_all);
-    let written = written.and_then(|()| fs::write(&temporary, text)).and_then(|()| fs::rename(&temporary, path));
-    written.map(|()| true).map_err(|source| {
+    let written = fs::write(&temporary, text).and_then(|()| fs::rename(&temporary, path));
+    written.map_err(|source| {
         // What was left behind is ours alone; if even that cannot be removed, the first error is the one to tell.
         let _ = fs::remove_file(&temporary);
         OutputError::new(path, source)

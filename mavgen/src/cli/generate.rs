@@ -25,7 +25,7 @@ const AFTER_HELP: &str = "\
 Examples:
   mavgen generate xml/acme.xml --out src/acme
   mavgen generate xml/acme.xml --overlay xml/acme.overlay.xml --out src/acme
-  mavgen generate xml/common.xml --messages HEARTBEAT,COMMAND_*,PARAM_* --out src/small
+  mavgen generate xml/common.xml --messages 'HEARTBEAT,PARAM_*' --out src/small
 
 In the crate, `mod acme;` takes the sources in; they need the crate mavlink-wire and nothing else.";
 

@@ -10,7 +10,6 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, SystemTime};
 
 use super::OutputError;
-use crate::emit::GeneratedFile;
 
 /// The first letters of the folder in the output folder that holds what is new, until it is in place. The rest is a number of
 /// the process and one of the run in it: runs side by side, which tests and build scripts are, do not see each other.
@@ -42,7 +41,7 @@ struct Step {
 
 impl<'f> Staged<'f> {
     /// Makes the folder hold what is new, and no longer what is stale.
-    pub(super) fn replace(folder: &'f Path, new: &[&GeneratedFile], stale: &[PathBuf]) -> Result<(), OutputError> {
+    pub(super) fn replace(folder: &'f Path, new: &[(&Path, &str)], stale: &[PathBuf]) -> Result<(), OutputError> {
         if new.is_empty() && stale.is_empty() {
             return Ok(());
         }
@@ -82,14 +81,13 @@ impl<'f> Staged<'f> {
     }
 
     /// Writes what is new beside the tree, keeps what is there, and makes the folders: all that can fail for good reasons.
-    pub(super) fn prepare(&mut self, new: &[&GeneratedFile], stale: &[PathBuf]) -> Result<(), OutputError> {
+    pub(super) fn prepare(&mut self, new: &[(&Path, &str)], stale: &[PathBuf]) -> Result<(), OutputError> {
         remove_abandoned(self.folder);
-        for file in new {
-            let path = Path::new(&file.path);
+        for &(path, text) in new {
             self.make_parent(&self.folder.join(path))?;
             self.keep(path, true)?;
             self.make_parent(&self.new_file(path))?;
-            fs::write(self.new_file(path), &file.text).map_err(|error| self.failed(path, error))?;
+            fs::write(self.new_file(path), text).map_err(|error| self.failed(path, error))?;
         }
         stale.iter().try_for_each(|path| self.keep(path, false))
     }

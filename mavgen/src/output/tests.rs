@@ -53,6 +53,17 @@ fn writes_keeps_and_removes() {
 }
 
 #[test]
+fn differences_are_listed_as_far_as_one_reads() {
+    let mut differences = Differences { changed: vec!["a.rs".into()], ..Differences::default() };
+    differences.stale.push("b.rs".into());
+    assert_eq!(differences.to_string(), "a.rs differs\nb.rs is no longer generated");
+    differences.missing = vec!["c.rs".into(); 30];
+    let lines = differences.to_string();
+    assert_eq!((lines.lines().count(), lines.lines().last()), (21, Some("... and 12 more")));
+    assert_eq!(Differences::default().to_string(), "");
+}
+
+#[test]
 fn nothing_but_the_tree_is_left() {
     let (_parent, folder) = written();
     let names: Vec<PathBuf> = tree(&folder).into_iter().map(|(path, _)| path).collect();
@@ -173,7 +184,7 @@ fn what_was_put_in_place_is_taken_back() {
     let before = tree(&folder);
     let new = [file("mod.rs", "changed"), file("new.rs", "n"), file("messages/b.rs", "changed")];
     let mut staged = Staged::new(&folder);
-    staged.prepare(&new.each_ref(), &[]).unwrap();
+    staged.prepare(&new.each_ref().map(|file| (Path::new(&file.path), &*file.text)), &[]).unwrap();
     let staging = fs::read_dir(&folder).unwrap().map(Result::unwrap).find(is_staging).unwrap();
     let outside = |(path, _): &(PathBuf, _)| !path.starts_with(staging.file_name());
     assert_eq!(before, tree(&folder).into_iter().filter(outside).collect::<Vec<_>>(), "nothing has changed yet");

@@ -5,7 +5,7 @@ use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
 use super::{Copy, header, prose};
-use crate::output::{OutputError, write_file};
+use crate::output::{OutputError, write_together};
 
 /// How much of a file is looked at for its header.
 const HEAD: u64 = 4096;
@@ -22,11 +22,11 @@ pub struct Written {
     pub others: Vec<PathBuf>,
 }
 
-/// Writes copies into a folder. Each file is replaced in one step.
+/// Writes copies into a folder, all of them or, if it fails, none. Each file is replaced in one step.
 ///
 /// # Errors
 /// Before anything is written: if a copy would replace its own source, a file that is no copy, or one that has descriptions of
-/// its own by one that has not; or if the folder holds files, but no copy. After that, if the system refuses something.
+/// its own by one that has not; or if the folder holds files, but no copy. Else, if the system refuses something.
 pub fn write(folder: &Path, files: &[Copy]) -> Result<Written, OutputError> {
     let present = present(folder)?;
     let copies: Vec<&Found> = present.iter().filter(|found| found.is_copy).collect();
@@ -35,18 +35,11 @@ pub fn write(folder: &Path, files: &[Copy]) -> Result<Written, OutputError> {
         return Err(refused(folder.to_owned(), text));
     }
     files.iter().try_for_each(|file| check(folder, file))?;
-    let mut written = Written::default();
-    for file in files {
-        if write_file(&folder.join(&file.name), &file.text)? {
-            written.written += 1;
-        } else {
-            written.kept += 1;
-        }
-    }
+    let written = write_together(folder, files.iter().map(|file| (Path::new(&file.name), &*file.text)))?;
     let others = copies.iter().filter(|found| !files.iter().any(|file| folder.join(&file.name) == found.path));
-    written.others = others.map(|found| found.path.clone()).collect();
-    written.others.sort();
-    Ok(written)
+    let mut others: Vec<PathBuf> = others.map(|found| found.path.clone()).collect();
+    others.sort();
+    Ok(Written { written, kept: files.len() - written, others })
 }
 
 /// A file or folder that is there already.

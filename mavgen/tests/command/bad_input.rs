@@ -2,6 +2,8 @@
 
 use std::fs;
 use std::path::Path;
+#[cfg(unix)]
+use std::process::{Command, Output};
 
 use crate::{ACME, folder, mavgen, stderr, tree};
 
@@ -69,26 +71,37 @@ fn a_file_system_that_is_not_for_writing() {
     assert!(said.starts_with("error: /proc/acme: "), "{said}");
 }
 
-/// A limit on the length of files is to a program what a full disk is: some of a file is written, then no more.
+/// Runs the command as on a full disk: a limit on the length of files lets it write some of a long one, then no more.
+#[cfg(unix)]
+fn on_a_full_disk(folder: &Path, arguments: &str) -> Output {
+    let script = format!("trap '' XFSZ; ulimit -f 64; exec \"$0\" {arguments}");
+    let mavgen = env!("CARGO_BIN_EXE_mavgen");
+    Command::new("sh").args(["-c", &script, mavgen]).current_dir(folder).output().unwrap()
+}
+
 #[cfg(unix)]
 #[test]
 fn a_full_disk_leaves_the_old_tree_whole() {
-    use std::process::Command;
     let folder = generated();
-    let before = tree(folder.path());
+    let before = tree(&folder.path().join("out"));
     let long = "Much to say. ".repeat(10_000);
     let xml = ACME.replace("What the sprayer does.", &long).replace("uint16_t", "uint32_t");
     fs::write(folder.path().join("acme.xml"), xml).unwrap();
-    let script = "trap '' XFSZ; ulimit -f 64; exec \"$0\" generate acme.xml --out out";
-    let output =
-        Command::new("sh").args(["-c", script, env!("CARGO_BIN_EXE_mavgen")]).current_dir(folder.path()).output();
-    let output = output.unwrap();
+    let output = on_a_full_disk(folder.path(), "generate acme.xml --out out");
     assert_eq!(output.status.code(), Some(2), "{}", stderr(&output));
     assert!(stderr(&output).starts_with("error: out/messages/sprayer.rs: "), "{}", stderr(&output));
-    let after = tree(folder.path());
-    assert_eq!(before.len(), after.len());
-    assert!(before.iter().zip(&after).all(|(old, new)| old == new || old.0 == Path::new("acme.xml")));
-    assert!(!folder.path().join("out/.mavgen-staging").exists());
+    assert_eq!(tree(&folder.path().join("out")), before);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_full_disk_gets_no_half_of_a_vendored_dialect() {
+    let folder = folder("<mavlink><include>long.xml</include></mavlink>");
+    fs::write(folder.path().join("long.xml"), ACME.replace("What", &"Much to say. ".repeat(10_000))).unwrap();
+    let output = on_a_full_disk(folder.path(), "vendor acme.xml --out copies");
+    assert_eq!(output.status.code(), Some(2), "{}", stderr(&output));
+    assert!(stderr(&output).starts_with("error: copies/long.xml: "), "{}", stderr(&output));
+    assert!(!folder.path().join("copies").exists());
 }
 
 #[test]
