@@ -58,6 +58,13 @@ pub trait Message: Encode + Copy + 'static {
 
     /// Reads a payload. Total: what is missing at its end is zero, what is too much is ignored.
     fn decode(payload: &[u8]) -> Self;
+
+    /// The fields with the ids of the addressed system and component, for a router that rewrites them; `None` where
+    /// [`MessageInfo`] says that the message has none.
+    #[inline]
+    fn target_mut(&mut self) -> (Option<&mut u8>, Option<&mut u8>) {
+        (None, None)
+    }
 }
 
 /// A dialect's enum of all messages.

@@ -136,6 +136,7 @@ fn message_impl(message: &Message, fields: &[FieldTokens]) -> TokenStream {
     let infos = fields.iter().map(|field| &field.info);
     let defaults = fields.iter().map(|field| &field.default);
     let decode = fields.iter().map(|field| &field.decode);
+    let target_mut = target_mut(message);
     quote! {
         impl wire::Message for #name {
             const ID: u32 = #id;
@@ -154,6 +155,7 @@ fn message_impl(message: &Message, fields: &[FieldTokens]) -> TokenStream {
                 };
                 Self { #(#decode)* }
             }
+            #target_mut
         }
     }
 }
@@ -195,6 +197,25 @@ fn encode_impl(message: &Message, fields: &[FieldTokens]) -> TokenStream {
             fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
                 #(#stores)*
             }
+        }
+    }
+}
+
+/// `target_mut`, for a message that names a system or a component it is meant for.
+fn target_mut(message: &Message) -> TokenStream {
+    let targets = (message.target_system(), message.target_component());
+    if targets.0.is_none() && targets.1.is_none() {
+        return TokenStream::new();
+    }
+    let reference = |field: Option<&Field>| match field.map(|field| ident(&field.name.rust)) {
+        Some(field) => quote!(Some(&mut self.#field)),
+        None => quote!(None),
+    };
+    let (system, component) = (reference(targets.0), reference(targets.1));
+    quote! {
+        #[inline]
+        fn target_mut(&mut self) -> (Option<&mut u8>, Option<&mut u8>) {
+            (#system, #component)
         }
     }
 }

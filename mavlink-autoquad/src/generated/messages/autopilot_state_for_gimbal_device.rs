@@ -258,6 +258,11 @@ impl wire::Message for AutopilotStateForGimbalDevice {
             angular_velocity_z: wire::get(p, 53),
         }
     }
+
+    #[inline]
+    fn target_mut(&mut self) -> (Option<&mut u8>, Option<&mut u8>) {
+        (Some(&mut self.target_system), Some(&mut self.target_component))
+    }
 }
 
 impl wire::Encode for AutopilotStateForGimbalDevice {

@@ -207,6 +207,11 @@ impl wire::Message for CommandLong {
             param7: wire::get(p, 24),
         }
     }
+
+    #[inline]
+    fn target_mut(&mut self) -> (Option<&mut u8>, Option<&mut u8>) {
+        (Some(&mut self.target_system), Some(&mut self.target_component))
+    }
 }
 
 impl wire::Encode for CommandLong {

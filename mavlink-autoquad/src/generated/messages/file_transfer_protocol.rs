@@ -70,6 +70,11 @@ impl wire::Message for FileTransferProtocol {
             payload: wire::get(p, 3),
         }
     }
+
+    #[inline]
+    fn target_mut(&mut self) -> (Option<&mut u8>, Option<&mut u8>) {
+        (Some(&mut self.target_system), Some(&mut self.target_component))
+    }
 }
 
 impl wire::Encode for FileTransferProtocol {

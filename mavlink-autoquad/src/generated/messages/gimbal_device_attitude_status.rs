@@ -228,6 +228,11 @@ impl wire::Message for GimbalDeviceAttitudeStatus {
             gimbal_device_id: wire::get(p, 48),
         }
     }
+
+    #[inline]
+    fn target_mut(&mut self) -> (Option<&mut u8>, Option<&mut u8>) {
+        (Some(&mut self.target_system), Some(&mut self.target_component))
+    }
 }
 
 impl wire::Encode for GimbalDeviceAttitudeStatus {

@@ -166,6 +166,11 @@ impl wire::Message for GimbalDeviceSetAttitude {
             angular_velocity_z: wire::get(p, 24),
         }
     }
+
+    #[inline]
+    fn target_mut(&mut self) -> (Option<&mut u8>, Option<&mut u8>) {
+        (Some(&mut self.target_system), Some(&mut self.target_component))
+    }
 }
 
 impl wire::Encode for GimbalDeviceSetAttitude {

@@ -154,6 +154,11 @@ impl wire::Message for GimbalManagerSetAttitude {
             angular_velocity_z: wire::get(p, 28),
         }
     }
+
+    #[inline]
+    fn target_mut(&mut self) -> (Option<&mut u8>, Option<&mut u8>) {
+        (Some(&mut self.target_system), Some(&mut self.target_component))
+    }
 }
 
 impl wire::Encode for GimbalManagerSetAttitude {

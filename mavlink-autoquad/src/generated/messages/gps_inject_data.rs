@@ -72,6 +72,11 @@ impl wire::Message for GpsInjectData {
             data: wire::get(p, 3),
         }
     }
+
+    #[inline]
+    fn target_mut(&mut self) -> (Option<&mut u8>, Option<&mut u8>) {
+        (Some(&mut self.target_system), Some(&mut self.target_component))
+    }
 }
 
 impl wire::Encode for GpsInjectData {

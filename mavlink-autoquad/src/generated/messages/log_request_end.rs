@@ -58,6 +58,11 @@ impl wire::Message for LogRequestEnd {
             target_component: wire::get(p, 1),
         }
     }
+
+    #[inline]
+    fn target_mut(&mut self) -> (Option<&mut u8>, Option<&mut u8>) {
+        (Some(&mut self.target_system), Some(&mut self.target_component))
+    }
 }
 
 impl wire::Encode for LogRequestEnd {

@@ -70,6 +70,11 @@ impl wire::Message for LogRequestList {
             end: wire::get(p, 2),
         }
     }
+
+    #[inline]
+    fn target_mut(&mut self) -> (Option<&mut u8>, Option<&mut u8>) {
+        (Some(&mut self.target_system), Some(&mut self.target_component))
+    }
 }
 
 impl wire::Encode for LogRequestList {

@@ -103,6 +103,11 @@ impl wire::Message for LoggingData {
             data: wire::get(p, 6),
         }
     }
+
+    #[inline]
+    fn target_mut(&mut self) -> (Option<&mut u8>, Option<&mut u8>) {
+        (Some(&mut self.target_system), Some(&mut self.target_component))
+    }
 }
 
 impl wire::Encode for LoggingData {

@@ -202,6 +202,11 @@ impl wire::Message for ManualControl {
             aux6: wire::get(p, 28),
         }
     }
+
+    #[inline]
+    fn target_mut(&mut self) -> (Option<&mut u8>, Option<&mut u8>) {
+        (Some(&mut self.target), None)
+    }
 }
 
 impl wire::Encode for ManualControl {

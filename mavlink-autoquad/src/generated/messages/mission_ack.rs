@@ -96,6 +96,11 @@ impl wire::Message for MissionAck {
             opaque_id: wire::get(p, 4),
         }
     }
+
+    #[inline]
+    fn target_mut(&mut self) -> (Option<&mut u8>, Option<&mut u8>) {
+        (Some(&mut self.target_system), Some(&mut self.target_component))
+    }
 }
 
 impl wire::Encode for MissionAck {

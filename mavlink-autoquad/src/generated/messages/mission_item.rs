@@ -146,6 +146,11 @@ impl wire::Message for MissionItem {
             mission_type: wire::get(p, 37),
         }
     }
+
+    #[inline]
+    fn target_mut(&mut self) -> (Option<&mut u8>, Option<&mut u8>) {
+        (Some(&mut self.target_system), Some(&mut self.target_component))
+    }
 }
 
 impl wire::Encode for MissionItem {

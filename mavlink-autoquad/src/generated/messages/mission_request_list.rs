@@ -67,6 +67,11 @@ impl wire::Message for MissionRequestList {
             mission_type: wire::get(p, 2),
         }
     }
+
+    #[inline]
+    fn target_mut(&mut self) -> (Option<&mut u8>, Option<&mut u8>) {
+        (Some(&mut self.target_system), Some(&mut self.target_component))
+    }
 }
 
 impl wire::Encode for MissionRequestList {

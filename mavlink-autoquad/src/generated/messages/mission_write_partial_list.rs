@@ -79,6 +79,11 @@ impl wire::Message for MissionWritePartialList {
             mission_type: wire::get(p, 6),
         }
     }
+
+    #[inline]
+    fn target_mut(&mut self) -> (Option<&mut u8>, Option<&mut u8>) {
+        (Some(&mut self.target_system), Some(&mut self.target_component))
+    }
 }
 
 impl wire::Encode for MissionWritePartialList {

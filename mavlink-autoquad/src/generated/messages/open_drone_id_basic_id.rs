@@ -85,6 +85,11 @@ impl wire::Message for OpenDroneIdBasicId {
             uas_id: wire::get(p, 24),
         }
     }
+
+    #[inline]
+    fn target_mut(&mut self) -> (Option<&mut u8>, Option<&mut u8>) {
+        (Some(&mut self.target_system), Some(&mut self.target_component))
+    }
 }
 
 impl wire::Encode for OpenDroneIdBasicId {

@@ -279,6 +279,11 @@ impl wire::Message for OpenDroneIdLocation {
             timestamp_accuracy: wire::get(p, 58),
         }
     }
+
+    #[inline]
+    fn target_mut(&mut self) -> (Option<&mut u8>, Option<&mut u8>) {
+        (Some(&mut self.target_system), Some(&mut self.target_component))
+    }
 }
 
 impl wire::Encode for OpenDroneIdLocation {

@@ -78,6 +78,11 @@ impl wire::Message for OpenDroneIdOperatorId {
             operator_id: wire::get(p, 23),
         }
     }
+
+    #[inline]
+    fn target_mut(&mut self) -> (Option<&mut u8>, Option<&mut u8>) {
+        (Some(&mut self.target_system), Some(&mut self.target_component))
+    }
 }
 
 impl wire::Encode for OpenDroneIdOperatorId {

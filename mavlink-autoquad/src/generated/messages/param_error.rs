@@ -80,6 +80,11 @@ impl wire::Message for ParamError {
             error: wire::get(p, 20),
         }
     }
+
+    #[inline]
+    fn target_mut(&mut self) -> (Option<&mut u8>, Option<&mut u8>) {
+        (Some(&mut self.target_system), Some(&mut self.target_component))
+    }
 }
 
 impl wire::Encode for ParamError {

@@ -85,6 +85,11 @@ impl wire::Message for ParamExtRequestRead {
             param_index: wire::get(p, 0),
         }
     }
+
+    #[inline]
+    fn target_mut(&mut self) -> (Option<&mut u8>, Option<&mut u8>) {
+        (Some(&mut self.target_system), Some(&mut self.target_component))
+    }
 }
 
 impl wire::Encode for ParamExtRequestRead {

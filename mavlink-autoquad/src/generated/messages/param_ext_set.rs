@@ -78,6 +78,11 @@ impl wire::Message for ParamExtSet {
             param_type: wire::get(p, 146),
         }
     }
+
+    #[inline]
+    fn target_mut(&mut self) -> (Option<&mut u8>, Option<&mut u8>) {
+        (Some(&mut self.target_system), Some(&mut self.target_component))
+    }
 }
 
 impl wire::Encode for ParamExtSet {

@@ -100,6 +100,11 @@ impl wire::Message for ParamMapRc {
             param_value_max: wire::get(p, 12),
         }
     }
+
+    #[inline]
+    fn target_mut(&mut self) -> (Option<&mut u8>, Option<&mut u8>) {
+        (Some(&mut self.target_system), Some(&mut self.target_component))
+    }
 }
 
 impl wire::Encode for ParamMapRc {

@@ -80,6 +80,11 @@ impl wire::Message for ParamSet {
             param_type: wire::get(p, 22),
         }
     }
+
+    #[inline]
+    fn target_mut(&mut self) -> (Option<&mut u8>, Option<&mut u8>) {
+        (Some(&mut self.target_system), Some(&mut self.target_component))
+    }
 }
 
 impl wire::Encode for ParamSet {

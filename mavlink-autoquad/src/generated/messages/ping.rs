@@ -74,6 +74,11 @@ impl wire::Message for Ping {
             target_component: wire::get(p, 13),
         }
     }
+
+    #[inline]
+    fn target_mut(&mut self) -> (Option<&mut u8>, Option<&mut u8>) {
+        (Some(&mut self.target_system), Some(&mut self.target_component))
+    }
 }
 
 impl wire::Encode for Ping {

@@ -72,6 +72,11 @@ impl wire::Message for PlayTune {
             tune2: wire::get(p, 32),
         }
     }
+
+    #[inline]
+    fn target_mut(&mut self) -> (Option<&mut u8>, Option<&mut u8>) {
+        (Some(&mut self.target_system), Some(&mut self.target_component))
+    }
 }
 
 impl wire::Encode for PlayTune {

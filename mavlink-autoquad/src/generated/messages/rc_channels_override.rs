@@ -449,6 +449,11 @@ impl wire::Message for RcChannelsOverride {
             chan18_raw: wire::get(p, 36),
         }
     }
+
+    #[inline]
+    fn target_mut(&mut self) -> (Option<&mut u8>, Option<&mut u8>) {
+        (Some(&mut self.target_system), Some(&mut self.target_component))
+    }
 }
 
 impl wire::Encode for RcChannelsOverride {

@@ -80,6 +80,11 @@ impl wire::Message for RequestDataStream {
             start_stop: wire::get(p, 5),
         }
     }
+
+    #[inline]
+    fn target_mut(&mut self) -> (Option<&mut u8>, Option<&mut u8>) {
+        (Some(&mut self.target_system), Some(&mut self.target_component))
+    }
 }
 
 impl wire::Encode for RequestDataStream {

@@ -72,6 +72,11 @@ impl wire::Message for RequestEvent {
             last_sequence: wire::get(p, 2),
         }
     }
+
+    #[inline]
+    fn target_mut(&mut self) -> (Option<&mut u8>, Option<&mut u8>) {
+        (Some(&mut self.target_system), Some(&mut self.target_component))
+    }
 }
 
 impl wire::Encode for RequestEvent {

@@ -102,6 +102,11 @@ impl wire::Message for SafetySetAllowedArea {
             p2z: wire::get(p, 20),
         }
     }
+
+    #[inline]
+    fn target_mut(&mut self) -> (Option<&mut u8>, Option<&mut u8>) {
+        (Some(&mut self.target_system), Some(&mut self.target_component))
+    }
 }
 
 impl wire::Encode for SafetySetAllowedArea {

@@ -98,6 +98,11 @@ impl wire::Message for SerialControl {
             target_component: wire::get(p, 80),
         }
     }
+
+    #[inline]
+    fn target_mut(&mut self) -> (Option<&mut u8>, Option<&mut u8>) {
+        (Some(&mut self.target_system), Some(&mut self.target_component))
+    }
 }
 
 impl wire::Encode for SerialControl {

@@ -77,6 +77,11 @@ impl wire::Message for SetActuatorControlTarget {
             controls: wire::get(p, 8),
         }
     }
+
+    #[inline]
+    fn target_mut(&mut self) -> (Option<&mut u8>, Option<&mut u8>) {
+        (Some(&mut self.target_system), Some(&mut self.target_component))
+    }
 }
 
 impl wire::Encode for SetActuatorControlTarget {

@@ -109,6 +109,11 @@ impl wire::Message for SetAttitudeTarget {
             thrust_body: wire::get(p, 39),
         }
     }
+
+    #[inline]
+    fn target_mut(&mut self) -> (Option<&mut u8>, Option<&mut u8>) {
+        (Some(&mut self.target_system), Some(&mut self.target_component))
+    }
 }
 
 impl wire::Encode for SetAttitudeTarget {

@@ -79,6 +79,11 @@ impl wire::Message for SetGpsGlobalOrigin {
             time_usec: wire::get(p, 13),
         }
     }
+
+    #[inline]
+    fn target_mut(&mut self) -> (Option<&mut u8>, Option<&mut u8>) {
+        (Some(&mut self.target_system), None)
+    }
 }
 
 impl wire::Encode for SetGpsGlobalOrigin {

@@ -121,6 +121,11 @@ impl wire::Message for SetHomePosition {
             time_usec: wire::get(p, 53),
         }
     }
+
+    #[inline]
+    fn target_mut(&mut self) -> (Option<&mut u8>, Option<&mut u8>) {
+        (Some(&mut self.target_system), None)
+    }
 }
 
 impl wire::Encode for SetHomePosition {

@@ -68,6 +68,11 @@ impl wire::Message for SetMode {
             custom_mode: wire::get(p, 0),
         }
     }
+
+    #[inline]
+    fn target_mut(&mut self) -> (Option<&mut u8>, Option<&mut u8>) {
+        (Some(&mut self.target_system), None)
+    }
 }
 
 impl wire::Encode for SetMode {

@@ -145,6 +145,11 @@ impl wire::Message for SetPositionTargetGlobalInt {
             yaw_rate: wire::get(p, 44),
         }
     }
+
+    #[inline]
+    fn target_mut(&mut self) -> (Option<&mut u8>, Option<&mut u8>) {
+        (Some(&mut self.target_system), Some(&mut self.target_component))
+    }
 }
 
 impl wire::Encode for SetPositionTargetGlobalInt {

@@ -66,6 +66,11 @@ impl wire::Message for SupportedTunes {
             format: wire::get(p, 0),
         }
     }
+
+    #[inline]
+    fn target_mut(&mut self) -> (Option<&mut u8>, Option<&mut u8>) {
+        (Some(&mut self.target_system), Some(&mut self.target_component))
+    }
 }
 
 impl wire::Encode for SupportedTunes {

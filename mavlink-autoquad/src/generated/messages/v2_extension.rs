@@ -76,6 +76,11 @@ impl wire::Message for V2Extension {
             payload: wire::get(p, 5),
         }
     }
+
+    #[inline]
+    fn target_mut(&mut self) -> (Option<&mut u8>, Option<&mut u8>) {
+        (Some(&mut self.target_system), Some(&mut self.target_component))
+    }
 }
 
 impl wire::Encode for V2Extension {
