@@ -224,5 +224,7 @@ macro_rules! open_enum {
         }
 
         $crate::__serde!($name, serialize_enum, deserialize_enum);
+        $crate::__defmt!($name, value);
+        $crate::__arbitrary!($name, value, value_size);
     };
 }

@@ -7,6 +7,7 @@ use crate::EnumInfo;
 
 /// A message cannot be sent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(::defmt::Format))]
 #[non_exhaustive]
 pub enum EncodeError {
     /// MAVLink 1 has one byte for the message id.
@@ -41,6 +42,7 @@ impl Error for EncodeError {}
 
 /// Bytes are not a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(::defmt::Format))]
 #[non_exhaustive]
 pub enum FrameError {
     /// The first byte starts neither a MAVLink 1 nor a MAVLink 2 frame.
@@ -89,6 +91,7 @@ impl Error for FrameError {}
 
 /// A text is longer than its field.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(::defmt::Format))]
 pub struct TooLong {
     /// Bytes of the text.
     pub length: usize,
@@ -107,6 +110,7 @@ impl Error for TooLong {}
 
 /// A text names no entry of an enum and is no number that fits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(::defmt::Format))]
 pub struct UnknownName {
     /// Name in the XML of the enum.
     pub name: &'static str,
@@ -129,6 +133,7 @@ impl Error for UnknownName {}
 
 /// A setter was given a value that its field cannot carry, or an index that its array does not have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(::defmt::Format))]
 pub struct OutOfRange;
 
 impl fmt::Display for OutOfRange {
@@ -141,6 +146,7 @@ impl Error for OutOfRange {}
 
 /// Packed bits cannot take a value, or a message a slot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(::defmt::Format))]
 #[non_exhaustive]
 pub enum ViewError {
     /// The value is NaN, or does not fit the bits.

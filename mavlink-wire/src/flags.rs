@@ -2,6 +2,8 @@
 //!
 //! [`flags!`](crate::flags!) adds to each only what needs its type; iteration and text are done here once, for all.
 
+#[cfg(feature = "bitflags")]
+mod bitflags;
 mod interface;
 
 use core::fmt;
@@ -12,18 +14,24 @@ use crate::{Enum, EnumInfo, Repr, UnknownName};
 
 /// The entries that are contained in a value, in order, each bit claimed once.
 #[derive(Clone, Debug)]
-struct Contained {
+pub(crate) struct Contained {
     entries: &'static [(u64, &'static str)],
     source: u64,
     remaining: u64,
 }
 
 impl Contained {
-    const fn new(info: &EnumInfo, bits: u64) -> Self {
+    pub(crate) const fn new(info: &EnumInfo, bits: u64) -> Self {
         Self { entries: info.entries, source: bits, remaining: bits }
     }
 
-    fn next(&mut self) -> Option<(u64, &'static str)> {
+    /// The bits that no entry has claimed so far.
+    #[cfg(feature = "defmt")]
+    pub(crate) const fn remaining(&self) -> u64 {
+        self.remaining
+    }
+
+    pub(crate) fn next(&mut self) -> Option<(u64, &'static str)> {
         while let [(value, name), rest @ ..] = self.entries {
             if self.remaining == 0 {
                 return None;

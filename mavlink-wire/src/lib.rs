@@ -68,13 +68,24 @@
 //!   ([`Frame::signature`]).
 //! - `serde`: messages, enums, flags, [`Chars`] and dialects serialize, without losing a bit, in text by names; the module
 //!   `serde` says how.
+//! - `defmt`: `Format` of the same, of frames and of errors. Written by the field tables, with the names of fields and
+//!   entries sent as text: a type that is never logged costs no flash.
+//! - `arbitrary`: `Arbitrary` of messages, enums, flags, [`Chars`] and dialects, for fuzzing: any payload decodes.
+//! - `bitflags`: `bitflags::Flags` of flags types, for code that works on any.
+//! - `mavlink-core`: a dialect over the connections of rust-mavlink; the module `interop` says how.
 
 #![no_std]
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
 
+#[cfg(feature = "arbitrary")]
+#[doc(hidden)]
+pub mod arbitrary;
 mod chars;
 pub mod crc;
+#[cfg(feature = "defmt")]
+#[doc(hidden)]
+pub mod defmt;
 #[doc(hidden)]
 pub mod enums;
 mod error;
@@ -83,6 +94,8 @@ pub mod flags;
 mod frame;
 mod header;
 mod info;
+#[cfg(feature = "mavlink-core")]
+pub mod interop;
 mod message;
 mod optional;
 mod parser;
@@ -97,6 +110,10 @@ mod statistics;
 mod table;
 mod timestamp;
 mod wire;
+
+#[cfg(feature = "bitflags")]
+#[doc(hidden)]
+pub use ::bitflags;
 
 pub use chars::Chars;
 pub use enums::{Enum, Repr};

@@ -119,6 +119,8 @@ macro_rules! message {
         }
 
         $crate::__serde!($name, serialize_message, deserialize_message);
+        $crate::__defmt!($name, message);
+        $crate::__arbitrary!($name, message, message_size);
     };
 }
 
@@ -165,6 +167,9 @@ macro_rules! dialect {
         )*
 
         $crate::__serde!($dialect, serialize_dialect, deserialize_dialect, ::core::stringify!($dialect));
+        $crate::__defmt!($dialect, dialect);
+        $crate::__arbitrary!($dialect, dialect, dialect_size);
+        $crate::__mavlink_core!($dialect { $($message)* });
     };
 }
 

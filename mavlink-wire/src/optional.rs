@@ -8,3 +8,31 @@
 macro_rules! __serde {
     ($($any:tt)*) => {};
 }
+
+#[cfg(not(feature = "defmt"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __defmt {
+    ($($any:tt)*) => {};
+}
+
+#[cfg(not(feature = "arbitrary"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __arbitrary {
+    ($($any:tt)*) => {};
+}
+
+#[cfg(not(feature = "bitflags"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __bitflags {
+    ($($any:tt)*) => {};
+}
+
+#[cfg(not(feature = "mavlink-core"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __mavlink_core {
+    ($($any:tt)*) => {};
+}

@@ -22,7 +22,7 @@
 //!
 //! Fields that are missing are an error, but for extension fields: they are zero, as in a frame of a sender that does not
 //! know them. Fields that the message does not have are ignored. `type` may come after other fields, as long as those take no
-//! more than about 4 KiB.
+//! more than 8 KiB: they are kept on the stack, since there may be no allocator.
 //!
 //! # Other formats (postcard, bincode, MessagePack, CBOR)
 //!

@@ -22,6 +22,7 @@ fn messages() -> Vec<Autoquad> {
             }
         }
         messages.extend(Autoquad::decode(info.id, &[]));
+        messages.extend(Autoquad::decode(info.id, &[0xff; MAX_PAYLOAD]));
     }
     assert!(messages.len() >= 236 * 25, "{}", messages.len());
     messages
@@ -260,7 +261,7 @@ fn arrays_have_exactly_their_length() {
 
 #[test]
 fn too_much_before_the_type_is_an_error() {
-    let text = format!(r#"{{"a":"{}","type":"HEARTBEAT"}}"#, "x".repeat(5000));
+    let text = format!(r#"{{"a":"{}","type":"HEARTBEAT"}}"#, "x".repeat(9000));
     let error = serde_json::from_str::<Autoquad>(&text).unwrap_err().to_string();
     assert!(error.starts_with("too much comes before `type`: put it first"), "{error}");
     let text = format!(r#"{{"a":{}{},"type":"HEARTBEAT"}}"#, "[".repeat(100), "]".repeat(100));

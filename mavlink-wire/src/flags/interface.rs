@@ -293,6 +293,9 @@ macro_rules! flags {
         }
 
         $crate::__serde!($name, serialize_enum, deserialize_enum);
+        $crate::__defmt!($name, value);
+        $crate::__arbitrary!($name, value, value_size);
+        $crate::__bitflags!($name, $repr, $info);
     };
     (@mask $repr:ident) => {
         (u64::MAX >> (u64::BITS - $repr::BITS))

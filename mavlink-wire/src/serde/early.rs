@@ -8,8 +8,8 @@ use core::marker::PhantomData;
 use serde_core::de::{DeserializeSeed, Deserializer, Error, MapAccess, SeqAccess, Visitor};
 use serde_core::forward_to_deserialize_any;
 
-/// Room for every message: 255 numbers of 9 bytes, and the keys.
-const ROOM: usize = 4096;
+/// Room for every message: 255 numbers of 9 bytes, or the names of all flags of SYS_STATUS (4.4 KiB), and the keys.
+const ROOM: usize = 8192;
 
 /// What begins each kept item.
 mod tag {
