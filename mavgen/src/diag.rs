@@ -14,7 +14,7 @@ pub use json::{json, json_message};
 pub use nearest::nearest;
 pub use render::{Style, one_line, render};
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::source::{FileId, Span};
 
@@ -83,43 +83,38 @@ impl Diagnostic {
     }
 }
 
-/// How many problems of one severity are kept: more than anybody reads, few enough for a file that is nothing but mistakes.
+/// How many problems of one severity are listed: more than anybody reads, few enough for a file that is nothing but mistakes.
 const MOST: usize = 200;
 
-/// The problems found so far: the first 200 of each severity, and how many more there were.
+/// The problems found so far: in the end the first 200 of each severity, and how many more there were.
 #[derive(Clone, Debug, Default)]
 pub struct Diagnostics {
     list: Vec<Diagnostic>,
-    errors: Count,
-    warnings: Count,
-    notes: Count,
+    /// How many of a kind are in the list. No kind fills it, so that all are in it when it is put in order.
+    kept: BTreeMap<Code, usize>,
+    /// How many of a severity are not in the list.
+    more: BTreeMap<Severity, usize>,
     broken: BTreeSet<Option<FileId>>,
-}
-
-/// How many problems of a severity there are.
-#[derive(Clone, Copy, Debug, Default)]
-struct Count {
-    listed: usize,
-    more: usize,
 }
 
 impl Diagnostics {
     /// Adds one.
     pub fn push(&mut self, diagnostic: Diagnostic) {
-        let count = match diagnostic.severity() {
-            Severity::Error => &mut self.errors,
-            Severity::Warning => &mut self.warnings,
-            Severity::Note => &mut self.notes,
-        };
         if diagnostic.severity() == Severity::Error {
             self.broken.insert(diagnostic.span.map(|span| span.file));
         }
-        if count.listed < MOST {
-            count.listed += 1;
+        let kept = self.kept.entry(diagnostic.code).or_default();
+        if *kept < MOST {
+            *kept += 1;
             self.list.push(diagnostic);
         } else {
-            count.more += 1;
+            *self.more.entry(diagnostic.severity()).or_default() += 1;
         }
+    }
+
+    /// Takes back warnings that turned out to be an echo of something else.
+    pub(crate) fn withdraw(&mut self, is_echo: impl Fn(&Diagnostic) -> bool) {
+        self.list.retain(|diagnostic| diagnostic.severity() == Severity::Error || !is_echo(diagnostic));
     }
 
     /// Adds several, or the one that there may be.
@@ -131,18 +126,16 @@ impl Diagnostics {
     /// at the end how many are not listed. Those without a place come first.
     pub(crate) fn arrange(&mut self) {
         self.list.sort_by_key(|diagnostic| diagnostic.span.map(|span| (span.file, span.start)));
-        let counts = [(self.errors.more, "error"), (self.warnings.more, "warning"), (self.notes.more, "note")];
-        let more = counts.iter().filter(|(count, _)| *count > 0).map(|(count, what)| match count {
-            1 => format!("1 more {what}"),
-            _ => format!("{count} more {what}s"),
+        let mut listed: BTreeMap<Severity, usize> = BTreeMap::new();
+        let more = &mut self.more;
+        self.list.retain(|diagnostic| {
+            let count = listed.entry(diagnostic.severity()).or_default();
+            *count += 1;
+            let fits = *count <= MOST;
+            *more.entry(diagnostic.severity()).or_default() += usize::from(!fits);
+            fits
         });
-        let more: Vec<String> = more.collect();
-        if !more.is_empty() {
-            let message = format!("not listed: {}", more.join(", "));
-            let help = "mend some of these first";
-            self.list.push(Diagnostic::without_place(Code::NotListed, message).help(help));
-        }
-        (self.errors.more, self.warnings.more, self.notes.more) = (0, 0, 0);
+        self.list.extend(not_listed(&std::mem::take(more)));
     }
 
     /// The files that have an error; `None` stands for those that could not be read.
@@ -169,6 +162,16 @@ impl Diagnostics {
     pub fn is_empty(&self) -> bool {
         self.list.is_empty()
     }
+}
+
+/// What is said of the problems that are not listed.
+fn not_listed(more: &BTreeMap<Severity, usize>) -> Option<Diagnostic> {
+    let counts: Vec<String> = (more.iter().filter(|(_, count)| **count > 0))
+        .map(|(severity, count)| format!("{count} more {severity}{}", if *count == 1 { "" } else { "s" }))
+        .collect();
+    let message = format!("not listed: {}", counts.join(", "));
+    let note = Diagnostic::without_place(Code::NotListed, message).help("mend some of these first");
+    if counts.is_empty() { None } else { Some(note) }
 }
 
 #[cfg(test)]

@@ -108,9 +108,13 @@ fn is_constant(word: &str) -> bool {
 /// Puts a backslash before every character that means something inside a line of markdown.
 fn escape(word: &str) -> String {
     let mut escaped = String::with_capacity(word.len());
-    for (at, c) in word.char_indices() {
-        let edge = at == 0 || at + c.len_utf8() == word.len();
-        if "\\`*[]<>&~|$".contains(c) || c == '_' && edge {
+    let mut before = None;
+    let mut letters = word.chars().peekable();
+    while let Some(c) = letters.next() {
+        // An underscore inside a word is one.
+        let inside = [before, letters.peek().copied()].iter().all(|next| next.is_some_and(char::is_alphanumeric));
+        before = Some(c);
+        if "\\`*[]<>&~|$".contains(c) || c == '_' && !inside {
             escaped.push('\\');
         }
         escaped.push(c);
@@ -138,6 +142,8 @@ fn is_invisible(c: char) -> bool {
         || matches!(c, '\u{200b}'..='\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2060}'..='\u{2069}' | '\u{feff}')
 }
 
+#[cfg(test)]
+mod hostile;
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -36,7 +36,7 @@ fn generate_others(out: &Path) {
     let five = ["HEARTBEAT", "COMMAND_ACK", "AQ_ESC_TELEMETRY", "GPS_RAW_*", "RADIO_STATUS"];
     let selected = Builder::new("../xml/autoquad.xml").overlay("../xml/autoquad.overlay.xml").messages(five);
     let others = [
-        ("hostile", Builder::new("hostile/hostile.xml")),
+        ("hostile", Builder::new("hostile/hostile.xml").overlay("hostile/hostile.overlay.xml")),
         ("names", Builder::new("hostile/names.xml")),
         ("packed", packed),
         ("selected", selected.name("selected")),

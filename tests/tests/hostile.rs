@@ -3,9 +3,13 @@
 
 #![allow(deprecated, reason = "what is deprecated is tested like the rest")]
 
+use std::fs;
+use std::path::PathBuf;
+
 use mavlink_conformance::dialects::hostile::{
-    Base, Bits, Converted, Debug, DebugEnum, E, Edges, EnumFields, Far, Hostile, LongMixed, MavCmd, Narrow, OldMessage,
-    Ones, Option_, Resolution, Sentinels, Setters, Signed, SignedBits, Versioned, Wide, WideBits, Widened, Words,
+    Base, Bits, Converted, Debug, DebugEnum, E, Edges, EnumFields, Far, Hostile, I, LongMixed, MavCmd, Narrow,
+    OldMessage, Ones, Option_, Radius, Resolution, Sentinels, Setters, Signed, SignedBits, Versioned, Wide, WideBits,
+    Widened, Words,
 };
 use mavlink_conformance::dialects::names::{NamesDialect, OptionEnum, Self_, SelfEnum};
 use mavlink_conformance::payload::{Canonical, Fill};
@@ -46,6 +50,7 @@ fn types_of_one_name_are_told_apart() {
 fn constants_are_named_and_valued() {
     assert_eq!((Words::SELF.0, Words::FN.0, Words::CAMEL_CASE9.0, Words::LEADING.0), (0, 5, 9, 10));
     assert_eq!((E::A.0, E::E_1.0, E::E_.0, Resolution::RESOLUTION_2_7K_17_9.0), (0, 1, 2, 1));
+    assert_eq!((Radius::RADIUS_75_M.0, Radius::RADIUS_7_5_M.0, Radius::RADIUS_7_5M.0, I::J.0), (0, 1, 2, 1));
     assert_eq!((Edges::BINARY.0, Edges::POWER_63.0, Edges::LAST.0), (6, 1 << 63, u64::MAX));
     assert_eq!((Narrow::OTHER_PREFIX.0, Narrow::NARROW_200.0, Narrow::MORE.0), (9, 200, 201));
     assert_eq!((Bits::NONE.bits(), Bits::all().bits()), (0, 1 << 63 | 0x33));
@@ -123,4 +128,31 @@ fn a_getter_gives_way_to_a_setter() {
     let mut setters = Setters { set_x: 3, ..Setters::DEFAULT };
     setters.set_x(Some(9));
     assert_eq!((setters.x(), setters.set_x), (Some(9), 3));
+}
+
+/// Lines that rustdoc would compile as Rust: fences, and what is indented by four. The texts of the definitions and of the
+/// overlay are full of them, and come through as prose.
+#[test]
+fn no_text_becomes_a_doctest() {
+    let mut folders = vec![PathBuf::from(concat!(env!("OUT_DIR"), "/hostile"))];
+    let (mut lines, mut fences) = (0, 0);
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                folders.push(path);
+                continue;
+            }
+            for line in fs::read_to_string(&path).unwrap().lines() {
+                let line = line.trim_start();
+                let Some(text) = line.strip_prefix("///").or_else(|| line.strip_prefix("//!")) else { continue };
+                assert!(!text.starts_with("     ") && !text.contains('\t'), "{}: {line}", path.display());
+                let fence = ["```", "~~~"].iter().any(|fence| text.trim_start().starts_with(fence));
+                assert!(!fence, "{}: {line}", path.display());
+                lines += 1;
+                fences += usize::from(text.contains(r"\`\`\`"));
+            }
+        }
+    }
+    assert!(lines > 3000 && fences > 20, "{lines} lines, {fences} fences");
 }

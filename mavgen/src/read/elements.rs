@@ -171,7 +171,16 @@ impl<'t, 'd> Elements<'t, 'd> {
         }
     }
 
+    /// Reports what ends the reading. Elements that seemed to be in a wrong place are no mistakes if one before them was not
+    /// closed.
     fn broken(&mut self, fault: Diagnostic) -> Broken {
+        if let (Code::Unclosed, Some(opened)) = (fault.code, fault.related.first()) {
+            let (file, start) = (opened.span.file, opened.span.start);
+            self.diagnostics.withdraw(|problem| {
+                matches!(problem.code, Code::UnknownElement | Code::StrayText)
+                    && problem.span.is_some_and(|span| span.file == file && span.start > start)
+            });
+        }
         self.diagnostics.push(fault);
         Broken
     }

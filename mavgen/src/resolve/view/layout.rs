@@ -48,8 +48,9 @@ pub(super) fn resolve<'a>(
         None => Some(Vec::new()),
     };
     if let Some(branches) = branches.as_ref().filter(|_| whole) {
-        // An empty view was spoken of, and what was lost in reading may have covered the rest.
-        let complete = !partial && scene.whole && all_bits(element).next().is_some();
+        // An empty view was spoken of, and what was lost in reading or in a second switch may have covered the rest.
+        let lost = !scene.whole || switches(element).count() > 1;
+        let complete = !partial && !lost && all_bits(element).next().is_some();
         coverage::check(element, words, (&common, branches), complete, diagnostics);
     }
     joined(common, count, selector, branches.unwrap_or_default(), diagnostics)
@@ -83,10 +84,7 @@ fn joined(
 
 /// The switch of a view, which has at most one.
 fn only_switch<'a>(element: &'a View, diagnostics: &mut Diagnostics) -> Option<&'a overlay::Switch> {
-    let mut switches = element.parts.iter().filter_map(|part| match part {
-        Part::Switch(switch) => Some(switch),
-        Part::Piece(_) => None,
-    });
+    let mut switches = switches(element);
     let first = switches.next()?;
     for second in switches {
         let problem = Diagnostic::new(Code::SecondSwitch, second.span, "a second switch in one view");
@@ -94,4 +92,11 @@ fn only_switch<'a>(element: &'a View, diagnostics: &mut Diagnostics) -> Option<&
         diagnostics.push(problem.help("join their cases, or write two views with `partial=\"true\"`"));
     }
     Some(first)
+}
+
+fn switches(element: &View) -> impl Iterator<Item = &overlay::Switch> {
+    element.parts.iter().filter_map(|part| match part {
+        Part::Switch(switch) => Some(switch),
+        Part::Piece(_) => None,
+    })
 }

@@ -50,7 +50,7 @@ pub(super) fn resolve(scene: &Scene<'_, '_>, text: &Text, diagnostics: &mut Diag
     }
     let read: Vec<Option<Read<'_>>> = parts.into_iter().map(|part| one(scene, part, diagnostics)).collect();
     let read = read.into_iter().collect::<Option<Vec<Read<'_>>>>()?;
-    check_once(&read, diagnostics);
+    check_once(&read, diagnostics)?;
     let shape = shape(&read, diagnostics)?;
     let width = width(scene, text, &read, diagnostics)?;
     Some(Words { list: read.iter().map(|read| read.word).collect(), width, shape, span: text.span })
@@ -76,15 +76,18 @@ fn one<'s>(scene: &Scene<'s, '_>, text: Text, diagnostics: &mut Diagnostics) -> 
 }
 
 /// No word stands twice: a setter would contradict itself.
-fn check_once(read: &[Read<'_>], diagnostics: &mut Diagnostics) {
+fn check_once(read: &[Read<'_>], diagnostics: &mut Diagnostics) -> Option<()> {
+    let mut once = Some(());
     for (index, word) in read.iter().enumerate() {
         let before = read.iter().take(index).find(|before| before.found.index == word.found.index);
         if let Some(before) = before {
             let message = format!("`{}` is a word of the view already", word.text.value);
             let problem = Diagnostic::new(Code::Words, word.text.span, message);
             diagnostics.push(problem.related(before.text.span, "the first time").help("leave one of them out"));
+            once = None;
         }
     }
+    once
 }
 
 /// The slots, if the words are elements; that all of them are, and of arrays of one length.

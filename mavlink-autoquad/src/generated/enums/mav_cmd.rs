@@ -214,7 +214,7 @@ impl MavCmd {
     pub const NAV_ARC_WAYPOINT: Self = Self(36);
     /// Point the camera or nose at a region of interest.
     ///
-    /// **Superseded** since 2018-01, replaced by \`MAV_CMD_DO_SET_ROI_\*\`.
+    /// **Superseded** since 2018-01, replaced by \`MAV_CMD_DO_SET_ROI\_\*\`.
     ///
     /// Params 5, 6 and 7 are a place.
     ///
@@ -481,7 +481,7 @@ impl MavCmd {
     pub const DO_CONTROL_VIDEO: Self = Self(200);
     /// Point the camera or nose at a region of interest.
     ///
-    /// **Superseded** since 2018-01, replaced by \`MAV_CMD_DO_SET_ROI_\*\`.
+    /// **Superseded** since 2018-01, replaced by \`MAV_CMD_DO_SET_ROI\_\*\`.
     ///
     /// Params 5, 6 and 7 are a place.
     ///

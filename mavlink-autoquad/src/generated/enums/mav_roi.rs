@@ -4,7 +4,7 @@ use ::mavlink_wire as wire;
 
 /// Kinds of region of interest.
 ///
-/// **Superseded** since 2018-01, replaced by \`MAV_CMD_DO_SET_ROI_\*\`.
+/// **Superseded** since 2018-01, replaced by \`MAV_CMD_DO_SET_ROI\_\*\`.
 ///
 /// `MAV_ROI` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MAV_ROI).
