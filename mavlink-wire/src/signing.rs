@@ -38,8 +38,52 @@
 //!
 //! Frames are [forwarded to the byte](crate::Frame::bytes), or [re-signed](crate::FrameBuf::sign) for a link with
 //! another key, or numbered and signed as that link's sender does it ([`Sender::forward`](crate::Sender::forward)).
-//! Logs [take signatures away](crate::FrameBuf::strip_signature) and leave out frames that [carry a
-//! key](crate::Frame::carries_key).
+//! Logs [take signatures away](crate::FrameBuf::strip_signature), and leave out frames that
+//! [carry a key](crate::Frame::carries_key).
+//!
+//! ```
+//! use mavlink_wire::signing::Verifier;
+//! use mavlink_wire::{Frame, FrameBuf, Sender, Timestamp};
+//!
+//! /// What goes out on another link, of what came in.
+//! fn route(frame: &Frame<'_>, verifier: &mut Verifier, link: &mut Sender, now: Timestamp) -> Option<FrameBuf> {
+//!     verifier.check(frame, now).ok()?;
+//!     link.advance_time(verifier.timestamp());
+//!     link.forward(frame).ok()
+//! }
+//!
+//! /// What goes into the log.
+//! fn entry(frame: Frame<'_>) -> Option<FrameBuf> {
+//!     let mut entry = FrameBuf::from(frame);
+//!     entry.strip_signature();
+//!     (!frame.carries_key()).then_some(entry)
+//! }
+//! ```
+//!
+//! # Giving a key out
+//!
+//! [`Setup`] is the message `SETUP_SIGNING`: what a ground station sends over a cable, and a vehicle reads.
+//!
+//! ```
+//! use mavlink_wire::signing::{Setup, Signer, Verifier};
+//! use mavlink_wire::{Frame, Sender};
+//!
+//! /// Takes the key of a frame, or stops signing; only for what came over the cable.
+//! fn obey(frame: &Frame<'_>, sender: &mut Sender, verifier: &mut Verifier) {
+//!     let Some(setup) = Setup::read(frame).filter(|setup| setup.target_system() == 1) else { return };
+//!     match setup.key() {
+//!         Some((key, timestamp)) => {
+//!             sender.set_signer(Some(Signer::new(key.clone(), 0, timestamp)));
+//!             *verifier = Verifier::new(Some(key.clone()));
+//!             verifier.advance_time(timestamp);
+//!         }
+//!         None => {
+//!             sender.set_signer(None);
+//!             *verifier = Verifier::new(None);
+//!         }
+//!     }
+//! }
+//! ```
 //!
 //! # What to save
 //!

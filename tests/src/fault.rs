@@ -30,8 +30,10 @@ pub enum Check {
     Signed,
     /// The signature is that of the key.
     Signature,
-    /// A sender with the key makes the signed frame.
+    /// A sender with the key makes the signed frame, and a router makes it from the unsigned one.
     Sign,
+    /// Without its signature, the signed frame is the unsigned one.
+    Strip,
     /// A verifier with the key believes the signed frame, once.
     Verify,
     /// The constants of an enum, their number and names.

@@ -33,6 +33,7 @@ pub fn check_case<D: Dialect>(subject: &Subject<D>, definition: &Definition, cas
     check_encode(subject, case, place, findings);
     signature::check(case, place, findings);
     signature::check_runtime(subject, case, place, findings);
+    signature::check_router(case, subject.id, place, findings);
     let golden = [(Version::V1, case.v1.as_ref()), (Version::V2, Some(&case.v2)), (Version::V2, Some(&case.signed))];
     for (version, frame) in golden {
         let Some(frame) = frame else { continue };

@@ -1,7 +1,7 @@
 //! Signed frames: the unsigned frame with a flag, a checksum of its own and a signature (MAVLink guide, "Message signing").
 
 use mavlink_wire::signing::{Key, Signer, SigningError, Trust, Verifier};
-use mavlink_wire::{Dialect, Frame, MAX_FRAME, Sender, Timestamp};
+use mavlink_wire::{Dialect, EncodeError, Frame, FrameBuf, MAX_FRAME, Sender, Table, Timestamp};
 use sha2::{Digest, Sha256};
 
 use crate::fault::{Check, Findings};
@@ -41,6 +41,22 @@ pub fn check_runtime<D: Dialect>(subject: &Subject<D>, case: &Case, place: &str,
     let replayed = SigningError::Replayed { timestamp, last: timestamp };
     let allowed = if subject.id == 109 { Ok(Trust::Allowed) } else { Err(replayed) };
     findings.equal(Check::Verify, place, verify(), Some(allowed));
+}
+
+/// A router that does not know the message makes the signed frame of a case from the unsigned one, and the other way round;
+/// but it signs no key.
+pub fn check_router(case: &Case, id: u32, place: &str, findings: &mut Findings) {
+    let (plain, signed) = (case.v2.bytes(), case.signed.bytes());
+    let kept = |bytes| Frame::parse(bytes, &Table::of(&[])).ok().map(FrameBuf::from);
+    let mut stripped = kept(&signed);
+    stripped.iter_mut().for_each(FrameBuf::strip_signature);
+    findings.equal(Check::Strip, place, stripped.as_ref().map(FrameBuf::bytes), Some(&plain));
+    let mut signer = Signer::new(Key::new(key()), case.link, Timestamp::new(case.timestamp));
+    let mut resigned = kept(&plain);
+    let result = resigned.as_mut().map(|frame| frame.sign(&mut signer));
+    let (refusal, expected) = if id == 256 { (Err(EncodeError::CarriesKey), plain) } else { (Ok(()), signed) };
+    findings.equal(Check::Sign, place, result, Some(refusal));
+    findings.equal(Check::Sign, place, resigned.as_ref().map(FrameBuf::bytes), Some(&expected));
 }
 
 /// The first 48 bits of SHA-256 over key, frame, link and timestamp.

@@ -1,10 +1,10 @@
 //! Sequences of signed frames: the runtime thinks of each what the C library thinks of it.
 
-use mavlink_autoquad::autoquad::{Autoquad, Heartbeat};
+use mavlink_autoquad::autoquad::{Autoquad, Heartbeat, SetupSigning};
 use mavlink_conformance::sequences::{self, Arrival, SIGNING};
 use mavlink_conformance::vectors::key;
-use mavlink_wire::signing::{Key, Signer, SigningError, Trust, Verifier};
-use mavlink_wire::{Dialect, Frame, MAX_FRAME, Sender, Timestamp};
+use mavlink_wire::signing::{Key, Setup, Signer, SigningError, Trust, Verifier};
+use mavlink_wire::{Dialect, Encode, Frame, MAX_FRAME, Message, Sender, Timestamp};
 
 fn verdict(result: Result<Trust, SigningError>) -> &'static str {
     match result {
@@ -69,5 +69,28 @@ fn a_sender_counts_the_time_as_pymavlinks_does() {
             let message: Heartbeat = frame.decode().unwrap();
             assert_eq!(sender.encode(&message, &mut [0xA5; MAX_FRAME]), Ok(frame.bytes()), "{name}");
         }
+    }
+}
+
+#[test]
+fn a_setup_is_the_setup_signing_of_the_dialect() {
+    let timestamp = Timestamp::new(0x0102_0304_0506);
+    let setup = Setup::new(7, 8, Key::new(key()), timestamp).unwrap();
+    let message = SetupSigning {
+        target_system: 7,
+        target_component: 8,
+        secret_key: key(),
+        initial_timestamp: timestamp.units(),
+        ..SetupSigning::DEFAULT
+    };
+    assert_eq!(setup.info(), SetupSigning::INFO);
+    for (setup, message) in [
+        (setup, message),
+        (Setup::off(7, 8).unwrap(), SetupSigning { target_system: 7, target_component: 8, ..SetupSigning::DEFAULT }),
+    ] {
+        let mut buffer = [0xA5; MAX_FRAME];
+        let frame = Sender::v2(255, 190).encode(&message, &mut buffer).unwrap();
+        assert_eq!(Sender::v2(255, 190).encode(&setup, &mut [0xA5; MAX_FRAME]), Ok(frame));
+        assert_eq!(Setup::read(&Frame::parse(frame, Autoquad::TABLE).unwrap()), Some(setup));
     }
 }

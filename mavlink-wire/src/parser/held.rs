@@ -6,7 +6,7 @@ use crate::{MAX_FRAME, zero_extended};
 const CAPACITY: usize = 2 * MAX_FRAME;
 
 /// Bytes of earlier chunks. Behind them, bytes of the present one can be borrowed.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub(super) struct Held {
     /// At `start..end`, behind those of the frame that was handed out last.
     bytes: [u8; CAPACITY],
@@ -63,5 +63,12 @@ impl Held {
     /// Goes back to the beginning of an empty space.
     pub(super) fn reset(&mut self) {
         (self.start, self.end) = (0, 0);
+    }
+}
+
+/// How many bytes, not which: they may be of a `SETUP_SIGNING`, which carries a key.
+impl core::fmt::Debug for Held {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("Held").field("start", &self.start).field("end", &self.end).finish_non_exhaustive()
     }
 }

@@ -7,7 +7,8 @@ use crate::{MAX_FRAME, Timestamp, put};
 /// Signs the frames of one link: the key, the link's number and the timestamp of the next frame.
 ///
 /// The timestamp of a frame is larger than that of the one before, whatever the clock does: receivers refuse what is
-/// not. After 2104, behind [`Timestamp::MAX`], it starts again at zero, as pymavlink's does.
+/// not. After 2104, behind [`Timestamp::MAX`], it starts again at zero, as pymavlink's does. A clone counts by itself:
+/// never let two of them sign for one link.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Signer {
     key: Key,
