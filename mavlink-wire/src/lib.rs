@@ -96,6 +96,7 @@ mod header;
 mod info;
 #[cfg(feature = "mavlink-core")]
 pub mod interop;
+mod losses;
 mod message;
 mod optional;
 mod parser;
@@ -121,6 +122,7 @@ pub use error::{EncodeError, FrameError, OutOfRange, TooLong, UnknownName, ViewE
 pub use field::{FieldInfo, Invalid, Kind, Sentinel};
 pub use frame::{Frame, FrameBuf, Signature};
 pub use info::{EnumInfo, MessageInfo, ParamInfo};
+pub use losses::{Arrival, Losses, Received};
 pub use message::{Dialect, Encode, Message, Targeted};
 pub use parser::Parser;
 pub use scale::raw_of;

@@ -50,13 +50,6 @@ pub struct Parser<'t> {
     needed: usize,
 }
 
-/// A frame, and where it lies: at the end of the bytes of the input that were used, or of those that were held.
-pub(crate) struct Found {
-    header: Header,
-    facts: Facts,
-    held: bool,
-}
-
 impl<'t> Parser<'t> {
     /// A parser that verifies the messages of this table, and hands over others unverified.
     #[must_use]
@@ -68,43 +61,20 @@ impl<'t> Parser<'t> {
     /// its end is kept until the next chunk comes.
     #[inline]
     pub fn next<'s, 'i: 's>(&'s mut self, input: &mut &'i [u8]) -> Option<Frame<'s>> {
-        let before = *input;
-        let found = self.find(input)?;
-        let used = before.len() - input.len();
-        Some(self.frame(found, before.get(..used).unwrap_or_default()))
-    }
-
-    /// The frames behind an unfinished one: call it when the stream has ended, or paused for long, until it gives `None`.
-    ///
-    /// A damaged byte can look like the start of a long frame, which then waits for bytes that do not come. This gives it
-    /// up and searches what was waiting with it. What comes afterwards is a new stream.
-    pub fn finish(&mut self) -> Option<Frame<'_>> {
-        let found = self.find_at_end()?;
-        Some(self.frame(found, &[]))
-    }
-
-    /// What was found since the parser was made.
-    #[must_use]
-    pub fn statistics(&self) -> Statistics {
-        self.search.statistics
-    }
-
-    /// [`next`](Self::next) without the borrow, for those who own the input as well.
-    #[inline]
-    pub(crate) fn find(&mut self, input: &mut &[u8]) -> Option<Found> {
         if !self.held.is_empty() {
-            if let Some(found) = self.resume(input, false) {
-                return Some(found);
+            if let Some((header, facts)) = self.resume(input, false) {
+                return Some(self.held_frame(header, facts));
             }
             if !self.held.is_empty() {
                 return None;
             }
         }
         loop {
-            match self.search.look(input, false) {
+            let bytes = *input;
+            match self.search.look(bytes, false) {
                 Sight::Frame(header, facts) => {
                     skip(input, header.frame_length());
-                    return Some(Found { header, facts, held: false });
+                    return Some(Frame::with_facts(bytes, header, facts));
                 }
                 Sight::Unfinished { needed } => {
                     self.held.reset();
@@ -116,26 +86,34 @@ impl<'t> Parser<'t> {
         }
     }
 
-    /// [`finish`](Self::finish) without the borrow.
-    pub(crate) fn find_at_end(&mut self) -> Option<Found> {
+    /// The frames behind an unfinished one: call it when the stream has ended, or paused for long, until it gives `None`.
+    ///
+    /// A damaged byte can look like the start of a long frame, which then waits for bytes that do not come. This gives it
+    /// up and searches what was waiting with it. What comes afterwards is a new stream.
+    pub fn finish(&mut self) -> Option<Frame<'_>> {
         let found = self.resume(&mut &[][..], true);
         if found.is_none() {
             self.search.restart();
         }
-        found
+        found.map(|(header, facts)| self.held_frame(header, facts))
     }
 
-    /// The frame that was found last; `used` are the bytes that the input lost to it.
-    #[inline]
-    pub(crate) fn frame<'s>(&'s self, found: Found, used: &'s [u8]) -> Frame<'s> {
-        let bytes = if found.held { self.held.released() } else { used };
-        let start = bytes.len().saturating_sub(found.header.frame_length());
-        Frame::with_facts(bytes.get(start..).unwrap_or_default(), found.header, found.facts)
+    /// What was found since the parser was made.
+    #[must_use]
+    pub fn statistics(&self) -> Statistics {
+        self.search.statistics
+    }
+
+    /// The frame that was found last, among the held bytes.
+    fn held_frame(&self, header: Header, facts: Facts) -> Frame<'_> {
+        let released = self.held.released();
+        let start = released.len().saturating_sub(header.frame_length());
+        Frame::with_facts(released.get(start..).unwrap_or_default(), header, facts)
     }
 
     /// Searches the held bytes for a frame, which may end in `input`. Of `input`, only what belongs to that frame is
     /// used, so that the search returns to it, and to whole chunks, as soon as no earlier byte is left.
-    fn resume(&mut self, input: &mut &[u8], at_end: bool) -> Option<Found> {
+    fn resume(&mut self, input: &mut &[u8], at_end: bool) -> Option<(Header, Facts)> {
         if !at_end && self.held.length() + input.len() < self.needed {
             self.wait(self.needed, input);
             return None;
@@ -146,7 +124,7 @@ impl<'t> Parser<'t> {
                 Sight::Frame(header, facts) => {
                     self.held.release(header.frame_length(), input);
                     self.needed = 0;
-                    return Some(Found { header, facts, held: true });
+                    return Some((header, facts));
                 }
                 Sight::Unfinished { needed } => {
                     borrowed = self.held.borrow(needed, input);

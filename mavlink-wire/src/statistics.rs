@@ -1,6 +1,8 @@
 //! What a parser counts.
 
 /// What a [`Parser`](crate::Parser) found so far, and what it could make nothing of.
+///
+/// Frames that never arrived are not seen here: [`Losses`](crate::Losses) counts them by their numbers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub struct Statistics {

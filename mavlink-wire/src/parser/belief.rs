@@ -42,9 +42,14 @@ impl Belief {
     /// At the beginning of a stream.
     pub(super) const NEW: Self = Self { expected: true, clear: 0, known: false };
 
-    /// Goes on behind a frame.
+    /// Goes on behind a verified frame. None starts before it, so nothing is known about the bytes behind it.
     #[inline]
-    pub(super) fn hand_over(&mut self, length: usize) {
+    pub(super) fn hand_over(&mut self) {
+        *self = Self::NEW;
+    }
+
+    /// Goes on behind an unverified frame.
+    pub(super) fn believe(&mut self, length: usize) {
         self.go_on(length);
         self.expected = true;
     }

@@ -7,6 +7,7 @@ mod flags_interface;
 mod forwarding;
 mod hygiene;
 mod known_frames;
+mod losses;
 mod metadata;
 mod reflection;
 #[cfg(feature = "serde")]
