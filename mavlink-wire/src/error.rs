@@ -40,6 +40,33 @@ impl fmt::Display for EncodeError {
 
 impl Error for EncodeError {}
 
+/// A message was not sent over a link.
+#[cfg(any(feature = "embedded-io", feature = "embedded-io-async"))]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum SendError<E> {
+    /// The sender cannot carry the message.
+    Encode(EncodeError),
+    /// The link has failed.
+    Link(E),
+    /// The link took no byte, and named no reason.
+    NothingTaken,
+}
+
+#[cfg(any(feature = "embedded-io", feature = "embedded-io-async"))]
+impl<E: fmt::Display> fmt::Display for SendError<E> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Encode(error) => error.fmt(f),
+            Self::Link(error) => write!(f, "the link has failed: {error}"),
+            Self::NothingTaken => f.write_str("the link takes no more bytes: open it again"),
+        }
+    }
+}
+
+#[cfg(any(feature = "embedded-io", feature = "embedded-io-async"))]
+impl<E: Error> Error for SendError<E> {}
+
 /// Bytes are not a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(::defmt::Format))]

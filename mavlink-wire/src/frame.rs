@@ -1,8 +1,12 @@
 //! Frames: a header, a payload, a checksum, perhaps a signature.
 
 mod buffer;
+#[cfg(any(feature = "std", feature = "embedded-io", feature = "embedded-io-async"))]
+mod outline;
 
 pub use buffer::FrameBuf;
+#[cfg(any(feature = "std", feature = "embedded-io", feature = "embedded-io-async"))]
+pub(crate) use outline::Outline;
 
 use crate::header::{Header, STX_V2};
 use crate::reflect::Reflected;

@@ -1,7 +1,8 @@
 //! MAVLink frames: a parser, a sender, and the traits that generated dialects implement.
 //!
-//! Bytes in, frames out: what carries the bytes (a UART, a socket, a log) is yours. Nothing here allocates, blocks or
-//! panics. The messages come from a dialect crate, or from `mavgen` in your own build script.
+//! Bytes in, frames out: what carries the bytes (a UART, a socket, a log) is yours, or that of one of the thin adapters
+//! that features add; only these allocate and block. Nothing panics. The messages come from a dialect crate, or from
+//! `mavgen` in your own build script.
 //!
 //! # Receiving
 //!
@@ -51,6 +52,8 @@
 //!   sender); enum values and flags that the definition does not name survive.
 //! - [`Frame::reflect`] needs no message type: it gives names, values and units, for routers and loggers ([`reflect`]).
 //!
+//! - [`Parser::statistics`] counts what was found and what was damaged, [`Losses`] what never arrived.
+//!
 //! # Sending
 //!
 //! A [`Sender`] per link numbers the frames and writes each into a buffer of yours. Prefer `..Message::DEFAULT` over
@@ -64,6 +67,9 @@
 //! # Features
 //!
 //! - `fast-crc` (default): the checksum from a table of 8 KiB. Without it, a few instructions per byte and no table.
+//! - `std`: frames over `std::io` (module `io`) and in UDP datagrams (`udp`).
+//! - `tokio-codec`: a codec for `tokio_util::codec` (`tokio_codec`).
+//! - `embedded-io`, `embedded-io-async`: frames over the traits of these crates (modules of the same names).
 //! - `signing`: signatures are made and verified, in the module `signing`. Without it they are only handed over
 //!   ([`Frame::signature`]).
 //! - `serde`: messages, enums, flags, [`Chars`] and dialects serialize, without losing a bit, in text by names; the module
@@ -86,6 +92,15 @@ pub mod crc;
 #[cfg(feature = "defmt")]
 #[doc(hidden)]
 pub mod defmt;
+#[cfg(feature = "std")]
+extern crate std;
+
+mod chars;
+pub mod crc;
+#[cfg(feature = "embedded-io")]
+pub mod embedded_io;
+#[cfg(feature = "embedded-io-async")]
+pub mod embedded_io_async;
 #[doc(hidden)]
 pub mod enums;
 mod error;
@@ -93,12 +108,18 @@ mod field;
 pub mod flags;
 mod frame;
 mod header;
+#[cfg(any(feature = "std", feature = "embedded-io", feature = "embedded-io-async"))]
+mod incoming;
 mod info;
 #[cfg(feature = "mavlink-core")]
 pub mod interop;
+#[cfg(feature = "std")]
+pub mod io;
 mod losses;
 mod message;
 mod optional;
+#[cfg(any(feature = "std", feature = "embedded-io", feature = "embedded-io-async"))]
+mod outgoing;
 mod parser;
 pub mod reflect;
 mod scale;
@@ -110,6 +131,10 @@ pub mod signing;
 mod statistics;
 mod table;
 mod timestamp;
+#[cfg(feature = "tokio-codec")]
+pub mod tokio_codec;
+#[cfg(feature = "std")]
+pub mod udp;
 mod wire;
 
 #[cfg(feature = "bitflags")]

@@ -104,9 +104,14 @@ impl<'t> Parser<'t> {
         self.search.statistics
     }
 
+    /// The bytes that were held and are used; a held frame that was handed over ends with them.
+    pub(crate) fn released(&self) -> &[u8] {
+        self.held.released()
+    }
+
     /// The frame that was found last, among the held bytes.
     fn held_frame(&self, header: Header, facts: Facts) -> Frame<'_> {
-        let released = self.held.released();
+        let released = self.released();
         let start = released.len().saturating_sub(header.frame_length());
         Frame::with_facts(released.get(start..).unwrap_or_default(), header, facts)
     }

@@ -7,6 +7,8 @@ mod flags_interface;
 mod forwarding;
 mod hygiene;
 mod known_frames;
+#[cfg(feature = "std")]
+mod links;
 mod losses;
 mod metadata;
 mod reflection;

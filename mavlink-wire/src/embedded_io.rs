@@ -1,0 +1,179 @@
+//! Frames over the traits of `embedded-io`: UARTs and sockets of firmware that waits. Needs the feature `embedded-io`.
+//!
+//! ```
+//! # use mavlink_wire::{Encode, MessageInfo, Sender, Table};
+//! # const INFO: &MessageInfo = &MessageInfo {
+//! #     id: 0, name: "HEARTBEAT", crc_extra: 50, len_v1: 9, len_v2: 9, target_system: None, target_component: None,
+//! # };
+//! # struct Heartbeat;
+//! # impl Encode for Heartbeat {
+//! #     fn info(&self) -> &'static MessageInfo { INFO }
+//! #     fn write(&self, payload: &mut [u8; 255]) { payload[..9].copy_from_slice(&[0, 0, 0, 0, 6, 8, 0, 4, 3]); }
+//! # }
+//! # static TABLE: Table<'static> = Table::of(&[INFO]);
+//! use mavlink_wire::embedded_io::{FrameReader, FrameWriter, SendError};
+//!
+//! fn talk<E>(
+//!     rx: impl embedded_io::Read<Error = E>,
+//!     tx: impl embedded_io::Write<Error = E>,
+//! ) -> Result<(), SendError<E>> {
+//!     let (mut reader, mut writer) = (FrameReader::new(rx, &TABLE), FrameWriter::new(tx, Sender::v1(1, 1)));
+//!     while let Some(frame) = reader.read().map_err(SendError::Link)? {
+//!         if frame.id() == 0 {
+//!             writer.send(&Heartbeat)?;
+//!         }
+//!     }
+//!     Ok(())
+//! }
+//! ```
+
+use ::embedded_io::{Read, Write};
+
+use crate::incoming::Incoming;
+use crate::outgoing::Outgoing;
+use crate::{Encode, Frame, Sender, Statistics, Table};
+
+pub use crate::error::SendError;
+
+/// Reads frames from `R`, up to `N` bytes at once.
+#[derive(Clone, Debug)]
+pub struct FrameReader<'t, R, const N: usize = 64> {
+    inner: R,
+    incoming: Incoming<'t, [u8; N]>,
+}
+
+impl<'t, R> FrameReader<'t, R> {
+    /// A reader of 64 bytes at once that verifies the messages of this table, and hands over others unverified.
+    pub const fn new(inner: R, table: &'t Table<'t>) -> Self {
+        Self::with_buffer(inner, table)
+    }
+}
+
+impl<'t, R, const N: usize> FrameReader<'t, R, N> {
+    /// A reader of up to `N` bytes at once.
+    pub const fn with_buffer(inner: R, table: &'t Table<'t>) -> Self {
+        Self { inner, incoming: Incoming::new(table) }
+    }
+
+    /// What was found so far, and what could not be read.
+    pub fn statistics(&self) -> Statistics {
+        self.incoming.statistics()
+    }
+
+    /// Gives up the unfinished frame on a link that pauses, and searches what came behind it, until it gives `None`: see
+    /// [`Parser::finish`](crate::Parser::finish).
+    pub fn finish(&mut self) -> Option<Frame<'_>> {
+        let found = self.incoming.finish()?;
+        Some(self.incoming.frame(&found))
+    }
+
+    /// What is read from. Bytes that are taken out of it are missing here.
+    pub fn get_mut(&mut self) -> &mut R {
+        &mut self.inner
+    }
+
+    /// What was read from. Bytes that were read, and are no frame yet, are lost.
+    pub fn into_inner(self) -> R {
+        self.inner
+    }
+}
+
+impl<R: Read, const N: usize> FrameReader<'_, R, N> {
+    /// The next frame; `None` at the end of the stream, when what waited for more bytes was searched as well.
+    ///
+    /// # Errors
+    ///
+    /// What `R` says. Nothing is lost: read again.
+    pub fn read(&mut self) -> Result<Option<Frame<'_>>, R::Error> {
+        loop {
+            if let Some(found) = self.incoming.find() {
+                return Ok(Some(self.incoming.frame(&found)));
+            }
+            if self.incoming.take_end() {
+                return Ok(None);
+            }
+            let count = self.inner.read(self.incoming.space())?;
+            self.incoming.fill(count, count == 0);
+        }
+    }
+}
+
+/// Writes frames to `W`.
+#[derive(Clone, Debug)]
+pub struct FrameWriter<W> {
+    inner: W,
+    outgoing: Outgoing,
+}
+
+impl<W> FrameWriter<W> {
+    /// A writer of what this sender makes.
+    pub const fn new(inner: W, sender: Sender) -> Self {
+        Self { inner, outgoing: Outgoing::new(sender) }
+    }
+
+    /// Whether a part of the last frame is not written yet.
+    pub fn is_pending(&self) -> bool {
+        !self.outgoing.pending().is_empty()
+    }
+
+    /// What makes the frames.
+    pub fn sender(&mut self) -> &mut Sender {
+        &mut self.outgoing.sender
+    }
+
+    /// What is written to. What else is written to it must not come between the parts of a frame.
+    pub fn get_mut(&mut self) -> &mut W {
+        &mut self.inner
+    }
+
+    /// What was written to. What is left of the last frame is lost.
+    pub fn into_inner(self) -> W {
+        self.inner
+    }
+}
+
+impl<W: Write> FrameWriter<W> {
+    /// Sends a message. It may still lie in a buffer of `W`: see [`flush`](Self::flush).
+    ///
+    /// # Errors
+    ///
+    /// The sender cannot carry the message, or the link has failed. What it did not take of a frame is kept, and goes
+    /// out before the next one.
+    pub fn send(&mut self, message: &(impl Encode + ?Sized)) -> Result<(), SendError<W::Error>> {
+        self.write_pending()?;
+        self.outgoing.encode(message).map_err(SendError::Encode)?;
+        self.write_pending()
+    }
+
+    /// Sends a received frame as it came, to the byte. One that is to have a number, or a signature, of this link is made by
+    /// [`Sender::forward`] before.
+    ///
+    /// # Errors
+    ///
+    /// As of [`send`](Self::send); what is not carried is a frame with a [key](Frame::carries_key).
+    pub fn forward(&mut self, frame: &Frame<'_>) -> Result<(), SendError<W::Error>> {
+        self.write_pending()?;
+        self.outgoing.forward(frame).map_err(SendError::Encode)?;
+        self.write_pending()
+    }
+
+    /// Writes what is left of the last frame, and waits until `W` has sent everything.
+    ///
+    /// # Errors
+    ///
+    /// The link has failed.
+    pub fn flush(&mut self) -> Result<(), SendError<W::Error>> {
+        self.write_pending()?;
+        self.inner.flush().map_err(SendError::Link)
+    }
+
+    fn write_pending(&mut self) -> Result<(), SendError<W::Error>> {
+        while !self.outgoing.pending().is_empty() {
+            match self.inner.write(self.outgoing.pending()).map_err(SendError::Link)? {
+                0 => return Err(SendError::NothingTaken),
+                count => self.outgoing.advance(count),
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,81 @@
+//! What the readers share: a parser, and the bytes that it has still to see.
+
+use crate::frame::Outline;
+use crate::{Frame, Parser, Statistics, Table};
+
+/// A parser and its input, in a buffer `B`.
+#[derive(Clone, Debug)]
+pub(crate) struct Incoming<'t, B> {
+    parser: Parser<'t>,
+    buffer: B,
+    /// The parser has still to see `start..end` of the buffer.
+    start: usize,
+    end: usize,
+    ended: bool,
+}
+
+/// A frame that was found, and where.
+pub(crate) struct Found {
+    outline: Outline,
+    /// Held by the parser, else in the buffer; at the end of what was used of either.
+    held: bool,
+}
+
+impl<'t, const N: usize> Incoming<'t, [u8; N]> {
+    pub(crate) const fn new(table: &'t Table<'t>) -> Self {
+        const { assert!(N > 0, "nothing can be read into an empty buffer") }
+        Self::with_buffer(table, [0; N])
+    }
+}
+
+impl<'t, B> Incoming<'t, B> {
+    pub(crate) const fn with_buffer(table: &'t Table<'t>, buffer: B) -> Self {
+        Self { parser: Parser::new(table), buffer, start: 0, end: 0, ended: false }
+    }
+
+    pub(crate) fn statistics(&self) -> Statistics {
+        self.parser.statistics()
+    }
+}
+
+impl<B: AsRef<[u8]> + AsMut<[u8]>> Incoming<'_, B> {
+    /// The next frame in what was read; `None` when more has to be read, or nothing comes any more.
+    pub(crate) fn find(&mut self) -> Option<Found> {
+        let mut input = self.buffer.as_ref().get(self.start..self.end).unwrap_or_default();
+        let all = input.as_ptr_range();
+        let found =
+            |frame: Frame<'_>| Found { outline: Outline::of(&frame), held: !all.contains(&frame.bytes().as_ptr()) };
+        let found = self.parser.next(&mut input).map(found);
+        self.start = self.end - input.len();
+        if found.is_none() && self.ended { self.finish() } else { found }
+    }
+
+    /// The next frame in what waits for bytes that do not come.
+    pub(crate) fn finish(&mut self) -> Option<Found> {
+        self.parser.finish().map(|frame| Found { outline: Outline::of(&frame), held: true })
+    }
+
+    /// The frame that was found last.
+    pub(crate) fn frame(&self, found: &Found) -> Frame<'_> {
+        let used = if found.held { self.parser.released() } else { self.buffer.as_ref() };
+        let end = if found.held { used.len() } else { self.start };
+        found.outline.at_end_of(used.get(..end).unwrap_or_default())
+    }
+
+    /// Where to read to, when nothing is found any more.
+    pub(crate) fn space(&mut self) -> &mut [u8] {
+        (self.start, self.end) = (0, 0);
+        self.buffer.as_mut()
+    }
+
+    /// Says how many bytes were read, and whether the stream ends with them.
+    pub(crate) fn fill(&mut self, count: usize, ended: bool) {
+        self.end = count.min(self.buffer.as_ref().len());
+        self.ended = ended;
+    }
+
+    /// Whether the stream has ended. It is said once: a file may grow, another datagram come.
+    pub(crate) fn take_end(&mut self) -> bool {
+        core::mem::take(&mut self.ended)
+    }
+}

@@ -1,0 +1,75 @@
+//! Frames from anything that is read.
+
+use std::io::{ErrorKind, Read, Result};
+
+use crate::incoming::Incoming;
+use crate::{Frame, Statistics, Table};
+
+/// Bytes that are read at once.
+const CHUNK: usize = 4096;
+
+/// Reads frames from `R`, which needs no buffer of its own: 4096 bytes are read at once.
+#[derive(Debug)]
+pub struct FrameReader<'t, R> {
+    inner: R,
+    incoming: Incoming<'t, [u8; CHUNK]>,
+}
+
+impl<'t, R: Read> FrameReader<'t, R> {
+    /// A reader that verifies the messages of this table, and hands over others unverified.
+    pub const fn new(inner: R, table: &'t Table<'t>) -> Self {
+        Self { inner, incoming: Incoming::new(table) }
+    }
+
+    /// The next frame. `None` at the end, when what waited for more bytes was searched as well; a file that has grown since
+    /// can be read on.
+    ///
+    /// # Errors
+    ///
+    /// What `R` says, except for [`ErrorKind::Interrupted`]. Nothing is lost: read again if it was a timeout, or
+    /// [`ErrorKind::WouldBlock`].
+    pub fn read(&mut self) -> Result<Option<Frame<'_>>> {
+        loop {
+            if let Some(found) = self.incoming.find() {
+                return Ok(Some(self.incoming.frame(&found)));
+            }
+            if self.incoming.take_end() {
+                return Ok(None);
+            }
+            match self.inner.read(self.incoming.space()) {
+                Ok(count) => self.incoming.fill(count, count == 0),
+                Err(error) if error.kind() == ErrorKind::Interrupted => {}
+                Err(error) => return Err(error),
+            }
+        }
+    }
+
+    /// Gives up the unfinished frame on a link that pauses, and searches what came behind it, until it gives `None`: see
+    /// [`Parser::finish`](crate::Parser::finish).
+    pub fn finish(&mut self) -> Option<Frame<'_>> {
+        let found = self.incoming.finish()?;
+        Some(self.incoming.frame(&found))
+    }
+}
+
+impl<R> FrameReader<'_, R> {
+    /// What was found so far, and what could not be read.
+    pub fn statistics(&self) -> Statistics {
+        self.incoming.statistics()
+    }
+
+    /// What is read from.
+    pub fn get_ref(&self) -> &R {
+        &self.inner
+    }
+
+    /// What is read from. Bytes that are taken out of it are missing here.
+    pub fn get_mut(&mut self) -> &mut R {
+        &mut self.inner
+    }
+
+    /// What was read from. Bytes that were read, and are no frame yet, are lost.
+    pub fn into_inner(self) -> R {
+        self.inner
+    }
+}

@@ -1,0 +1,117 @@
+//! Frames over [`tokio_util::codec`], and with it over anything that tokio reads and writes. Needs the feature
+//! `tokio-codec`.
+//!
+//! ```
+//! # use mavlink_wire::{Encode, MessageInfo, Sender, Table};
+//! # const INFO: &MessageInfo = &MessageInfo {
+//! #     id: 0, name: "HEARTBEAT", crc_extra: 50, len_v1: 9, len_v2: 9, target_system: None, target_component: None,
+//! # };
+//! # struct Heartbeat;
+//! # impl Encode for Heartbeat {
+//! #     fn info(&self) -> &'static MessageInfo { INFO }
+//! #     fn write(&self, payload: &mut [u8; 255]) { payload[..9].copy_from_slice(&[0, 0, 0, 0, 6, 8, 0, 4, 3]); }
+//! # }
+//! # static TABLE: Table<'static> = Table::of(&[INFO]);
+//! use futures_util::{SinkExt, StreamExt};
+//! use mavlink_wire::tokio_codec::Codec;
+//! use tokio_util::codec::Framed;
+//!
+//! # #[tokio::main(flavor = "current_thread")]
+//! # async fn main() -> std::io::Result<()> {
+//! # let (stream, vehicle) = tokio::io::duplex(64);
+//! # let vehicle = tokio::spawn(async move {
+//! #     let mut link = Framed::new(vehicle, Codec::new(&TABLE, Sender::v1(1, 1)));
+//! #     let request = link.next().await.unwrap().unwrap();
+//! #     link.send(request).await
+//! # });
+//! let mut link = Framed::new(stream, Codec::new(&TABLE, Sender::v2(255, 190)));
+//! link.send(&Heartbeat).await?;
+//! while let Some(frame) = link.next().await {
+//!     let frame = frame?;
+//!     println!("message {}", frame.as_frame().id());
+//! }
+//! # assert_eq!(link.codec().statistics().frames, 1);
+//! # vehicle.await?
+//! # }
+//! ```
+
+use std::io::{Error, ErrorKind, Result};
+
+use bytes::{Buf, BufMut, BytesMut};
+use tokio_util::codec::{Decoder, Encoder};
+
+use crate::{Encode, EncodeError, FrameBuf, MAX_FRAME, Parser, Sender, Statistics, Table};
+
+/// Frames out of bytes, messages and frames into bytes.
+///
+/// Frames come as [`FrameBuf`], which own their bytes. Sent are references to messages, dialect enums or
+/// `dyn Encode`, which get the numbers of the codec's [`Sender`], and `FrameBuf`, which go as they came. Damage is no error: what
+/// was skipped is in [`statistics`](Self::statistics).
+#[derive(Clone, Debug)]
+pub struct Codec<'t> {
+    parser: Parser<'t>,
+    sender: Sender,
+}
+
+impl<'t> Codec<'t> {
+    /// A codec that verifies the messages of this table, and sends what this sender makes.
+    #[must_use]
+    pub const fn new(table: &'t Table<'t>, sender: Sender) -> Self {
+        Self { parser: Parser::new(table), sender }
+    }
+
+    /// What was found so far, and what could not be read.
+    #[must_use]
+    pub fn statistics(&self) -> Statistics {
+        self.parser.statistics()
+    }
+
+    /// What makes the frames.
+    pub fn sender(&mut self) -> &mut Sender {
+        &mut self.sender
+    }
+}
+
+impl Decoder for Codec<'_> {
+    type Item = FrameBuf;
+    type Error = Error;
+
+    fn decode(&mut self, bytes: &mut BytesMut) -> Result<Option<FrameBuf>> {
+        let mut input = &bytes[..];
+        let frame = self.parser.next(&mut input).map(FrameBuf::from);
+        let left = input.len();
+        bytes.advance(bytes.len() - left);
+        Ok(frame)
+    }
+
+    fn decode_eof(&mut self, bytes: &mut BytesMut) -> Result<Option<FrameBuf>> {
+        let frame = self.decode(bytes)?;
+        Ok(frame.or_else(|| self.parser.finish().map(FrameBuf::from)))
+    }
+}
+
+impl<M: Encode + ?Sized> Encoder<&M> for Codec<'_> {
+    type Error = Error;
+
+    /// An error of kind [`ErrorKind::InvalidInput`] around an [`EncodeError`]: the sender cannot carry
+    /// the message.
+    fn encode(&mut self, message: &M, bytes: &mut BytesMut) -> Result<()> {
+        let mut buffer = [0; MAX_FRAME];
+        let frame = self.sender.encode(message, &mut buffer);
+        bytes.put_slice(frame.map_err(|error| Error::new(ErrorKind::InvalidInput, error))?);
+        Ok(())
+    }
+}
+
+impl Encoder<FrameBuf> for Codec<'_> {
+    type Error = Error;
+
+    /// The same, where the frame carries a [key](crate::Frame::carries_key).
+    fn encode(&mut self, frame: FrameBuf, bytes: &mut BytesMut) -> Result<()> {
+        if frame.as_frame().carries_key() {
+            return Err(Error::new(ErrorKind::InvalidInput, EncodeError::CarriesKey));
+        }
+        bytes.put_slice(frame.bytes());
+        Ok(())
+    }
+}
