@@ -67,7 +67,8 @@
 //! # Features
 //!
 //! - `fast-crc` (default): the checksum from a table of 8 KiB. Without it, a few instructions per byte and no table.
-//! - `std`: frames over `std::io` (module `io`) and in UDP datagrams (`udp`).
+//! - `std`: frames over `std::io` (module `io`), in UDP datagrams (`udp`), and in log files ([`tlog`], of which a part needs
+//!   no std).
 //! - `tokio-codec`: a codec for `tokio_util::codec` (`tokio_codec`).
 //! - `embedded-io`, `embedded-io-async`: frames over the traits of these crates (modules of the same names).
 //! - `signing`: signatures are made and verified, in the module `signing`. Without it they are only handed over
@@ -131,6 +132,7 @@ pub mod signing;
 mod statistics;
 mod table;
 mod timestamp;
+pub mod tlog;
 #[cfg(feature = "tokio-codec")]
 pub mod tokio_codec;
 #[cfg(feature = "std")]

@@ -20,5 +20,6 @@ mod small;
 mod statistics;
 mod streams;
 mod text;
+mod tlog;
 mod unknown;
 mod values;

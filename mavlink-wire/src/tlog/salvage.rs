@@ -1,0 +1,162 @@
+//! What is left in the `.mavlink` logs of AutoQuad's QGroundControl.
+//!
+//! They look like tlogs, but since December 2012 their times have the lowest byte first, and every frame lacks its last eight
+//! bytes: the checksum, and the end of the payload (`MAVLinkProtocol.cc`: the buffer is cut by the size of the time). So
+//! nothing in them can be verified, and no parser finds a frame. What is there can still be read:
+//!
+//! ```
+//! # use mavlink_wire::{MessageInfo, Table};
+//! # const INFO: &MessageInfo = &MessageInfo {
+//! #     id: 0, name: "HEARTBEAT", crc_extra: 50, len_v1: 9, len_v2: 9, target_system: None, target_component: None,
+//! # };
+//! # static TABLE: Table<'static> = Table::of(&[INFO]);
+//! # let log = [0, 0x80, 0x3c, 0xba, 0x7f, 0xed, 4, 0, 0xfe, 9, 0, 1, 1, 0, 1, 2, 3];
+//! use mavlink_wire::tlog::salvage::records;
+//!
+//! for record in records(&log, &TABLE) {
+//!     println!("{} µs: message {:?} {:?}, {} bytes missing", record.time_us, record.id(), record.payload(), record.missing());
+//! #   assert_eq!((record.id(), record.payload(), record.missing()), (Some(0), &[1, 2, 3][..], 6));
+//! }
+//! # assert_eq!(records(&log, &TABLE).count(), 1);
+//! ```
+//!
+//! Before a payload is decoded, look up what its last bytes are: missing bytes read as zero.
+//!
+//! # What is taken for a record
+//!
+//! Eight bytes that are a time of the years 2012 to 2099, lowest first, and the start of a MAVLink 1 frame, of which as much is
+//! there as its length says; and, because that proves little, also
+//!
+//! - a time within a day of the record before, and a message of the table, with the length that it has; or
+//! - behind it another such time, within a day of this one, and the start of a frame; or
+//! - a time within a day of the record before, and the end of the log.
+//!
+//! Everything else is skipped, byte by byte. Frames of fewer than two bytes of payload are so short here that they have no
+//! length any more: they are skipped, too.
+
+use memchr::memchr;
+
+use super::{DAY_US, TIME};
+use crate::header::STX_V1;
+use crate::{Table, get};
+
+/// Times that may be: the years 2012 to 2099.
+const YEARS_US: core::ops::Range<u64> = 1_325_376_000_000_000..4_102_444_800_000_000;
+
+/// Bytes of the header of a MAVLink 1 frame.
+const HEADER: usize = 6;
+
+/// Bytes that are missing of every frame, of which two were the checksum.
+const MISSING: usize = 8;
+
+/// Reads such a log. The table says which messages there may be, and how long they are.
+#[must_use]
+pub const fn records<'b, 't>(log: &'b [u8], table: &'t Table<'t>) -> Records<'b, 't> {
+    Records { rest: log, table, time_us: None }
+}
+
+/// What is left of a message, not verified.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Record<'b> {
+    /// When it was received: Unix time in µs, as the clock of the ground station had it.
+    pub time_us: u64,
+    /// Bytes between the record before and this one, which belong to none.
+    pub skipped: usize,
+    frame: &'b [u8],
+}
+
+/// The records of a log: made by [`records`].
+#[derive(Clone, Debug)]
+pub struct Records<'b, 't> {
+    rest: &'b [u8],
+    table: &'t Table<'t>,
+    /// Of the record before.
+    time_us: Option<u64>,
+}
+
+impl<'b> Record<'b> {
+    /// Number of the frame; `None` if it is not there, as in frames of up to two bytes of payload.
+    #[must_use]
+    pub fn sequence(&self) -> Option<u8> {
+        self.frame.get(2).copied()
+    }
+
+    /// Id of the sending system; `None` if it is not there, as in frames of up to three bytes of payload.
+    #[must_use]
+    pub fn system(&self) -> Option<u8> {
+        self.frame.get(3).copied()
+    }
+
+    /// Id of the sending component; `None` if it is not there, as in frames of up to four bytes of payload.
+    #[must_use]
+    pub fn component(&self) -> Option<u8> {
+        self.frame.get(4).copied()
+    }
+
+    /// Id of the message; `None` if it is not there, as in frames of up to five bytes of payload.
+    #[must_use]
+    pub fn id(&self) -> Option<u32> {
+        self.frame.get(5).map(|&id| id.into())
+    }
+
+    /// The payload, as far as it is there.
+    #[must_use]
+    pub fn payload(&self) -> &'b [u8] {
+        self.frame.get(HEADER..).unwrap_or_default()
+    }
+
+    /// How many bytes are missing at the end of the payload: six, or all if it had fewer.
+    #[must_use]
+    pub fn missing(&self) -> usize {
+        self.frame.get(1).map_or(0, |&length| usize::from(length) - self.payload().len())
+    }
+}
+
+impl<'b> Iterator for Records<'b, '_> {
+    type Item = Record<'b>;
+
+    fn next(&mut self) -> Option<Record<'b>> {
+        let mut skipped = 0;
+        loop {
+            // No time and start of a frame, no record.
+            let start = memchr(STX_V1, self.rest.get(TIME..)?);
+            let Some(start) = start else {
+                self.rest = &[];
+                return None;
+            };
+            skipped += start;
+            self.rest = self.rest.get(start..)?;
+            if let Some((time_us, frame)) = self.record() {
+                self.rest = self.rest.get(TIME + frame.len()..).unwrap_or_default();
+                self.time_us = Some(time_us);
+                return Some(Record { time_us, skipped, frame });
+            }
+            skipped += 1;
+            self.rest = self.rest.get(1..)?;
+        }
+    }
+}
+
+impl<'b> Records<'b, '_> {
+    /// Time and frame at this place, if it is to be believed.
+    fn record(&self) -> Option<(u64, &'b [u8])> {
+        let (time_us, frame) = start(self.rest)?;
+        let length = usize::from(*frame.get(1)?);
+        let (frame, behind) = frame.split_at_checked(length + HEADER + 2 - MISSING)?;
+        let near = self.time_us.is_none_or(|before| before.abs_diff(time_us) <= DAY_US);
+        let known = || {
+            let info = self.table.get(get::<u8>(frame, 5).into());
+            frame.len() >= HEADER && info.is_some_and(|info| usize::from(info.len_v1) == length)
+        };
+        let followed = || start(behind).is_some_and(|(next_us, _)| next_us.abs_diff(time_us) <= DAY_US);
+        let believed = frame.len() >= 2 && (near && (known() || behind.is_empty()) || followed());
+        believed.then_some((time_us, frame))
+    }
+}
+
+/// The time at the start of these bytes and what follows it, if it may be a time, and a frame may follow.
+fn start(bytes: &[u8]) -> Option<(u64, &[u8])> {
+    let (time, frame) = bytes.split_first_chunk::<TIME>()?;
+    let time_us = u64::from_le_bytes(*time);
+    (YEARS_US.contains(&time_us) && frame.first() == Some(&STX_V1)).then_some((time_us, frame))
+}

@@ -1,0 +1,87 @@
+//! What there is at a place of a log.
+
+use memchr::memchr2;
+
+use super::{DAY_US, Entry, TIME};
+use crate::header::{STX_V1, STX_V2};
+use crate::{Frame, FrameError, Table};
+
+/// Times that are plausible without one before: the years 2000 to 2099.
+const CENTURY_US: core::ops::Range<u64> = 946_684_800_000_000..4_102_444_800_000_000;
+
+/// The search for entries, from one place to the next.
+#[derive(Clone, Debug)]
+pub(super) struct Scan<'t> {
+    table: &'t Table<'t>,
+    /// Of the entry before.
+    time_us: Option<u64>,
+    /// Bytes skipped since the entry before, and before it.
+    skipped: u64,
+    skipped_before: u64,
+}
+
+/// What there is at the start of some bytes.
+pub(super) enum Sight<'b> {
+    Entry(Entry<'b>),
+    /// It takes more bytes to know, but never more than an entry has.
+    Unfinished,
+    /// Nothing; so many bytes further there may be something.
+    Nothing {
+        passed: usize,
+    },
+}
+
+impl<'t> Scan<'t> {
+    pub(super) const fn new(table: &'t Table<'t>) -> Self {
+        Self { table, time_us: None, skipped: 0, skipped_before: 0 }
+    }
+
+    pub(super) fn skipped_bytes(&self) -> u64 {
+        self.skipped_before + self.skipped
+    }
+
+    /// What there is at the start of these bytes. The next look is at those behind it, or at more if it was unfinished.
+    /// `at_end` says that there are no more.
+    pub(super) fn look<'b>(&mut self, bytes: &'b [u8], at_end: bool) -> Sight<'b> {
+        let Some((time, rest)) = bytes.split_first_chunk::<TIME>() else {
+            return if at_end { self.pass(bytes.len()) } else { Sight::Unfinished };
+        };
+        match Frame::parse(rest, self.table) {
+            Ok(frame) => match self.time_of(&frame, u64::from_be_bytes(*time)) {
+                Some(time_us) => Sight::Entry(self.take(frame, time_us)),
+                None => self.pass(1),
+            },
+            Err(FrameError::Incomplete { .. }) if !at_end => Sight::Unfinished,
+            Err(_) => {
+                let others = rest.get(1..).unwrap_or_default();
+                // Without a start, the last bytes may still be the time in front of one.
+                self.pass(1 + memchr2(STX_V1, STX_V2, others).unwrap_or(others.len()))
+            }
+        }
+    }
+
+    /// The time to believe of a frame with this time in front of it; `None` if the frame is not to be believed.
+    fn time_of(&self, frame: &Frame<'_>, time_us: u64) -> Option<u64> {
+        let plausible = match self.time_us {
+            Some(before) => before.abs_diff(time_us) <= DAY_US,
+            None => CENTURY_US.contains(&time_us),
+        };
+        match plausible || self.skipped == 0 {
+            true => Some(time_us),
+            false if frame.is_verified() => Some(self.time_us.unwrap_or(0)),
+            false => None,
+        }
+    }
+
+    fn take<'b>(&mut self, frame: Frame<'b>, time_us: u64) -> Entry<'b> {
+        let skipped = core::mem::take(&mut self.skipped);
+        self.skipped_before += skipped;
+        self.time_us = Some(time_us);
+        Entry { time_us, frame, skipped }
+    }
+
+    fn pass<'b>(&mut self, passed: usize) -> Sight<'b> {
+        self.skipped += passed as u64;
+        Sight::Nothing { passed }
+    }
+}
