@@ -40,6 +40,12 @@ pub(crate) fn scanned(table: &Table<'_>, stream: &[u8]) -> Vec<Place> {
     frames
 }
 
+/// Whether this one of the frames that were found stands between others, or at an end.
+pub(crate) fn stands_between(found: &[Place], place: Place, stream: &[u8]) -> bool {
+    let behind = place.start == 0 || found.iter().any(|other| other.end == place.start);
+    behind && matches!(stream.get(place.end), None | Some(0xFD | 0xFE))
+}
+
 /// Whether an unknown frame stands between others, or carries no known one.
 fn is_believed(table: &Table<'_>, bytes: &[u8], length: usize, expected: bool) -> bool {
     let between = expected && matches!(bytes.get(length), None | Some(0xFD | 0xFE));
