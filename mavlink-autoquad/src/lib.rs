@@ -90,7 +90,39 @@
 //! * The stream starts with [`autoquad::RequestDataStream`], `req_stream_id` 13 ([`autoquad::MavDataStream::PROPULSION`]).
 //! * The `.mavlink` logs of AutoQuad's QGroundControl are no tlogs, although they look like them: their times are
 //!   little-endian, and every frame lacks its last eight bytes (`MAVLinkProtocol.cc`, since December 2012), checksum
-//!   included. A parser finds no frame in them.
+//!   included. A parser finds no frame in them, but [`wire::tlog::salvage`] gives what is left. Of the telemetry that is all
+//!   but the ids of the last two ESCs and the versions of all, which somebody has to know:
+//!
+//! ```
+//! use mavlink_autoquad::autoquad::{AqEscTelemetry, Autoquad};
+//! use mavlink_autoquad::wire::tlog::salvage::records;
+//! use mavlink_autoquad::wire::{Dialect, Message};
+//!
+//! # use mavlink_autoquad::autoquad::{Esc, Esc32Status};
+//! # use mavlink_autoquad::wire::{MAX_FRAME, Sender};
+//! # let mut sent = AqEscTelemetry { seq: 1, num_motors: 4, ..AqEscTelemetry::DEFAULT };
+//! # for id in 1..=4 {
+//! #     let mut status = Esc32Status::from_bits(0, 30);
+//! #     status.set_voltage(15.0 + f32::from(id) / 4.0).unwrap();
+//! #     sent.push_esc(Esc { id, age_ms: Some(5), status: Some(status) }).unwrap();
+//! # }
+//! # let mut buffer = [0; MAX_FRAME];
+//! # let frame = Sender::v1(1, 1).encode(&sent, &mut buffer).unwrap();
+//! # let log = [&1_400_000_000_000_000_u64.to_le_bytes()[..], &frame[..frame.len() - 8]].concat();
+//! # let mut shown = Vec::new();
+//! for record in records(&log, Autoquad::TABLE) {
+//!     if (record.id(), record.payload().len()) == (Some(AqEscTelemetry::ID), 49) {
+//!         let mut telemetry = AqEscTelemetry::decode(record.payload());
+//!         telemetry.data_version = [30; 4];
+//!         telemetry.escid[2..].copy_from_slice(&[3, 4]);
+//!         for esc in telemetry.escs() {
+//!             println!("{} µs: {} {:?}", record.time_us, esc.id, esc.status);
+//! #           shown.push((esc.id, esc.status.unwrap().voltage_mv()));
+//!         }
+//!     }
+//! }
+//! # assert_eq!(shown, [(1, 15_250), (2, 15_500), (3, 15_750), (4, 16_000)]);
+//! ```
 
 #![no_std]
 

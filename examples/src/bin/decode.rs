@@ -1,35 +1,43 @@
 //! Decodes a byte stream and prints every message in it.
 //!
-//! `decode FILE` reads a file of frames (a raw serial log, or a tlog: what lies between frames is skipped), `decode` alone
-//! reads standard input.
+//! `decode FILE.tlog` reads the log of a ground station, `decode FILE` any other file of frames, such as a raw serial log,
+//! and `decode` alone standard input. What could not be read is counted at the end.
 
-use std::error::Error;
 use std::fs::File;
 use std::io::{self, Read};
+use std::path::Path;
 
 use mavlink_autoquad::autoquad::Autoquad;
-use mavlink_autoquad::wire::{Dialect, Encode, Frame, Parser};
+use mavlink_autoquad::wire::io::FrameReader;
+use mavlink_autoquad::wire::{Dialect, Encode, Frame, tlog};
 
-fn main() -> Result<(), Box<dyn Error>> {
-    let mut input: Box<dyn Read> = match std::env::args_os().nth(1) {
-        Some(path) => Box::new(File::open(path)?),
-        None => Box::new(io::stdin()),
-    };
-    let mut parser = Parser::new(Autoquad::TABLE);
-    let mut buffer = [0; 4096];
-    loop {
-        let received = input.read(&mut buffer)?;
-        if received == 0 {
-            break;
+fn main() -> io::Result<()> {
+    match std::env::args_os().nth(1) {
+        Some(path) if Path::new(&path).extension().is_some_and(|extension| extension == "tlog") => {
+            print_log(File::open(path)?)
         }
-        let mut chunk = buffer.get(..received).unwrap_or_default();
-        while let Some(frame) = parser.next(&mut chunk) {
-            print(&frame);
-        }
+        Some(path) => print_stream(File::open(path)?),
+        None => print_stream(io::stdin()),
     }
-    while let Some(frame) = parser.finish() {
+}
+
+fn print_log(input: impl Read) -> io::Result<()> {
+    let mut reader = tlog::Reader::new(input, Autoquad::TABLE);
+    while let Some(entry) = reader.read()? {
+        print!("{}.{:06} ", entry.time_us / 1_000_000, entry.time_us % 1_000_000);
+        print(&entry.frame);
+    }
+    eprintln!("{} bytes belong to no entry", reader.skipped_bytes());
+    Ok(())
+}
+
+fn print_stream(input: impl Read) -> io::Result<()> {
+    let mut reader = FrameReader::new(input, Autoquad::TABLE);
+    while let Some(frame) = reader.read()? {
         print(&frame);
     }
+    let counts = reader.statistics();
+    eprintln!("{} frames, {} damaged, {} bytes skipped", counts.frames, counts.bad_checksums, counts.skipped_bytes);
     Ok(())
 }
 

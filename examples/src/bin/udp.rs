@@ -4,12 +4,14 @@
 //! for example to `127.0.0.1:14550`.
 
 use std::error::Error;
+use std::io;
 use std::net::{SocketAddr, UdpSocket};
 use std::thread::sleep;
 use std::time::Duration;
 
 use mavlink_autoquad::autoquad::{AqEscTelemetry, Autoquad, Heartbeat, MavAutopilot, MavComponent, MavState, MavType};
-use mavlink_autoquad::wire::{Dialect, Encode, MAX_FRAME, Message, Parser, Sender};
+use mavlink_autoquad::wire::udp::Endpoint;
+use mavlink_autoquad::wire::{Dialect, Message, Sender};
 
 const BEAT: Heartbeat = Heartbeat {
     r#type: MavType::QUADROTOR,
@@ -19,33 +21,33 @@ const BEAT: Heartbeat = Heartbeat {
 };
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let mut sender = Sender::v1(1, MavComponent::AUTOPILOT1);
     match std::env::args().nth(1) {
         Some(address) => {
-            let (socket, address) = (UdpSocket::bind("0.0.0.0:0")?, address.parse()?);
+            let (mut vehicle, address) = (endpoint("0.0.0.0:0", 1)?, address.parse()?);
             for second in 0.. {
-                send(&socket, address, &mut sender, second)?;
+                send(&mut vehicle, address, second)?;
                 sleep(Duration::from_secs(1));
             }
-            Ok(())
         }
         None => {
-            let (from, to) = (UdpSocket::bind("127.0.0.1:0")?, UdpSocket::bind("127.0.0.1:0")?);
-            to.set_read_timeout(Some(Duration::from_secs(5)))?;
-            send(&from, to.local_addr()?, &mut sender, 0)?;
-            receive(&to, 2)
+            let (mut vehicle, mut station) = (endpoint("127.0.0.1:0", 1)?, endpoint("127.0.0.1:0", 255)?);
+            station.socket().set_read_timeout(Some(Duration::from_secs(5)))?;
+            send(&mut vehicle, station.socket().local_addr()?, 0)?;
+            receive(&mut station, 2)?;
         }
     }
+    Ok(())
+}
+
+fn endpoint(address: &str, system: u8) -> io::Result<Endpoint<'static>> {
+    let sender = Sender::v1(system, MavComponent::AUTOPILOT1);
+    Ok(Endpoint::new(UdpSocket::bind(address)?, Autoquad::TABLE, sender))
 }
 
 /// One datagram a message, which is how ground stations expect them.
-fn send(socket: &UdpSocket, to: SocketAddr, sender: &mut Sender, second: u32) -> Result<(), Box<dyn Error>> {
-    let messages: [&dyn Encode; 2] = [&BEAT, &telemetry(second)];
-    for message in messages {
-        let mut buffer = [0; MAX_FRAME];
-        socket.send_to(sender.encode(message, &mut buffer)?, to)?;
-    }
-    Ok(())
+fn send(vehicle: &mut Endpoint<'_>, to: SocketAddr, second: u32) -> io::Result<()> {
+    vehicle.send_to(&BEAT, to)?;
+    vehicle.send_to(&telemetry(second), to)
 }
 
 /// Four motors that have been silent: the fourth never answered.
@@ -62,21 +64,14 @@ fn telemetry(second: u32) -> AqEscTelemetry {
     }
 }
 
-fn receive(socket: &UdpSocket, datagrams: usize) -> Result<(), Box<dyn Error>> {
-    let mut parser = Parser::new(Autoquad::TABLE);
-    for _ in 0..datagrams {
-        let mut buffer = [0; 2048];
-        let (length, from) = socket.recv_from(&mut buffer)?;
-        let mut datagram = buffer.get(..length).unwrap_or_default();
-        while let Some(frame) = parser.next(&mut datagram) {
-            match frame.message() {
-                Some(Autoquad::Heartbeat(beat)) => {
-                    println!("{from}: {} is {}", beat.r#type, beat.system_status)
-                }
-                Some(Autoquad::AqEscTelemetry(telemetry)) => println!("{from}: {telemetry:?}"),
-                Some(other) => println!("{from}: {other:?}"),
-                None => println!("{from}: unknown message {}", frame.id()),
-            }
+fn receive(station: &mut Endpoint<'_>, frames: usize) -> io::Result<()> {
+    for _ in 0..frames {
+        let (frame, from) = station.receive()?;
+        match frame.message() {
+            Some(Autoquad::Heartbeat(beat)) => println!("{from}: {} is {}", beat.r#type, beat.system_status),
+            Some(Autoquad::AqEscTelemetry(telemetry)) => println!("{from}: {telemetry:?}"),
+            Some(other) => println!("{from}: {other:?}"),
+            None => println!("{from}: unknown message {}", frame.id()),
         }
     }
     Ok(())

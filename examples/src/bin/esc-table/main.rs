@@ -10,12 +10,14 @@ mod simulator;
 use std::error::Error;
 use std::fs::File;
 use std::io::{self, ErrorKind, Read};
-use std::net::{SocketAddr, UdpSocket};
+use std::net::UdpSocket;
 use std::time::{Duration, Instant};
 
 use display::Display;
 use mavlink_autoquad::autoquad::{Autoquad, Heartbeat, MavAutopilot, MavComponent, MavDataStream, RequestDataStream};
-use mavlink_autoquad::wire::{Dialect, Frame, MAX_FRAME, Message, Parser, Sender, Targeted};
+use mavlink_autoquad::wire::io::FrameReader;
+use mavlink_autoquad::wire::udp::Endpoint;
+use mavlink_autoquad::wire::{Dialect, Frame, Message, Sender, Targeted};
 
 const USAGE: &str = "usage: esc-table udp ADDRESS | tlog FILE | --simulate";
 
@@ -23,7 +25,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let mut display = Display::new(io::stdout().lock());
     match arguments.iter().map(String::as_str).collect::<Vec<_>>().as_slice() {
-        ["udp", address] => listen(&UdpSocket::bind(address)?, &mut display),
+        ["udp", address] => Ok(listen(UdpSocket::bind(address)?, &mut display)?),
         ["tlog", path] => Ok(read(File::open(path)?, &mut display)?),
         ["--simulate"] => Ok(read(simulator::Stream::default(), &mut display)?),
         _ => Err(USAGE.into()),
@@ -31,42 +33,30 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 /// Shows what a file has to say. What lies between its frames, like the times of a tlog, is skipped.
-fn read(mut input: impl Read, display: &mut Display<impl io::Write>) -> io::Result<()> {
-    let (mut parser, mut buffer) = (Parser::new(Autoquad::TABLE), [0; 4096]);
-    loop {
-        let length = input.read(&mut buffer)?;
-        if length == 0 {
-            break;
-        }
-        let mut chunk = buffer.get(..length).unwrap_or_default();
-        while let Some(frame) = parser.next(&mut chunk) {
-            display.receive(&frame)?;
-        }
-    }
-    while let Some(frame) = parser.finish() {
+fn read(input: impl Read, display: &mut Display<impl io::Write>) -> io::Result<()> {
+    let mut reader = FrameReader::new(input, Autoquad::TABLE);
+    while let Some(frame) = reader.read()? {
         display.receive(&frame)?;
     }
     Ok(())
 }
 
 /// Shows what comes in, and once a second how what has fallen silent ages.
-fn listen(socket: &UdpSocket, display: &mut Display<impl io::Write>) -> Result<(), Box<dyn Error>> {
+fn listen(socket: UdpSocket, display: &mut Display<impl io::Write>) -> io::Result<()> {
     const SECOND: Duration = Duration::from_secs(1);
     socket.set_read_timeout(Some(SECOND))?;
-    let (mut sender, mut buffer) = (Sender::v1(255, MavComponent::MISSIONPLANNER), [0; 2048]);
+    let mut station = Endpoint::new(socket, Autoquad::TABLE, Sender::v1(255, MavComponent::MISSIONPLANNER));
     let mut shown = Instant::now();
     loop {
-        match socket.recv_from(&mut buffer) {
-            Ok((length, from)) => {
-                let mut datagram = buffer.get(..length).unwrap_or_default();
-                let mut parser = Parser::new(Autoquad::TABLE);
-                while let Some(frame) = parser.next(&mut datagram) {
-                    display.receive(&frame)?;
-                    request(&frame, &mut sender, socket, from)?;
+        match station.receive() {
+            Ok((frame, from)) => {
+                display.receive(&frame)?;
+                if let Some(request) = request(&frame) {
+                    station.send_to(&request, from)?;
                 }
             }
             Err(error) if matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::TimedOut) => {}
-            Err(error) => return Err(error.into()),
+            Err(error) => return Err(error),
         }
         if shown.elapsed() >= SECOND {
             display.show_silent(SECOND)?;
@@ -75,18 +65,14 @@ fn listen(socket: &UdpSocket, display: &mut Display<impl io::Write>) -> Result<(
     }
 }
 
-/// Asks for telemetry, which AutoQuad does not send by itself, whenever there is a heartbeat: a request may get lost.
-fn request(frame: &Frame<'_>, sender: &mut Sender, socket: &UdpSocket, to: SocketAddr) -> Result<(), Box<dyn Error>> {
-    let heartbeat: Option<Heartbeat> = frame.decode();
-    if heartbeat.is_some_and(|beat| beat.autopilot == MavAutopilot::AUTOQUAD) {
-        let request = RequestDataStream {
-            req_stream_id: MavDataStream::PROPULSION,
-            req_message_rate: 10,
-            start_stop: 1,
-            ..RequestDataStream::DEFAULT
-        };
-        let (request, mut buffer) = (request.to(frame.system(), frame.component()), [0; MAX_FRAME]);
-        socket.send_to(sender.encode(&request, &mut buffer)?, to)?;
-    }
-    Ok(())
+/// What asks for telemetry, which AutoQuad does not send by itself, whenever there is a heartbeat: a request may get lost.
+fn request(frame: &Frame<'_>) -> Option<RequestDataStream> {
+    let heartbeat: Heartbeat = frame.decode()?;
+    let request = RequestDataStream {
+        req_stream_id: MavDataStream::PROPULSION,
+        req_message_rate: 10,
+        start_stop: 1,
+        ..RequestDataStream::DEFAULT
+    };
+    (heartbeat.autopilot == MavAutopilot::AUTOQUAD).then(|| request.to(frame.system(), frame.component()))
 }
