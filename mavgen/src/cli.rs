@@ -4,6 +4,7 @@
 
 mod check;
 mod completions;
+mod decode;
 mod dump;
 mod explain;
 mod generate;
@@ -19,6 +20,7 @@ use clap::{Parser, Subcommand};
 
 use check::Check;
 use completions::Completions;
+use decode::Decode;
 use dump::Dump;
 use explain::Explain;
 use generate::Generate;
@@ -48,6 +50,7 @@ Examples:
   mavgen generate xml/acme.xml --out src/acme     write Rust
   mavgen check xml/acme.xml --out src/acme        in CI: is what is committed current?
   mavgen dump xml/acme.xml                        ids, offsets, lengths, crc_extra, values
+  mavgen decode xml/acme.xml flight.tlog          what did it say?
 
 Exit status: 0 fine, 1 the answer is no (check, lint), 2 the input or the usage is wrong.";
 
@@ -57,6 +60,7 @@ enum Action {
     Check(Check),
     Lint(Lint),
     Dump(Dump),
+    Decode(Decode),
     Explain(Explain),
     Vendor(Vendor),
     Completions(Completions),
@@ -72,6 +76,7 @@ pub(crate) fn run() -> ExitCode {
         Action::Check(check) => check.run(&report),
         Action::Lint(lint) => lint.run(&report),
         Action::Dump(dump) => dump.run(&report),
+        Action::Decode(decode) => decode.run(&report),
         Action::Explain(explain) => explain.run(),
         Action::Vendor(vendor) => vendor.run(&report),
         Action::Completions(completions) => completions.run(),

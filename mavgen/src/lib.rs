@@ -43,6 +43,8 @@
 
 mod build_script;
 mod builder;
+#[cfg(feature = "decode")]
+pub mod decode;
 pub mod diag;
 mod docs;
 mod emit;

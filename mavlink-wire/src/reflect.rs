@@ -90,6 +90,12 @@ impl<'a> Reflected<'a> {
         self.info
     }
 
+    /// The payload, as it was received.
+    #[must_use]
+    pub const fn payload(&self) -> &'a [u8] {
+        self.payload
+    }
+
     /// The fields in the order of the XML.
     pub fn fields(&self) -> impl ExactSizeIterator<Item = Field<'a>> + Clone + use<'a> {
         let payload = self.payload;

@@ -21,7 +21,7 @@ pub(super) struct Input {
     #[arg(long, value_name = "FILE")]
     overlay: Vec<PathBuf>,
     /// Only these messages and what they need: names separated by commas; in a pattern, a star stands for any characters.
-    #[arg(long, value_name = "NAME,PREFIX_*", value_delimiter = ',')]
+    #[arg(long, visible_alias = "message", value_name = "NAME,PREFIX_*", value_delimiter = ',')]
     messages: Option<Vec<String>>,
     /// Warnings are errors: those about the XML file itself and its overlays, not about the files that they include.
     #[arg(long)]
@@ -40,10 +40,19 @@ pub(super) struct Output {
 
 impl Input {
     pub(super) fn builder(&self) -> Builder {
+        self.messages.iter().fold(self.whole(), |builder, names| builder.messages(names))
+    }
+
+    /// The builder of all messages.
+    pub(super) fn whole(&self) -> Builder {
         let builder = Builder::new(&self.xml).deny_warnings(self.deny_warnings);
         let builder = self.include_dir.iter().fold(builder, |builder, folder| builder.include_dir(folder));
-        let builder = self.overlay.iter().fold(builder, |builder, file| builder.overlay(file));
-        self.messages.iter().fold(builder, |builder, names| builder.messages(names))
+        self.overlay.iter().fold(builder, |builder, file| builder.overlay(file))
+    }
+
+    /// Whether some messages were chosen.
+    pub(super) fn selects(&self) -> bool {
+        self.messages.is_some()
     }
 
     /// Reads and resolves, and shows what concerns the user.

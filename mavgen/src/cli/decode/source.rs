@@ -1,0 +1,79 @@
+//! Where the bytes come from, and what they look like.
+
+use std::fs::File;
+use std::io::{self, Cursor, Read};
+use std::path::Path;
+
+use clap::ValueEnum;
+
+use super::hex::{HexReader, is_part};
+
+/// Bytes of the time in front of each frame of a tlog.
+const TIME: usize = 8;
+
+/// What the input holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum Layout {
+    /// Found out from its first bytes.
+    Auto,
+    /// Frames, one after the other, as a link carries them.
+    Raw,
+    /// A telemetry log: each frame behind a time, 8 bytes of microseconds since 1970, big-endian.
+    Tlog,
+    /// Frames in hexadecimal digits: blanks, lines, commas and `0x` between bytes.
+    Hex,
+}
+
+/// The bytes, and how many stand in front of each frame.
+pub(super) fn open(file: Option<&Path>, layout: Layout) -> io::Result<(Box<dyn Read>, usize)> {
+    let mut input: Box<dyn Read> = match file {
+        Some(file) if file != Path::new("-") => Box::new(File::open(file)?),
+        _ => Box::new(io::stdin()),
+    };
+    let mut first = Vec::new();
+    // One more than the time: where a tlog has the first byte of a frame.
+    input.by_ref().take(TIME as u64 + 1).read_to_end(&mut first)?;
+    let found = if layout == Layout::Auto { self::layout(&first) } else { layout };
+    let bytes = Cursor::new(first).chain(input);
+    Ok(match found {
+        Layout::Hex => (Box::new(HexReader::new(bytes)), 0),
+        Layout::Tlog => (Box::new(bytes), TIME),
+        Layout::Raw | Layout::Auto => (Box::new(bytes), 0),
+    })
+}
+
+/// What begins like this: text of hexadecimal digits; a time before the year 4253, which has a zero first, and a frame;
+/// or frames, perhaps after noise.
+fn layout(first: &[u8]) -> Layout {
+    let text = first.iter().all(|byte| is_part(*byte)) && first.iter().any(u8::is_ascii_hexdigit);
+    match (first.first(), first.get(TIME)) {
+        _ if text => Layout::Hex,
+        (Some(0), Some(0xfe | 0xfd)) => Layout::Tlog,
+        _ => Layout::Raw,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn layouts_are_told_apart() {
+        for (first, expected) in [
+            (&b"fe 09 00 "[..], Layout::Hex),
+            (b"0xFE, 0x0", Layout::Hex),
+            (b"\n\n\nfd", Layout::Hex),
+            (b"\n\n", Layout::Raw),
+            (b"", Layout::Raw),
+            (b"hello, fe", Layout::Raw),
+            (&[0xfe, 9, 0, 1, 1, 0, 0, 0, 0], Layout::Raw),
+            (&[0xfd, 9, 0, 1, 1, 0, 0, 0, 0xfe], Layout::Raw),
+            (&[0, 4, 0xf9, 0x4d, 0xba, 0xd8, 0x41, 0, 0xfe], Layout::Tlog),
+            (&[0, 4, 0xf9, 0x4d, 0xba, 0xd8, 0x41, 0, 0xfd], Layout::Tlog),
+            (&[0, 4, 0xf9, 0x4d, 0xba, 0xd8, 0x41, 0, 0xfc], Layout::Raw),
+            (&[0, 0xfe, 9], Layout::Raw),
+        ] {
+            assert_eq!(layout(first), expected, "{first:02x?}");
+        }
+    }
+}

@@ -1,0 +1,176 @@
+//! All that a payload says, as one tree: what every format writes, and nobody has to interpret again.
+
+use mavlink_wire::reflect::{Element, Field, Number, Reflected, Value as FieldValue};
+
+use super::{Bits, Content, KeyValue, Ratio, Reading, Slot, Tables, Value, bindings, views};
+use crate::ir::{Access, Dialect, EnumId, Meaning, Member, Message};
+
+/// A name with its value.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Entry {
+    /// As the XML or the overlay spells it.
+    pub name: String,
+    /// The unit, as the XML or the overlay spells it.
+    pub units: Option<String>,
+    /// What it holds.
+    pub node: Node,
+}
+
+/// A value, or a collection of them.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Node {
+    /// The sender does not know it.
+    Unknown,
+    /// A whole number that is not negative.
+    Unsigned(u128),
+    /// A whole number of a signed type.
+    Signed(i128),
+    /// A `float`.
+    Float(f32),
+    /// A `double`.
+    Double(f64),
+    /// A number that packed bits stand for.
+    Scaled(Ratio),
+    /// Yes or no.
+    Flag(bool),
+    /// An enum's entry by name, or its flags, `A | B | 0x40`.
+    Name(String),
+    /// Text up to the first NUL, perhaps not UTF-8.
+    Text(Vec<u8>),
+    /// An array.
+    List(Vec<Node>),
+    /// A slot, or the members of a view.
+    Record(Vec<Entry>),
+}
+
+/// Everything that a message says.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Contents {
+    /// The fields in the order of the XML.
+    pub fields: Vec<Entry>,
+    /// What overlays see in the fields, each by the name that generated code has for it.
+    ///
+    /// A bound enum stands here where its condition holds. A view is the record of the members that its layout has, and
+    /// [`Node::Unknown`] where its bits mean nothing; where its condition does not hold, it is not here. A view of slots is
+    /// a list of records: the keys, and the view as `status`.
+    pub views: Vec<Entry>,
+}
+
+/// Everything that a message of the dialect says.
+#[must_use]
+pub fn contents(dialect: &Dialect, tables: &Tables, reflected: &Reflected<'_>) -> Contents {
+    let id = reflected.info().id;
+    let message = dialect.messages.binary_search_by_key(&id, |message| message.id).ok();
+    let message = message.and_then(|at| dialect.messages.get(at));
+    Contents {
+        fields: reflected.fields().map(field).collect(),
+        views: message.map_or_else(Vec::new, |message| overlaid(message, tables, reflected.payload())),
+    }
+}
+
+fn field(field: Field<'_>) -> Entry {
+    let node = match field.value() {
+        _ if field.is_invalid() => Node::Unknown,
+        FieldValue::Text(bytes) => Node::Text(bytes.to_vec()),
+        FieldValue::One(one) => element(one),
+        FieldValue::Array(elements) => Node::List(elements.map(element).collect()),
+    };
+    let info = field.info();
+    let units = if info.values.is_some() { None } else { info.units };
+    Entry { name: info.name.to_owned(), units: units.map(str::to_owned), node }
+}
+
+fn element(element: Element<'_>) -> Node {
+    match element.entry() {
+        _ if element.is_invalid() => Node::Unknown,
+        Some((values, value)) if values.bitmask || values.entry_name(value).is_some() => {
+            Node::Name(element.to_string())
+        }
+        _ => number(element.number()),
+    }
+}
+
+fn number(number: Number) -> Node {
+    match number {
+        Number::U64(value) => Node::Unsigned(value.into()),
+        Number::I64(value) => Node::Signed(value.into()),
+        Number::F32(value) => Node::Float(value),
+        Number::F64(value) => Node::Double(value),
+    }
+}
+
+/// What overlays see in the fields.
+fn overlaid(message: &Message, tables: &Tables, payload: &[u8]) -> Vec<Entry> {
+    let bound = bindings(message, payload).filter_map(|(binding, value)| {
+        Some(Entry { name: binding.name.clone(), units: None, node: named(tables, binding.values, value?) })
+    });
+    bound.chain(views(message, payload).filter_map(|reading| view(tables, &reading))).collect()
+}
+
+fn view(tables: &Tables, reading: &Reading<'_>) -> Option<Entry> {
+    let (name, node) = match (&reading.view.access, &reading.content) {
+        (Access::Once { getter }, Content::Once(Some(bits))) => (getter, Node::Record(members(tables, bits))),
+        (Access::Once { getter }, Content::Once(None)) if reading.view.condition.is_none() => (getter, Node::Unknown),
+        (Access::Slots(parts), Content::Slots(slots)) => {
+            (&parts.items, Node::List(slots.iter().map(|one| slot(tables, one)).collect()))
+        }
+        _ => return None,
+    };
+    Some(Entry { name: name.clone(), units: None, node })
+}
+
+fn slot(tables: &Tables, slot: &Slot<'_>) -> Node {
+    let mut entries: Vec<Entry> = slot.keys.iter().map(|one| key(tables, one)).collect();
+    let status = slot.status.as_ref().map_or(Node::Unknown, |bits| Node::Record(members(tables, bits)));
+    entries.push(Entry { name: "status".to_owned(), units: None, node: status });
+    Node::Record(entries)
+}
+
+fn key(tables: &Tables, one: &KeyValue<'_>) -> Entry {
+    let value = one.values.zip(one.number.as_integer().and_then(|value| u64::try_from(value).ok()));
+    let node = match value {
+        _ if one.is_invalid() => Node::Unknown,
+        Some((values, value)) => named(tables, values, value),
+        None => number(one.number),
+    };
+    Entry { name: one.key.name.clone(), units: one.key.units.clone(), node }
+}
+
+/// The members that the bits' layout has.
+fn members(tables: &Tables, bits: &Bits<'_>) -> Vec<Entry> {
+    let present = bits.view().members.iter().filter(|member| bits.has(member));
+    present
+        .map(|one| Entry { name: one.name.clone(), units: member_units(one), node: member(tables, bits, one) })
+        .collect()
+}
+
+fn member(tables: &Tables, bits: &Bits<'_>, member: &Member) -> Node {
+    let count = member.repeat.map_or(1, |repeat| repeat.count);
+    let mut nodes = (0..count).filter_map(|index| bits.value(member, index)).map(|value| match value {
+        Value::Flag(flag) => Node::Flag(flag),
+        Value::Entry(id, value) => named(tables, id, value),
+        Value::Unsigned(value) => Node::Unsigned(value),
+        Value::Signed(value) => Node::Signed(value),
+        Value::Scaled(ratio) => Node::Scaled(ratio),
+    });
+    if member.repeat.is_some() { Node::List(nodes.collect()) } else { nodes.next().unwrap_or(Node::Unknown) }
+}
+
+/// The unit of a member's values.
+pub(super) fn member_units(member: &Member) -> Option<String> {
+    match &member.meaning {
+        Meaning::Number { units } => units.clone(),
+        Meaning::Scaled(scaled) => scaled.units.clone(),
+        Meaning::Flag | Meaning::Values(_) => None,
+    }
+}
+
+/// An entry by name, flags by their names, or the number.
+fn named(tables: &Tables, id: EnumId, value: u64) -> Node {
+    match tables.values(id) {
+        Some(values) if values.bitmask || values.entry_name(value).is_some() => {
+            Node::Name(values.display(value).to_string())
+        }
+        _ => Node::Unsigned(value.into()),
+    }
+}
