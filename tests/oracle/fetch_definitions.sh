@@ -1,5 +1,5 @@
 #!/bin/sh
-# Copy the XML files that the crate `mavlink` 0.21.0 carries (upstream's 20 dialects) into DIR.
+# Copy the XML files that the crate `mavlink` 0.21.0 carries (upstream's 20 dialects) into DIR, and its recording log.tlog.
 # usage: fetch_definitions.sh DIR
 #
 # Cargo gets the crate from wherever it is configured to get crates.
@@ -28,3 +28,4 @@ MANIFEST
 cargo vendor --quiet --manifest-path "$crate/Cargo.toml" "$crate/vendor" > "$crate/configuration"
 mkdir -p "$1"
 cp "$crate"/vendor/mavlink/mavlink/message_definitions/v1.0/*.xml "$1"
+cp "$crate"/vendor/mavlink/tests/log.tlog "$1"
