@@ -1,5 +1,7 @@
 //! `mavgen dump`: the resolved dialect as JSON in a stable schema, and as text.
 
+mod view;
+
 use std::fmt::Write;
 use std::process::ExitCode;
 
@@ -10,8 +12,9 @@ use serde_json::{Value, json};
 
 use super::input::Input;
 use super::report::{self, Report};
+use view::Overlaid;
 
-/// Prints the resolved dialect: wire order, offsets, checksums, merged enums.
+/// Prints the resolved dialect: wire order, offsets, checksums, merged enums, packed bits.
 #[derive(Args)]
 #[command(after_help = AFTER_HELP)]
 pub(super) struct Dump {
@@ -39,7 +42,8 @@ impl Dump {
 /// The dialect as JSON.
 ///
 /// Enums stand in merge order with their entries by value, messages by id, fields in the order of the XML. An enum that
-/// several files define is `defined_in` the first of them, as in pymavlink's model.
+/// several files define is `defined_in` the first of them, as in pymavlink's model. What overlays add to a message stands in its
+/// `bindings` and `views`.
 fn json(dialect: &Dialect) -> String {
     let files: Vec<&str> = dialect.files.iter().map(|file| file.name.as_str()).collect();
     let enums: Vec<Value> = dialect.enums.iter().map(|values| enum_json(dialect, values)).collect();
@@ -69,6 +73,7 @@ fn enum_json(dialect: &Dialect, values: &Enum) -> Value {
 }
 
 fn message_json(dialect: &Dialect, message: &Message) -> Value {
+    let overlaid = Overlaid { dialect, message };
     let fields: Vec<Value> = message.fields.iter().map(|field| field_json(dialect, field)).collect();
     json!({
         "id": message.id,
@@ -78,6 +83,8 @@ fn message_json(dialect: &Dialect, message: &Message) -> Value {
         "len_v2": message.len_v2,
         "defined_in": dialect.file(message.origin.file).map(|file| file.name.as_str()),
         "fields": fields,
+        "bindings": overlaid.bindings_json(),
+        "views": overlaid.views_json(),
     })
 }
 
@@ -114,6 +121,9 @@ fn text(dialect: &Dialect) -> String {
         );
         for field in message.wire_order() {
             field_line(&mut text, dialect, field);
+        }
+        for overlaid in (Overlaid { dialect, message }).lines() {
+            line(&mut text, format_args!("  {overlaid}"));
         }
     }
     for values in &dialect.enums {

@@ -171,24 +171,9 @@ fn row(context: &Context<'_>, view: &View, member: &Member) -> [String; 4] {
             context.dialect.enum_by_id(*id).map(|values| format!("[`{}`]", values.name.rust)).unwrap_or_default()
         }
         Meaning::Number { units } => units.clone().unwrap_or_else(|| "number".to_owned()),
-        Meaning::Scaled(scaled) => format!("{} {}", formula(scaled), scaled.units.as_deref().unwrap_or_default()),
+        Meaning::Scaled(scaled) => format!("{scaled} {}", scaled.units.as_deref().unwrap_or_default()),
     };
     [bits, format!("`{}`", member.name), meaning.trim_end().to_owned(), condition(view, member)]
-}
-
-/// `raw * 20 / 51`, `(raw - 128) / 4`
-fn formula(scaled: &crate::ir::Scaled) -> String {
-    let product = if scaled.factor == 1 { "raw".to_owned() } else { format!("raw * {}", scaled.factor) };
-    let sum = match scaled.bias {
-        0 => product,
-        bias if bias < 0 => format!("{product} - {}", bias.unsigned_abs()),
-        bias => format!("{product} + {bias}"),
-    };
-    match (scaled.divisor, scaled.bias) {
-        (1, _) => sum,
-        (divisor, 0) => format!("{sum} / {divisor}"),
-        (divisor, _) => format!("({sum}) / {divisor}"),
-    }
 }
 
 /// `data_version` 3..=9, 30..=255

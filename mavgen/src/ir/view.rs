@@ -1,5 +1,6 @@
 //! Views: what bits that are packed into integer fields mean. They come from overlays; the wire does not know them.
 
+use std::fmt;
 use std::num::NonZeroU8;
 use std::ops::RangeInclusive;
 
@@ -185,6 +186,23 @@ pub struct Scaled {
     pub units: Option<String>,
     /// An integer getter in a smaller unit.
     pub exact: Option<Exact>,
+}
+
+/// The formula: `raw * 20 / 51`, `(raw - 128) / 4`.
+impl fmt::Display for Scaled {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (open, close) = if self.divisor != 1 && self.bias != 0 { ("(", ")") } else { ("", "") };
+        write!(f, "{open}raw")?;
+        if self.factor != 1 {
+            write!(f, " * {}", self.factor)?;
+        }
+        if self.bias != 0 {
+            let sign = if self.bias < 0 { '-' } else { '+' };
+            write!(f, " {sign} {}", self.bias.unsigned_abs())?;
+        }
+        f.write_str(close)?;
+        if self.divisor == 1 { Ok(()) } else { write!(f, " / {}", self.divisor) }
+    }
 }
 
 /// The value as a whole number of a smaller unit: raw · `factor` + `bias`.
