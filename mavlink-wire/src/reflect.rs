@@ -57,6 +57,7 @@
 
 mod field;
 mod number;
+mod store;
 
 use core::fmt;
 

@@ -2,7 +2,8 @@
 
 use mavlink_wire::reflect::{Number, Reflected, Value};
 use mavlink_wire::{
-    Chars, EnumInfo, FieldInfo, Frame, Invalid, Kind, MAX_FRAME, Message, MessageInfo, Sender, Sentinel, Table, put,
+    Chars, EnumInfo, FieldInfo, Frame, Invalid, Kind, MAX_FRAME, MAX_PAYLOAD, Message, MessageInfo, Sender, Sentinel,
+    Table, put,
 };
 use proptest::prelude::*;
 
@@ -224,4 +225,77 @@ fn chars_and_reflection_show_the_same_text() {
         let chars: Chars<8> = Chars(mavlink_wire::zero_extended(bytes));
         assert_eq!(text(FieldInfo::array("x", Kind::Char, 8, 0), bytes), format!("{chars:?}"));
     }
+}
+
+const KINDS: [Kind; 12] = [
+    Kind::Char,
+    Kind::U8,
+    Kind::I8,
+    Kind::U16,
+    Kind::I16,
+    Kind::U32,
+    Kind::I32,
+    Kind::U64,
+    Kind::I64,
+    Kind::F32,
+    Kind::F64,
+    Kind::Version,
+];
+
+proptest! {
+    /// What is read from one payload and set in another is the same bytes, and nothing else is touched.
+    #[test]
+    fn set_is_the_inverse_of_reading(kind in 0..KINDS.len(), offset in 0..200_u8, payload in any::<[u8; 32]>()) {
+        let kind = KINDS[kind];
+        let from: [u8; MAX_PAYLOAD] = mavlink_wire::zero_extended(&[&[0; 200][..], &payload].concat());
+        let (source, target) = (FieldInfo::array("x", kind, 3, 200), FieldInfo::array("x", kind, 3, offset));
+        let mut to = [0; MAX_PAYLOAD];
+        for element in Reflected::new(&INFO, &[source], &from).field("x").unwrap().elements() {
+            target.set(&mut to, element.index(), element.number()).unwrap();
+        }
+        let (start, size) = (usize::from(offset), source.size());
+        prop_assert_eq!(&to[start..start + size], &from[200..200 + size]);
+        to[start..start + size].fill(0);
+        prop_assert_eq!(to, [0; MAX_PAYLOAD]);
+    }
+}
+
+#[test]
+fn what_does_not_fit_is_not_set() {
+    for (kind, number) in [
+        (Kind::U8, Number::U64(256)),
+        (Kind::U8, Number::I64(-1)),
+        (Kind::I8, Number::U64(128)),
+        (Kind::I64, Number::U64(1 << 63)),
+        (Kind::U64, Number::I64(-1)),
+        (Kind::U8, Number::F32(1.0)),
+        (Kind::F32, Number::F64(1e39)),
+    ] {
+        let mut payload = [7; MAX_PAYLOAD];
+        assert!(FieldInfo::new("x", kind, 0).set(&mut payload, 0, number).is_err(), "{kind:?} {number:?}");
+        assert_eq!(payload, [7; MAX_PAYLOAD]);
+    }
+    let mut payload = [0; MAX_PAYLOAD];
+    assert!(FieldInfo::new("x", Kind::U8, 0).set(&mut payload, 1, Number::U64(1)).is_err());
+    assert!(FieldInfo::array("x", Kind::U8, 2, 0).set(&mut payload, 2, Number::U64(1)).is_err());
+    assert!(FieldInfo::new("x", Kind::U32, 252).set(&mut payload, 0, Number::U64(1)).is_err(), "payloads end earlier");
+    for (number, shown) in [(Number::F64(0.1), "0.1"), (Number::I64(-3), "-3.0"), (Number::F64(f64::INFINITY), "inf")] {
+        FieldInfo::new("x", Kind::F32, 0).set(&mut payload, 0, number).unwrap();
+        assert_eq!(text(FieldInfo::new("x", Kind::F32, 0), &payload), shown);
+    }
+}
+
+#[test]
+fn a_text_is_set_whole_or_not_at_all() {
+    let (field, mut payload) = (FieldInfo::array("x", Kind::Char, 4, 1), [7; MAX_PAYLOAD]);
+    field.set_text(&mut payload, "ab").unwrap();
+    assert_eq!(payload[..6], *b"\x07ab\0\0\x07");
+    field.set_text(&mut payload, "abcd").unwrap();
+    assert_eq!(text(field, &payload), "\"abcd\"");
+    assert!(field.set_text(&mut payload, "abcde").is_err() && payload[..6] == *b"\x07abcd\x07");
+    assert!(FieldInfo::array("x", Kind::U8, 9, 0).set_text(&mut payload, "a").is_err());
+    assert!(
+        FieldInfo::array("x", Kind::Char, 9, 250).set_text(&mut payload, "a").is_err(),
+        "no such field in a payload"
+    );
 }
