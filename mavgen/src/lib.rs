@@ -27,6 +27,10 @@
 //!
 //! What XML cannot say, that an integer is packed with other values, an [`overlay`] says.
 //!
+//! # Without generating anything
+//!
+//! The feature `decode` adds a module of that name: messages and views of packed bits read at run time, by the model.
+//!
 //! # How it works
 //!
 //! ```text

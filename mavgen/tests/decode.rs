@@ -301,3 +301,25 @@ fn wrong_input_is_2() {
     let nothing = bench.decode(&["acme.xml"], b"");
     assert_eq!((nothing.status.code(), nothing.stdout.len()), (Some(0), 0));
 }
+
+/// Noise, among it frames with any payload.
+#[test]
+fn any_bytes_are_survived() {
+    let mut bench = Bench::new();
+    let (mut state, mut noise) = (1_u64, Vec::new());
+    let mut random = || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 56) as u8
+    };
+    for round in 0..400_usize {
+        noise.extend((0..round % 40).map(|_| random()));
+        let payload: Vec<u8> = (0..round % 12).map(|_| random()).collect();
+        noise.extend(bench.frame(100 + u32::from(random() & 1), &payload));
+    }
+    for layout in ["auto", "raw", "tlog"] {
+        for format in [&["--format", "text"][..], &["--format", "json"], &["--format", "csv", "--message", "NOZZLES"]] {
+            let text = bench.printed(&[&["--input", layout], format].concat(), &noise);
+            assert!(text.lines().count() > 100, "{layout} {format:?}");
+        }
+    }
+}
