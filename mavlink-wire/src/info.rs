@@ -30,15 +30,16 @@ pub struct EnumInfo {
     pub name: &'static str,
     /// Whether the entries are bits to be combined.
     pub bitmask: bool,
-    /// Value and name in the XML of every entry, in ascending order of values.
+    /// Value and name in the XML of every entry, in ascending order of values. Only an enum that several dialects share can
+    /// have two names for a value.
     pub entries: &'static [(u64, &'static str)],
 }
 
 impl EnumInfo {
-    /// The name in the XML of the entry with this value.
+    /// The name in the XML of the entry with this value; the first, if there are two.
     pub fn entry_name(&self, value: u64) -> Option<&'static str> {
-        let at = self.entries.binary_search_by_key(&value, |&(value, _)| value).ok()?;
-        self.entries.get(at).map(|&(_, name)| name)
+        let at = self.entries.partition_point(|&(smaller, _)| smaller < value);
+        self.entries.get(at).filter(|&&(found, _)| found == value).map(|&(_, name)| name)
     }
 
     /// The value of the entry with this name in the XML.

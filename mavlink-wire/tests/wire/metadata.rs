@@ -84,3 +84,18 @@ fn a_dialect_knows_the_fields_of_its_messages() {
     assert_eq!(Small::fields(1), None);
     assert_eq!(Small::fields(100_000), None);
 }
+
+/// Only dialects that are united have this; which name a value has must not depend on where a search begins.
+#[test]
+fn of_two_names_for_one_value_the_first_is_given() {
+    for entries in 1..8 {
+        let all = [(0, "LOW"), (1, "A"), (1, "B"), (1, "C"), (2, "HIGH"), (2, "HIGHER"), (3, "TOP")];
+        let entries = &all[..entries];
+        let info = mavlink_wire::EnumInfo { name: "E", bitmask: false, entries: Vec::leak(entries.to_vec()) };
+        let first = |value: u64| entries.iter().find(|entry| entry.0 == value).map(|entry| entry.1);
+        for value in 0..5 {
+            assert_eq!(info.entry_name(value), first(value), "{value} of {entries:?}");
+        }
+        assert!(entries.iter().all(|&(value, name)| info.entry_value(name) == Some(value)));
+    }
+}
