@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use crate::builder::{Builder, Failure, Resolved};
 use crate::diag::{Diagnostic, Diagnostics, Severity, Style, render};
 use crate::emit::MARK;
-use crate::ir::Dialect;
+use crate::ir::{Dialect, Union};
 use crate::names::module_name;
 use crate::output::{write, write_file};
 use crate::source::Sources;
@@ -14,7 +14,8 @@ use crate::source::Sources;
 impl Builder {
     /// The whole of a `build.rs`: generates into `OUT_DIR` and tells cargo what it needs to know.
     ///
-    /// The crate takes the result in with `mavlink_wire::include_dialect!("acme")`. Problems are printed as cargo's own
+    /// The crate takes the result in with `mavlink_wire::include_dialect!("acme")`, or with the name that
+    /// [`Builder::name`] gives; several dialects are `dialects` unless they are given one. Problems are printed as cargo's own
     /// errors and warnings, with file, line and column; errors make cargo fail the build after this returns. Warnings
     /// about included files are not printed: they are for those who maintain them.
     pub fn build_script(&self) {
@@ -48,11 +49,15 @@ impl Builder {
     /// Writes the tree and the one-line file that `include_dialect!` names.
     fn write_out_dir(&self, resolved: &Resolved, out_dir: Option<&Path>) -> Result<(), Failure> {
         let out = out_dir.ok_or_else(|| Failure::Usage("OUT_DIR is not set: this is no build script".into()))?;
-        let module = module_name(&resolved.dialect.name);
+        let (name, docs) = match &resolved.union {
+            Some(union) => (&union.all.name, of_several(union)),
+            None => (&resolved.dialect.name, of_one(&resolved.dialect)),
+        };
+        let module = module_name(name);
         let tree = self.out_dir.clone().unwrap_or_else(|| out.join(&module));
         write(&tree, &self.emit(resolved)?).map_err(Failure::Output)?;
-        let entry_point = (out.join(format!("{module}.rs")), entry_point(&resolved.dialect, &module));
-        write_file(&entry_point.0, &entry_point.1).map_err(Failure::Output)?;
+        let entry_point = format!("{MARK}; do not edit.\n\n{docs}\n#[path = \"{module}/mod.rs\"]\npub mod {module};\n");
+        write_file(&out.join(format!("{module}.rs")), &entry_point).map_err(Failure::Output)?;
         Ok(())
     }
 
@@ -73,14 +78,21 @@ impl Builder {
     }
 }
 
-/// `OUT_DIR/acme.rs`: the module, for `include!` to take in.
-fn entry_point(dialect: &Dialect, module: &str) -> String {
-    let docs = format!(
-        "/// The `{}` dialect: its messages, its enums, and [`{}`]({module}::{1}) over all messages.",
-        dialect.name, dialect.type_name
-    );
-    let docs = if dialect.messages.is_empty() { format!("/// The `{}` dialect.", dialect.name) } else { docs };
-    format!("{MARK}; do not edit.\n\n{docs}\n#[path = \"{module}/mod.rs\"]\npub mod {module};\n")
+/// What stands over the module of a dialect.
+fn of_one(dialect: &Dialect) -> String {
+    if dialect.messages.is_empty() {
+        return format!("/// The `{}` dialect.", dialect.name);
+    }
+    let (name, type_name, module) = (&dialect.name, &dialect.type_name, module_name(&dialect.name));
+    format!(
+        "/// The `{name}` dialect: its messages, its enums, and [`{type_name}`]({module}::{type_name}) over all messages."
+    )
+}
+
+/// What stands over the module of several dialects.
+fn of_several(union: &Union) -> String {
+    let names: Vec<String> = union.roots.iter().map(|root| format!("`{}`", root.name)).collect();
+    format!("/// The dialects {}, each in its module, and what they share.", names.join(", "))
 }
 
 #[cfg(test)]

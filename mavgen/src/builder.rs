@@ -4,11 +4,11 @@ use std::fmt;
 use std::path::{Path, PathBuf};
 
 use crate::diag::{Diagnostic, Diagnostics, Severity, Style, render};
-use crate::emit::{GeneratedFile, Options, emit};
-use crate::ir::Dialect;
+use crate::emit::{GeneratedFile, Options, emit, emit_union};
+use crate::ir::{Dialect, Union};
 use crate::output::{Differences, OutputError, Report, check, write};
-use crate::read::load;
-use crate::resolve::resolve;
+use crate::read::load_all;
+use crate::roots;
 use crate::select::Selection;
 use crate::source::Sources;
 
@@ -28,7 +28,7 @@ use crate::source::Sources;
 /// ```
 #[derive(Clone, Debug)]
 pub struct Builder {
-    xml: PathBuf,
+    roots: Vec<PathBuf>,
     name: Option<String>,
     include_dirs: Vec<PathBuf>,
     overlays: Vec<PathBuf>,
@@ -42,8 +42,12 @@ pub struct Builder {
 /// A dialect that was read and resolved without errors.
 #[derive(Clone, Debug)]
 pub struct Resolved {
-    /// The model.
+    /// The model; of several dialects, the first.
     pub dialect: Dialect,
+    /// The models of the other dialects, in the order in which they were named.
+    pub others: Vec<Dialect>,
+    /// What becomes of several dialects together; `None` if there is one.
+    pub union: Option<Union>,
     /// What is worth a look: warnings and notes.
     pub diagnostics: Diagnostics,
     /// The texts that the spans point into.
@@ -81,7 +85,7 @@ impl Builder {
     /// A builder for the dialect in this file.
     pub fn new(xml: impl Into<PathBuf>) -> Self {
         Self {
-            xml: xml.into(),
+            roots: vec![xml.into()],
             name: None,
             include_dirs: Vec::new(),
             overlays: Vec::new(),
@@ -93,7 +97,24 @@ impl Builder {
         }
     }
 
+    /// Adds another dialect to the same tree: each has its own module, its own type over all messages and its own table.
+    ///
+    /// Messages of one definition are one type, and enums of one name, width and kind are one type with the constants of
+    /// all, so that code over them works for every dialect. What differs under one name is a type in each module.
+    ///
+    /// ```no_run
+    /// // `mavlink_wire::include_dialect!("dialects")` gives the modules dialects::acme and dialects::ardupilotmega.
+    /// mavgen::Builder::new("xml/acme.xml").root("xml/ardupilotmega.xml").build_script();
+    /// ```
+    #[must_use]
+    pub fn root(mut self, xml: impl Into<PathBuf>) -> Self {
+        self.roots.push(xml.into());
+        self
+    }
+
     /// Names the dialect; without this it is called after its file. `acme` gives the module `acme` and the type `Acme`.
+    ///
+    /// With several dialects it names the module around theirs, which otherwise is `dialects`.
     #[must_use]
     pub fn name(mut self, name: impl Into<String>) -> Self {
         self.name = Some(name.into());
@@ -108,7 +129,7 @@ impl Builder {
     }
 
     /// Adds an overlay: a file that says what the dialect's XML cannot, like the meaning of packed bits. It changes nothing
-    /// on the wire.
+    /// on the wire. With several dialects it applies to those that include the file that it is for.
     #[must_use]
     pub fn overlay(mut self, path: impl Into<PathBuf>) -> Self {
         self.overlays.push(path.into());
@@ -166,31 +187,34 @@ impl Builder {
     ///
     /// # Errors
     /// [`Failure::Definitions`] with every problem, [`Failure::Denied`] if [`Builder::deny_warnings`] was asked for and there
-    /// are some, [`Failure::Usage`] if [`Builder::messages`] names what there is not.
+    /// are some, [`Failure::Usage`] if [`Builder::messages`] names what there is not, if two dialects have one name, or if
+    /// several are given one that is no name for a module.
     pub fn resolve(&self) -> Result<Resolved, Failure> {
-        let selection = self.selection()?;
-        let (mut sources, mut diagnostics) = (Sources::default(), Diagnostics::default());
-        let mut loaded = load(&self.xml, &self.include_dirs, &self.overlays, &mut sources, &mut diagnostics);
-        if let Some(name) = &self.name {
-            loaded.name.clone_from(name);
+        let (selection, tree) = (self.selection()?, self.name.as_deref().unwrap_or(roots::TREE));
+        if let Some(conflict) = roots::conflict(&self.roots, tree) {
+            return Err(Failure::Usage(conflict));
         }
-        let dialect = resolve(&loaded, &sources, &mut diagnostics);
-        let watched = loaded.watched;
-        let Some(dialect) = dialect else {
+        let (mut sources, mut diagnostics) = (Sources::default(), Diagnostics::default());
+        let mut all = load_all(&self.roots, &self.include_dirs, &self.overlays, &mut sources, &mut diagnostics);
+        if let ([only], Some(name)) = (all.as_mut_slice(), &self.name) {
+            only.name.clone_from(name);
+        }
+        let mut dialects = roots::resolve_all(&all, &sources, &mut diagnostics);
+        if let Some(selection) = selection.filter(|_| !dialects.is_empty()) {
+            selection.check(&dialects.iter().collect::<Vec<_>>()).map_err(Failure::Usage)?;
+            dialects = dialects.into_iter().map(|dialect| selection.apply(dialect)).collect();
+        }
+        let union = roots::unite_all(&dialects, &all, tree, &mut diagnostics);
+        let watched = roots::watched(all);
+        let mut dialects = dialects.into_iter();
+        let Some(dialect) = dialects.next().filter(|_| !diagnostics.has_errors()) else {
             return Err(Failure::Definitions(Box::new(Problems { diagnostics, sources, watched })));
         };
         let denied = self.denied(&diagnostics, &sources);
         if !denied.is_empty() {
             return Err(Failure::Denied(Box::new(Problems { diagnostics: denied, sources, watched })));
         }
-        let dialect = match &selection {
-            Some(selection) => {
-                selection.check(&[&dialect]).map_err(Failure::Usage)?;
-                selection.apply(dialect)
-            }
-            None => dialect,
-        };
-        Ok(Resolved { dialect, diagnostics, sources, watched })
+        Ok(Resolved { dialect, others: dialects.collect(), union, diagnostics, sources, watched })
     }
 
     /// Generates into memory.
@@ -238,7 +262,11 @@ impl Builder {
         if let Some(selection) = self.selection()? {
             sources.push_str(&format!("\n// only {selection}, and what they need"));
         }
-        Ok(emit(&resolved.dialect, &Options { runtime: self.runtime.clone(), deprecated: self.deprecated, sources }))
+        let options = Options { runtime: self.runtime.clone(), deprecated: self.deprecated, sources };
+        Ok(match &resolved.union {
+            Some(union) => emit_union(union, &options),
+            None => emit(&resolved.dialect, &options),
+        })
     }
 
     fn selection(&self) -> Result<Option<Selection>, Failure> {
@@ -246,11 +274,11 @@ impl Builder {
         names.transpose().map_err(Failure::Usage)
     }
 
-    /// Whether a diagnostic is about the dialect's own file, one of its overlays, or no file at all: about what the user of
+    /// Whether a diagnostic is about a dialect's own file, one of its overlays, or no file at all: about what the user of
     /// this builder wrote, not about a file that one of those includes.
     pub fn concerns(&self, diagnostic: &Diagnostic, sources: &Sources) -> bool {
         let file = diagnostic.span.and_then(|span| sources.get(span.file));
-        file.is_none_or(|file| self.xml == file.path() || self.overlays.iter().any(|overlay| overlay == file.path()))
+        file.is_none_or(|file| self.roots.iter().chain(&self.overlays).any(|named| named == file.path()))
     }
 
     /// The warnings that are not let pass.

@@ -9,8 +9,11 @@ mod dialect;
 mod doc;
 mod enums;
 mod field;
+mod folder;
 mod message;
 mod modules;
+mod place;
+mod rivals;
 mod token;
 mod view;
 
@@ -21,8 +24,9 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use crate::format::format;
-use crate::ir::{Dialect, Enum, Lifecycle, Message, Origin, View};
+use crate::ir::{Dialect, Enum, Home, Lifecycle, Message, Origin, Union, View};
 use crate::names::item_module_name;
+use folder::{Folder, Listed};
 
 /// How to emit.
 #[derive(Clone, Debug)]
@@ -52,13 +56,23 @@ pub(crate) const ROOT_MARK: &str = "// mavgen ";
 
 /// Emits every file of a dialect, in a fixed order.
 pub(crate) fn emit(dialect: &Dialect, options: &Options) -> Vec<GeneratedFile> {
-    let context = Context { dialect, options };
-    let jobs = jobs(dialect);
+    let context = Context { dialect, union: None, home: Home::Shared, options };
+    generate(&context, &[Folder::of_one(dialect)])
+}
+
+/// Emits every file of several dialects, in a fixed order.
+pub(crate) fn emit_union(union: &Union, options: &Options) -> Vec<GeneratedFile> {
+    let context = Context { dialect: &union.all, union: Some(union), home: Home::Shared, options };
+    generate(&context, &Folder::of_several(union))
+}
+
+fn generate(context: &Context<'_>, folders: &[Folder<'_>]) -> Vec<GeneratedFile> {
+    let jobs: Vec<Job<'_>> = folders.iter().flat_map(jobs).collect();
     let next = AtomicUsize::new(0);
     let work = || {
         let mut done = Vec::new();
         while let Some((index, job)) = take(&jobs, &next) {
-            done.push((index, job.generate(&context)));
+            done.push((index, job.generate(context)));
         }
         done
     };
@@ -79,8 +93,14 @@ fn take<'j, 'a>(jobs: &'j [Job<'a>], next: &AtomicUsize) -> Option<(usize, &'j J
 }
 
 /// What every emitter may look at.
+#[derive(Clone, Copy)]
 pub(crate) struct Context<'a> {
+    /// All that is generated, of however many dialects.
     pub(crate) dialect: &'a Dialect,
+    /// The dialects, if there are several.
+    pub(crate) union: Option<&'a Union>,
+    /// The folder of the file that is being written.
+    pub(crate) home: Home,
     pub(crate) options: &'a Options,
 }
 
@@ -103,8 +123,13 @@ impl Context<'_> {
     }
 }
 
-/// One file to make.
-enum Job<'a> {
+/// One file to make, in a folder.
+struct Job<'a> {
+    folder: &'a Folder<'a>,
+    file: File<'a>,
+}
+
+enum File<'a> {
     Root,
     Dialect,
     Messages,
@@ -115,24 +140,30 @@ enum Job<'a> {
     View(&'a Message, &'a View),
 }
 
-/// The files of a dialect: the large ones first, so that no thread is left with one at the end.
-fn jobs(dialect: &Dialect) -> Vec<Job<'_>> {
-    let mut enums: Vec<&Enum> = dialect.enums.iter().collect();
+/// The files of a folder: the large ones first, so that no thread is left with one at the end.
+fn jobs<'a>(folder: &'a Folder<'a>) -> Vec<Job<'a>> {
+    let mut enums = declared(folder, &folder.enums);
     enums.sort_by_key(|values| std::cmp::Reverse(values.entries.len()));
-    let mut jobs = vec![Job::Root];
-    if !dialect.messages.is_empty() {
-        jobs.extend([Job::Dialect, Job::Messages]);
+    let mut files = vec![File::Root];
+    if !folder.messages.is_empty() {
+        files.extend(folder.dialect.map(|_| File::Dialect));
+        files.push(File::Messages);
     }
-    if !dialect.enums.is_empty() {
-        jobs.push(Job::Enums);
+    if !folder.enums.is_empty() {
+        files.push(File::Enums);
     }
-    if views(dialect).next().is_some() {
-        jobs.push(Job::Views);
+    if !folder.views.is_empty() {
+        files.push(File::Views);
     }
-    jobs.extend(enums.into_iter().map(Job::Enum));
-    jobs.extend(dialect.messages.iter().map(Job::Message));
-    jobs.extend(views(dialect).map(|(message, view)| Job::View(message, view)));
-    jobs
+    files.extend(enums.into_iter().map(File::Enum));
+    files.extend(declared(folder, &folder.messages).into_iter().map(File::Message));
+    files.extend(declared(folder, &folder.views).into_iter().map(|(message, view)| File::View(message, view)));
+    files.into_iter().map(|file| Job { folder, file }).collect()
+}
+
+/// What is declared in the folder, of what it exports.
+fn declared<T: Copy>(folder: &Folder<'_>, listed: &[Listed<T>]) -> Vec<T> {
+    listed.iter().filter(|listed| listed.home == folder.home).map(|listed| listed.item).collect()
 }
 
 /// Every view with its message.
@@ -142,38 +173,51 @@ pub(crate) fn views(dialect: &Dialect) -> impl Iterator<Item = (&Message, &View)
 
 impl Job<'_> {
     fn generate(&self, context: &Context<'_>) -> GeneratedFile {
-        let (path, tokens, origin) = match self {
-            Self::Root => ("mod.rs".to_owned(), modules::root(context), None),
-            Self::Dialect => ("dialect.rs".to_owned(), dialect::dialect(context), None),
-            Self::Messages => ("messages.rs".to_owned(), modules::messages(context), None),
-            Self::Enums => ("enums.rs".to_owned(), modules::enums(context), None),
-            Self::Views => ("views.rs".to_owned(), modules::views(context), None),
-            Self::View(message, view) => {
-                (path_of("views", &view.name.xml), view::view(context, message, view), Some(&view.origin))
-            }
-            Self::Message(message) => {
-                (path_of("messages", &message.name.xml), message::message(context, message), Some(&message.origin))
-            }
-            Self::Enum(values) => {
-                (path_of("enums", &values.name.xml), enums::enum_(context, values), Some(&values.origin))
-            }
+        let (folder, context) = (self.folder, &Context { home: self.folder.home, ..*context });
+        let tokens = match self.file {
+            File::Root => modules::root(context, folder),
+            File::Dialect => modules::dialect(context, folder),
+            File::Messages => modules::messages(context, folder),
+            File::Enums => modules::enums(context, folder),
+            File::Views => modules::views(context, folder),
+            File::View(message, view) => view::view(context, message, view),
+            File::Message(message) => message::message(context, message),
+            File::Enum(values) => enums::enum_(context, values),
         };
-        let text = format!("{}\n\n{}", self.header(context, origin), format(tokens));
-        GeneratedFile { path, text }
+        GeneratedFile { path: self.path(), text: format!("{}\n\n{}", self.header(context), format(tokens)) }
+    }
+
+    fn path(&self) -> String {
+        let item = |module: &str, xml: &str| format!("{module}/{}.rs", item_module_name(xml));
+        let file = match self.file {
+            File::Root => return self.folder.file.clone(),
+            File::Dialect => "dialect.rs".to_owned(),
+            File::Messages => "messages.rs".to_owned(),
+            File::Enums => "enums.rs".to_owned(),
+            File::Views => "views.rs".to_owned(),
+            File::View(_, view) => item("views", &view.name.xml),
+            File::Message(message) => item("messages", &message.name.xml),
+            File::Enum(values) => item("enums", &values.name.xml),
+        };
+        self.folder.prefix.clone() + &file
     }
 
     /// The first line; in the root module also what it was made of.
-    fn header(&self, context: &Context<'_>, origin: Option<&Origin>) -> String {
-        let file = origin.and_then(|origin| context.dialect.file(origin.file)).or(context.dialect.files.first());
-        let name = file.map_or("", |file| file.name.as_str());
+    fn header(&self, context: &Context<'_>) -> String {
+        let origin: Option<&Origin> = match self.file {
+            File::View(_, view) => Some(&view.origin),
+            File::Message(message) => Some(&message.origin),
+            File::Enum(values) => Some(&values.origin),
+            _ => None,
+        };
+        let file = origin.and_then(|origin| context.dialect.file(origin.file));
+        let name = file.map_or(self.folder.sources.as_str(), |file| file.name.as_str());
         let head = format!("{MARK} from {name}; do not edit.");
-        match self {
-            Self::Root => format!("{head}\n{ROOT_MARK}{}, {}", env!("CARGO_PKG_VERSION"), context.options.sources),
+        match self.file {
+            File::Root if self.folder.home == Home::Shared => {
+                format!("{head}\n{ROOT_MARK}{}, {}", env!("CARGO_PKG_VERSION"), context.options.sources)
+            }
             _ => head,
         }
     }
-}
-
-fn path_of(folder: &str, xml: &str) -> String {
-    format!("{folder}/{}.rs", item_module_name(xml))
 }

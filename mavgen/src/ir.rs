@@ -5,10 +5,12 @@
 //! in the XML.
 
 mod message;
+mod union;
 mod values;
 mod view;
 
 pub use message::{Field, FieldType, Invalid, Limits, Message, Scalar, Scope, Sentinel, Values};
+pub use union::{Home, MessageHome, Root, Union, ViewHome};
 pub use values::{Command, Entry, Enum, Param, Repr};
 pub use view::{
     Access, Binding, Blank, Condition, Exact, FieldIndex, Key, Meaning, Member, Place, Presence, Repeat, Scaled, Slots,
@@ -66,7 +68,7 @@ pub struct File {
 /// A name in the XML and what it is called in Rust.
 ///
 /// The XML's spelling is what checksums are made of; the Rust spelling is what a user types.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Name {
     /// As the XML spells it: `GPS_RAW_INT`, `Index`.
     pub xml: String,

@@ -60,9 +60,11 @@ pub mod output;
 pub mod overlay {}
 pub mod read;
 pub mod resolve;
+mod roots;
 mod select;
 pub mod source;
 pub mod syntax;
+mod unite;
 #[cfg(feature = "vendor")]
 pub mod vendor;
 

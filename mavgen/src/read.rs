@@ -17,7 +17,7 @@ mod range;
 mod tag;
 mod xml;
 
-pub use include::{Loaded, load};
+pub use include::{Loaded, load, load_all};
 pub use overlay::read as read_overlay;
 
 use crate::diag::Diagnostics;

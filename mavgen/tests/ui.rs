@@ -1,5 +1,5 @@
 //! Every diagnostic as a user sees it: each `ui/*.xml`, and each folder with a `main.xml`, has its rendering beside it. The
-//! `*.overlay.xml` of a folder are overlays of its `main.xml`.
+//! `*.overlay.xml` of a folder are overlays of its `main.xml`, the `*.root.xml` are dialects beside it.
 //!
 //! Some are recorded in colour as well, as `*.coloured`, and as JSON, as `*.json`.
 //!
@@ -16,6 +16,7 @@ use mavgen::diag::{Diagnostics, Style, one_line, render};
 use mavgen::read::load;
 use mavgen::resolve::resolve;
 use mavgen::source::Sources;
+use mavgen::{Builder, Failure};
 
 /// Relative to the crate, which is where cargo runs tests: no rendering names a folder of the machine.
 const FOLDER: &str = "tests/ui";
@@ -23,13 +24,12 @@ const FOLDER: &str = "tests/ui";
 /// The rendering whose input is made here.
 const MANY: &str = "many_mistakes.stderr";
 
-/// The problems of a dialect.
+/// The problems of a dialect, or of several together.
 fn problems(top: &Path) -> (Diagnostics, Sources) {
-    let (mut sources, mut diagnostics) = (Sources::default(), Diagnostics::default());
-    let loaded = load(top, &[], &overlays(top), &mut sources, &mut diagnostics);
-    let dialect = resolve(&loaded, &sources, &mut diagnostics);
-    assert_eq!(dialect.is_none(), diagnostics.has_errors(), "{}", top.display());
-    (diagnostics, sources)
+    match beside(top, ".root.xml").as_slice() {
+        [] => of_one(top),
+        others => of_several(top, others),
+    }
 }
 
 /// What a user sees of a dialect: every diagnostic, drawn, and in one line.
@@ -45,15 +45,31 @@ fn rendering(top: &Path) -> String {
     text
 }
 
-/// The overlays in the folder of a `main.xml`, by name.
-fn overlays(top: &Path) -> Vec<PathBuf> {
+fn of_one(top: &Path) -> (Diagnostics, Sources) {
+    let (mut sources, mut diagnostics) = (Sources::default(), Diagnostics::default());
+    let loaded = load(top, &[], &beside(top, ".overlay.xml"), &mut sources, &mut diagnostics);
+    let dialect = resolve(&loaded, &sources, &mut diagnostics);
+    assert_eq!(dialect.is_none(), diagnostics.has_errors(), "{}", top.display());
+    (diagnostics, sources)
+}
+
+fn of_several(top: &Path, others: &[PathBuf]) -> (Diagnostics, Sources) {
+    let builder = others.iter().fold(Builder::new(top), Builder::root);
+    match beside(top, ".overlay.xml").iter().fold(builder, Builder::overlay).resolve() {
+        Err(Failure::Definitions(problems)) => (problems.diagnostics, problems.sources),
+        resolved => resolved.map(|resolved| (resolved.diagnostics, resolved.sources)).unwrap(),
+    }
+}
+
+/// The files in the folder of a `main.xml` whose names end so, by name.
+fn beside(top: &Path, end: &str) -> Vec<PathBuf> {
     if !top.ends_with("main.xml") {
         return Vec::new();
     }
     let files = fs::read_dir(top.parent().unwrap()).unwrap().map(|entry| entry.unwrap().path());
-    let mut overlays: Vec<PathBuf> = files.filter(|path| path.to_string_lossy().ends_with(".overlay.xml")).collect();
-    overlays.sort();
-    overlays
+    let mut found: Vec<PathBuf> = files.filter(|path| path.to_string_lossy().ends_with(end)).collect();
+    found.sort();
+    found
 }
 
 /// The inputs, each with the place of its rendering.

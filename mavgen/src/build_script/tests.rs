@@ -136,3 +136,25 @@ fn denied_warnings_are_errors_and_those_of_included_files_are_not_printed() {
     assert!(starting(&denied, "cargo::error=")[0].starts_with("warning[M102]"), "{denied:?}");
     assert_eq!(starting(&denied, "cargo::rerun-if-changed=").len(), 3);
 }
+
+#[test]
+fn several_dialects_are_one_module() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    fs::write(path("acme.xml"), ACME).unwrap();
+    fs::write(path("base.xml"), BASE).unwrap();
+    fs::write(path("fork.xml"), "<mavlink><include>base.xml</include></mavlink>").unwrap();
+    let builder = Builder::new(path("acme.xml")).root(path("fork.xml"));
+    let said = builder.cargo_directives(Some(&path("out")));
+    let watched = ["build.rs".into(), path("acme.xml"), path("base.xml"), path("fork.xml")];
+    let watched = watched.map(|path: PathBuf| path.display().to_string());
+    assert_eq!(starting(&said, "cargo::rerun-if-changed="), watched, "what both include is named once");
+    let entry = fs::read_to_string(path("out/dialects.rs")).unwrap();
+    assert!(entry.contains("/// The dialects `acme`, `fork`, each in its module"), "{entry}");
+    assert!(entry.contains("#[path = \"dialects/mod.rs\"]\npub mod dialects;"), "{entry}");
+    assert!(path("out/dialects/acme/dialect.rs").exists());
+    builder.clone().name("fleet").cargo_directives(Some(&path("out")));
+    assert!(path("out/fleet.rs").exists() && path("out/fleet/fork.rs").exists());
+    let said = builder.name("---").cargo_directives(Some(&path("out")));
+    assert_eq!(starting(&said, "cargo::error=").len(), 1, "{said:?}");
+}

@@ -33,8 +33,10 @@ Examples:
 
 impl Dump {
     pub(super) fn run(&self, report: &Report) -> Result<ExitCode, Failure> {
-        let Resolved { dialect, .. } = self.input.resolve(&self.input.builder(), report)?;
-        report::print(&if self.json { json(&dialect) } else { text(&dialect) })?;
+        let Resolved { dialect, others, .. } = self.input.resolve(&self.input.builder(), report)?;
+        for dialect in std::iter::once(&dialect).chain(&others) {
+            report::print(&if self.json { json(dialect) } else { text(dialect) })?;
+        }
         Ok(ExitCode::SUCCESS)
     }
 }

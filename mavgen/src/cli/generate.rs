@@ -14,6 +14,8 @@ use super::report::Report;
 /// Files that are already right are left untouched, files of an earlier run that are no longer generated are removed,
 /// everything else in the folder is left alone. If something is wrong, with the definitions or with the folder, it stays as
 /// it was.
+///
+/// Several dialects become one tree with a module for each. What is the same in them is one type.
 #[derive(Args)]
 #[command(after_help = AFTER_HELP)]
 pub(super) struct Generate {
@@ -25,6 +27,7 @@ const AFTER_HELP: &str = "\
 Examples:
   mavgen generate xml/acme.xml --out src/acme
   mavgen generate xml/acme.xml --overlay xml/acme.overlay.xml --out src/acme
+  mavgen generate xml/acme.xml xml/ardupilotmega.xml --out src/dialects
   mavgen generate xml/common.xml --messages 'HEARTBEAT,PARAM_*' --out src/small
 
 In the crate, `mod acme;` takes the sources in; they need the crate mavlink-wire and nothing else.";

@@ -1,6 +1,6 @@
 //! The arguments that commands share: what to read, and where to write.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use mavgen::diag::{Diagnostic, Diagnostics, Severity};
@@ -12,8 +12,9 @@ use super::report::Report;
 /// The definitions.
 #[derive(Args)]
 pub(super) struct Input {
-    /// The dialect's XML file.
-    pub(super) xml: PathBuf,
+    /// The dialect's XML file; of several, each becomes a module of one tree.
+    #[arg(required = true)]
+    pub(super) xml: Vec<PathBuf>,
     /// Where to look for includes that do not lie beside the file that names them; may be given several times.
     #[arg(long, value_name = "DIR")]
     include_dir: Vec<PathBuf>,
@@ -45,7 +46,10 @@ impl Input {
 
     /// The builder of all messages.
     pub(super) fn whole(&self) -> Builder {
-        let builder = Builder::new(&self.xml).deny_warnings(self.deny_warnings);
+        let mut roots = self.xml.iter();
+        let builder =
+            Builder::new(roots.next().map(PathBuf::as_path).unwrap_or(Path::new(""))).deny_warnings(self.deny_warnings);
+        let builder = roots.fold(builder, |builder, xml| builder.root(xml));
         let builder = self.include_dir.iter().fold(builder, |builder, folder| builder.include_dir(folder));
         self.overlay.iter().fold(builder, |builder, file| builder.overlay(file))
     }

@@ -53,7 +53,8 @@ impl Lint {
         report.diagnostics(found, sources);
         let count = |severity| found.iter().filter(|diagnostic| diagnostic.severity() == severity).count();
         let (errors, warnings, notes) = (count(Severity::Error), count(Severity::Warning), count(Severity::Note));
-        let xml = self.input.xml.display();
+        let xml: Vec<String> = self.input.xml.iter().map(|xml| xml.display().to_string()).collect();
+        let xml = xml.join(", ");
         report.note(&format!(
             "{xml}: {}, {}, {}",
             plural(errors, "error"),

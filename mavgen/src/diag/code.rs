@@ -1,7 +1,7 @@
 //! The catalogue of diagnostics: one stable number each.
 //!
 //! Numbers are never used again for something else. `M0xx` is XML and the file system, `M1xx` a file's grammar, `M2xx` files
-//! together, `M3xx` messages, `M4xx` enums, `M5xx` commands, `M6xx` names, `M7xx` overlays.
+//! together, `M3xx` messages, `M4xx` enums, `M5xx` commands, `M6xx` names, `M7xx` overlays, `M8xx` several dialects.
 
 use std::fmt;
 
@@ -193,6 +193,9 @@ catalogue! {
     766 MissingCase Error "A switch has neither a case for every value nor a default.";
     767 SecondDefault Error "A switch has two defaults.";
     768 LayoutDiffers Error "A name stands for different bits in two cases.";
+
+    800 SecondValue Error "An entry has different values in two dialects.";
+    801 HomelessOverlay Error "An overlay belongs to a file that is part of none of the dialects.";
 }
 
 impl Code {

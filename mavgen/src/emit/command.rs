@@ -22,7 +22,9 @@ use crate::ir::{Command, Entry, Enum, Param};
 
 /// The metadata of an enum's commands; nothing if it has none.
 pub(crate) fn params(context: &Context<'_>, values: &Enum) -> TokenStream {
-    let rows: Vec<TokenStream> = values.entries.iter().filter_map(|entry| row(context, entry)).collect();
+    // Of several names for one value, which only several dialects together can have, the first speaks.
+    let firsts = values.entries.chunk_by(|a, b| a.value == b.value).filter_map(<[Entry]>::first);
+    let rows: Vec<TokenStream> = firsts.filter_map(|entry| row(context, entry)).collect();
     if rows.is_empty() {
         return TokenStream::new();
     }
@@ -70,6 +72,11 @@ fn enum_of<'a>(context: &Context<'a>, param: &Param) -> Option<&'a Enum> {
     context.dialect.enum_by_id(param.values?)
 }
 
+/// The way to the module of the enum that a parameter carries.
+fn way(context: &Context<'_>, param: &Param) -> String {
+    param.values.map_or_else(String::new, |id| context.way(2, context.enum_home(id)))
+}
+
 /// A list of the parameters that mean something, and what the command is for.
 pub(crate) fn documentation(context: &Context<'_>, command: &Command) -> Vec<String> {
     let place = match (command.has_location, command.is_destination) {
@@ -99,7 +106,8 @@ fn item(context: &Context<'_>, param: &Param) -> Option<Vec<String>> {
         text.extend(sentence.split(' ').map(str::to_owned));
     }
     text.extend(
-        enum_of(context, param).map(|values| format!("A [`{0}`](super::super::enums::{0}).", values.name.rust)),
+        enum_of(context, param)
+            .map(|values| format!("A [`{0}`]({1}enums::{0}).", values.name.rust, way(context, param))),
     );
     if text.is_empty() && label.is_empty() {
         return None;

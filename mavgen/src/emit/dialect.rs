@@ -33,6 +33,7 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
+use crate::emit::folder::Titled;
 use crate::emit::token::{decimal, ident};
 use crate::emit::{Context, doc};
 use crate::ir::Message;
@@ -41,13 +42,12 @@ use crate::ir::Message;
 const DIRECT_IDS: u32 = 512;
 
 /// The items of `dialect.rs`; nothing for a dialect without messages.
-pub(crate) fn dialect(context: &Context<'_>) -> TokenStream {
-    let messages = &context.dialect.messages;
-    let (name, runtime) = (ident(&context.dialect.type_name), context.use_runtime());
+pub(crate) fn dialect(context: &Context<'_>, dialect: Titled<'_>, messages: &[&Message]) -> TokenStream {
+    let (name, runtime) = (ident(dialect.type_name), context.use_runtime());
     let names: Vec<Ident> = messages.iter().map(|message| ident(&message.name.rust)).collect();
     let Some(first) = names.first() else { return TokenStream::new() };
     let ids: Vec<_> = messages.iter().map(|message| decimal(message.id)).collect();
-    let (declaration, table) = (declaration(context), table(messages, &names));
+    let (declaration, table) = (declaration(dialect, messages), table(messages, &names));
     quote! {
         use super::messages::*;
         #runtime
@@ -69,19 +69,18 @@ pub(crate) fn dialect(context: &Context<'_>) -> TokenStream {
     }
 }
 
-fn declaration(context: &Context<'_>) -> TokenStream {
-    let dialect = context.dialect;
+fn declaration(dialect: Titled<'_>, messages: &[&Message]) -> TokenStream {
     let docs = doc::attributes(&[
         format!("Any message of the `{}` dialect.", dialect.name),
         String::new(),
         "New messages are added without a breaking release; match with a `_` arm.".to_owned(),
     ]);
-    let variants = dialect.messages.iter().map(|message| {
+    let variants = messages.iter().map(|message| {
         let docs = doc::attributes(&[format!("`{}`, message {}.", message.name.xml, message.id)]);
         let name = ident(&message.name.rust);
         quote!(#docs #name(#name))
     });
-    let name = ident(&dialect.type_name);
+    let name = ident(dialect.type_name);
     quote! {
         #docs
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -91,7 +90,7 @@ fn declaration(context: &Context<'_>) -> TokenStream {
     }
 }
 
-fn table(messages: &[Message], names: &[Ident]) -> TokenStream {
+fn table(messages: &[&Message], names: &[Ident]) -> TokenStream {
     let count = decimal(names.len() as u64);
     let highest = messages.iter().map(|message| message.id).filter(|&id| id < DIRECT_IDS).max();
     let direct = decimal(highest.map_or(0, |id| id + 1));

@@ -20,7 +20,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use crate::emit::token::{decimal, ident, mask, repr};
-use crate::emit::{Context, command, doc};
+use crate::emit::{Context, command, doc, rivals};
 use crate::ir::{Entry, Enum};
 
 /// The items of an enum's file.
@@ -60,7 +60,7 @@ fn documentation(context: &Context<'_>, values: &Enum) -> Vec<String> {
     let kind = if values.bitmask { "flags in a" } else { "numbers of type" };
     let mut facts = vec![format!("`{}` of `{file}`: {kind} `{}`.", values.name.xml, values.repr.rust_name())];
     facts.extend(doc::reference(file, &values.name.xml).map(|link| format!("See the {link}.")));
-    doc::join([doc::description(&values.origin), facts])
+    doc::join([doc::description(&values.origin), facts, rivals::of_enum(context, values)])
 }
 
 /// `pub const BOOT: Self = Self(1);` with its documentation.

@@ -38,15 +38,13 @@
 //! wire::message!(Sonar);
 //! ```
 
-use std::collections::BTreeSet;
-
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::TokenStream;
 use quote::quote;
 
 use crate::docs::line;
 use crate::emit::field::{FieldTokens, field, xml_type};
 use crate::emit::token::{decimal, ident};
-use crate::emit::{Context, accessor, doc, view};
+use crate::emit::{Context, accessor, doc, rivals, view};
 use crate::ir::{Field, Message};
 
 /// The items of a message's file.
@@ -75,10 +73,7 @@ pub(crate) fn message(context: &Context<'_>, message: &Message) -> TokenStream {
 fn imports(context: &Context<'_>, message: &Message) -> TokenStream {
     let fields = message.fields.iter().filter_map(|field| Some(field.values?.id()));
     let bound = message.bindings.iter().map(|binding| binding.values);
-    let enums = fields.chain(bound).filter_map(|id| context.dialect.enum_by_id(id));
-    let names: BTreeSet<Ident> = enums.map(|values| ident(&values.name.rust)).collect();
-    let (names, runtime) = (names.iter(), context.use_runtime());
-    let enums = if names.len() == 0 { quote!() } else { quote!(use super::super::enums::{#(#names),*};) };
+    let (enums, runtime) = (context.use_enums(fields.chain(bound)), context.use_runtime());
     quote!(#enums #runtime)
 }
 
@@ -112,7 +107,7 @@ fn documentation(context: &Context<'_>, message: &Message) -> Vec<String> {
         Some(link) => vec![facts, format!("See the {link}.")],
         None => vec![facts],
     };
-    doc::join([doc::description(&message.origin), facts, wire_table(message)])
+    doc::join([doc::description(&message.origin), facts, rivals::of_message(context, message), wire_table(message)])
 }
 
 /// What lies where in the payload.

@@ -1,139 +1,189 @@
 //! The files that hold the others together: `mod.rs`, `messages.rs`, `enums.rs`.
 
-use proc_macro2::TokenStream;
-use quote::quote;
+use std::collections::BTreeMap;
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{ToTokens, quote};
 
 use crate::docs::first_sentence;
+use crate::emit::folder::{Folder, Listed};
+use crate::emit::place::path;
 use crate::emit::token::{decimal, ident};
-use crate::emit::{Context, doc, views as all_views};
-use crate::ir::{Access, Name, Origin};
+use crate::emit::{Context, dialect as dialects, doc};
+use crate::ir::{Access, Home, Message, Name, Origin, View};
 use crate::names::item_module_name;
 
 /// `mod.rs`: modules and flat names, of what there is. It begins with an item, so that `include!` takes it.
-pub(crate) fn root(context: &Context<'_>) -> TokenStream {
-    let messages = &context.dialect.messages;
-    let expect = expect_deprecated(messages.iter().any(|message| context.is_deprecated(&message.origin)));
-    let dialect = ident(&context.dialect.type_name);
-    let mut modules = Vec::new();
+///
+/// What several dialects share has no flat names: those are their own.
+pub(crate) fn root(context: &Context<'_>, folder: &Folder<'_>) -> TokenStream {
+    let mut modules: Vec<TokenStream> = Vec::new();
     let mut exports = Vec::new();
-    if !messages.is_empty() {
+    if let Some(dialect) = folder.dialect.filter(|_| !folder.messages.is_empty()) {
+        let deprecated = folder.messages.iter().any(|listed| context.is_deprecated(&listed.item.origin));
+        let (expect, name) = (expect_deprecated(deprecated), ident(dialect.type_name));
         modules.push(quote!(#expect mod dialect;));
-        exports.push(quote!(pub use dialect::#dialect;));
+        exports.push(quote!(pub use dialect::#name;));
     }
-    if !context.dialect.enums.is_empty() {
-        modules.push(quote!(
-            pub mod enums;
-        ));
-        exports.push(quote!(
-            pub use enums::*;
-        ));
+    let parts = [
+        ("enums", folder.enums.is_empty()),
+        ("messages", folder.messages.is_empty()),
+        ("views", folder.views.is_empty()),
+    ];
+    for module in parts.iter().filter(|(_, is_empty)| !is_empty).map(|(name, _)| ident(name)) {
+        modules.push(quote!(pub mod #module;));
+        exports.extend(folder.dialect.map(|_| quote!(pub use #module::*;)));
     }
-    if !messages.is_empty() {
-        modules.push(quote!(
-            pub mod messages;
-        ));
-        exports.push(quote!(
-            pub use messages::*;
-        ));
-    }
-    if all_views(context.dialect).next().is_some() {
-        modules.push(quote!(
-            pub mod views;
-        ));
-        exports.push(quote!(
-            pub use views::*;
-        ));
-    }
-    quote!(#(#modules)* #(#exports)*)
+    let roots = folder.roots.iter().map(|root| ident(root));
+    let docs = match (folder.home, folder.dialect) {
+        (Home::Root(_), Some(dialect)) => {
+            doc::inner_attributes(&about(dialect.name, !folder.messages.is_empty(), dialect.type_name))
+        }
+        _ => TokenStream::new(),
+    };
+    quote!(#docs #(pub mod #roots;)* #(#modules)* #(#exports)*)
+}
+
+/// What stands over the module of a dialect.
+fn about(name: &str, has_messages: bool, type_name: &str) -> Vec<String> {
+    vec![match has_messages {
+        true => format!("The `{name}` dialect: its messages, its enums, and [`{type_name}`] over all messages."),
+        false => format!("The `{name}` dialect."),
+    }]
+}
+
+/// `dialect.rs`.
+pub(crate) fn dialect(context: &Context<'_>, folder: &Folder<'_>) -> TokenStream {
+    let messages: Vec<&Message> = folder.messages.iter().map(|listed| listed.item).collect();
+    folder.dialect.map(|dialect| dialects::dialect(context, dialect, &messages)).unwrap_or_default()
 }
 
 /// `messages.rs`, with a table of contents by id.
-pub(crate) fn messages(context: &Context<'_>) -> TokenStream {
-    let messages = &context.dialect.messages;
+pub(crate) fn messages(context: &Context<'_>, folder: &Folder<'_>) -> TokenStream {
+    let messages = &folder.messages;
     let rows: Vec<_> = messages
         .iter()
-        .map(|message| {
-            let (id, link) = (message.id.to_string(), doc::link(&message.name));
-            [id, link, first_sentence(&message.origin.description)]
+        .map(|Listed { item, .. }| {
+            let (id, link) = (item.id.to_string(), doc::link(&item.name));
+            [id, link, first_sentence(&item.origin.description)]
         })
         .collect();
     let toc = doc::table(["id", "message", ""], &rows);
-    let docs = doc::inner_attributes(&doc::join([vec!["The messages of the dialect, one type each.".to_owned()], toc]));
-    let modules = messages.iter().map(|message| Module {
-        name: &message.name,
-        expect: context.names_deprecated(message),
-        deprecated: context.is_deprecated(&message.origin),
+    let title = match folder.dialect {
+        Some(_) => "The messages of the dialect, one type each.",
+        None => "The messages that are the same in all dialects that have them, one type each.",
+    };
+    let docs = doc::inner_attributes(&doc::join([vec![title.to_owned()], toc]));
+    let modules = messages.iter().map(|&Listed { item, home }| Module {
+        name: &item.name,
+        home,
+        expect: context.names_deprecated(item),
+        deprecated: context.is_deprecated(&item.origin),
     });
-    let modules = declare(modules.collect());
+    let modules = declare(context, "messages", modules.collect());
     quote!(#docs #modules)
 }
 
 /// `enums.rs`, with a table of contents.
-pub(crate) fn enums(context: &Context<'_>) -> TokenStream {
-    let enums = &context.dialect.enums;
+pub(crate) fn enums(context: &Context<'_>, folder: &Folder<'_>) -> TokenStream {
+    let enums = &folder.enums;
     let rows: Vec<_> = enums
         .iter()
-        .map(|values| {
-            let entries = decimal(values.entries.len() as u64).to_string();
-            [entries, doc::link(&values.name), first_sentence(&values.origin.description)]
+        .map(|Listed { item, .. }| {
+            let entries = decimal(item.entries.len() as u64).to_string();
+            [entries, doc::link(&item.name), first_sentence(&item.origin.description)]
         })
         .collect();
     let toc = doc::table(["entries", "enum", ""], &rows);
-    let docs = doc::inner_attributes(&doc::join([vec!["The enums and flags of the dialect.".to_owned()], toc]));
+    let title = match folder.dialect {
+        Some(_) => "The enums and flags of the dialect.",
+        None => "The enums and flags that are the same in all dialects that have them, with the constants of all.",
+    };
+    let docs = doc::inner_attributes(&doc::join([vec![title.to_owned()], toc]));
     let deprecated = |origin: &Origin| context.is_deprecated(origin);
-    let modules = enums.iter().map(|values| Module {
-        name: &values.name,
-        expect: deprecated(&values.origin),
-        deprecated: deprecated(&values.origin),
+    let modules = enums.iter().map(|&Listed { item, home }| Module {
+        name: &item.name,
+        home,
+        expect: deprecated(&item.origin),
+        deprecated: deprecated(&item.origin),
     });
-    let modules = declare(modules.collect());
+    let modules = declare(context, "enums", modules.collect());
     quote!(#docs #modules)
 }
 
 /// `views.rs`: the views, and the slots that messages give them in.
-pub(crate) fn views(context: &Context<'_>) -> TokenStream {
+pub(crate) fn views(context: &Context<'_>, folder: &Folder<'_>) -> TokenStream {
     let docs = doc::inner_attributes(&["Views of bits that are packed into fields.".to_owned()]);
-    let views: Vec<_> = all_views(context.dialect).collect();
-    let modules = views.iter().map(|(message, view)| {
+    let own = folder.views.iter().filter(|listed| listed.home == folder.home);
+    let modules = own.map(|Listed { item: (message, view), .. }| {
         let expect = expect_deprecated(context.is_deprecated(&message.origin));
         let file = ident(&item_module_name(&view.name.xml));
         quote!(#expect mod #file;)
     });
-    let exports = views.iter().map(|(_, view)| {
-        let (file, name) = (ident(&item_module_name(&view.name.xml)), ident(&view.name.rust));
-        match &view.access {
-            Access::Once { .. } => quote!(pub use #file::#name;),
-            Access::Slots(slots) => {
-                let item = ident(&slots.item.rust);
-                quote!(pub use #file::{#item, #name};)
-            }
-        }
+    let exports = folder.views.iter().map(|Listed { item: (_, view), home }| {
+        let from = if *home == folder.home {
+            ident(&item_module_name(&view.name.xml)).into_token_stream()
+        } else {
+            let way = path(&context.way(1, *home));
+            quote!(#way views)
+        };
+        view_export(&from, view)
     });
     quote!(#docs #(#modules)* #(#exports)*)
 }
 
-/// A file with one public type.
+fn view_export(from: &TokenStream, view: &View) -> TokenStream {
+    let name = ident(&view.name.rust);
+    match &view.access {
+        Access::Once { .. } => quote!(pub use #from::#name;),
+        Access::Slots(slots) => {
+            let item = ident(&slots.item.rust);
+            quote!(pub use #from::{#item, #name};)
+        }
+    }
+}
+
+/// A public type, and the file that has no other.
 struct Module<'a> {
     name: &'a Name,
+    /// The folder of the file.
+    home: Home,
     /// Whether the file names something deprecated.
     expect: bool,
     /// Whether its type is deprecated.
     deprecated: bool,
 }
 
-/// `mod heartbeat; …`, then `pub use heartbeat::Heartbeat; …`, each by name.
-fn declare(mut modules: Vec<Module<'_>>) -> TokenStream {
+/// `mod heartbeat; …`, then `pub use heartbeat::Heartbeat; …`, each by name; then what other folders declare.
+fn declare(context: &Context<'_>, module: &str, mut modules: Vec<Module<'_>>) -> TokenStream {
     modules.sort_by(|a, b| a.name.cmp(b.name));
-    let declarations = modules.iter().map(|module| {
+    let (own, others): (Vec<_>, Vec<_>) = modules.into_iter().partition(|module| module.home == context.home);
+    let declarations = own.iter().map(|module| {
         let (expect, file) = (expect_deprecated(module.expect), ident(&item_module_name(&module.name.xml)));
         quote!(#expect mod #file;)
     });
-    let exports = modules.iter().map(|module| {
+    let exports = own.iter().map(|module| {
         let (file, name) = (ident(&item_module_name(&module.name.xml)), ident(&module.name.rust));
         let expect = expect_deprecated(module.deprecated);
         quote!(#expect pub use #file::#name;)
     });
-    quote!(#(#declarations)* #(#exports)*)
+    let reexports = reexports(context, module, &others);
+    quote!(#(#declarations)* #(#exports)* #reexports)
+}
+
+/// `pub use super::super::messages::{Heartbeat, SystemTime};`, for each folder, those that are deprecated for themselves.
+fn reexports(context: &Context<'_>, module: &str, others: &[Module<'_>]) -> TokenStream {
+    let mut groups: BTreeMap<(String, bool), Vec<Ident>> = BTreeMap::new();
+    for other in others {
+        let group = groups.entry((context.way(1, other.home), other.deprecated)).or_default();
+        group.push(ident(&other.name.rust));
+    }
+    let module = ident(module);
+    let uses = groups.iter().map(|((way, deprecated), names)| {
+        let (way, expect) = (path(way), expect_deprecated(*deprecated));
+        quote!(#expect pub use #way #module::{#(#names),*};)
+    });
+    uses.collect()
 }
 
 fn expect_deprecated(needed: bool) -> TokenStream {

@@ -28,8 +28,6 @@ mod member;
 mod scaled;
 mod slots;
 
-use std::collections::BTreeSet;
-
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
@@ -89,15 +87,9 @@ fn imports(context: &Context<'_>, message: &Message, view: &View) -> TokenStream
         _ => None,
     });
     let fields = access::named_enums(message, view);
-    let enums = members.chain(fields).filter_map(|id| context.dialect.enum_by_id(id));
-    let names: BTreeSet<Ident> = enums.map(|values| ident(&values.name.rust)).collect();
-    let (names, runtime, message) = (names.iter(), context.use_runtime(), ident(&message.name.rust));
-    let enums = if names.len() == 0 { quote!() } else { quote!(use super::super::enums::{#(#names),*};) };
-    quote! {
-        #enums
-        use super::super::messages::#message;
-        #runtime
-    }
+    let enums = context.use_enums(members.chain(fields));
+    let (message, runtime) = (context.use_message(message), context.use_runtime());
+    quote!(#enums #message #runtime)
 }
 
 fn declaration(context: &Context<'_>, message: &Message, view: &View) -> TokenStream {

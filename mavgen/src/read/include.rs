@@ -1,12 +1,14 @@
 //! The files of a dialect: the top file and all that it includes, each once, breadth first.
 
 mod circle;
+mod overlays;
 mod paths;
 #[cfg(test)]
 mod tests;
 
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use super::bytes::{self, NoText};
 use crate::diag::{Code, Diagnostic, Diagnostics};
@@ -22,8 +24,8 @@ const MAX_LEVEL: usize = 5;
 pub struct Loaded {
     /// What the dialect is called: after its top file, without extension.
     pub name: String,
-    /// The files in merge order, the top file first.
-    pub files: Vec<File>,
+    /// The files in merge order, the top file first. One that several dialects include was read once.
+    pub files: Vec<Arc<File>>,
     /// For each file, those that it includes, in the order of its `<include>` elements.
     pub includes: Vec<Vec<FileIndex>>,
     /// The overlays, in the order in which they were given.
@@ -46,8 +48,43 @@ pub fn load(
     sources: &mut Sources,
     diagnostics: &mut Diagnostics,
 ) -> Loaded {
+    let all = load_all(&[top], include_dirs, overlays, sources, diagnostics);
+    all.into_iter().next().unwrap_or_default()
+}
+
+/// Reads several dialect files as [`load`] reads one; what more than one of them includes is read once.
+///
+/// With several, an overlay belongs to those that have the file that it says it is for, and one that belongs to none is
+/// an error.
+pub fn load_all(
+    tops: &[impl AsRef<Path>],
+    include_dirs: &[PathBuf],
+    overlays: &[PathBuf],
+    sources: &mut Sources,
+    diagnostics: &mut Diagnostics,
+) -> Vec<Loaded> {
+    let mut read = HashMap::new();
+    let mut all: Vec<Loaded> = Vec::with_capacity(tops.len());
+    for top in tops {
+        all.push(load_top(top.as_ref(), include_dirs, &mut read, sources, diagnostics));
+    }
+    overlays::load(overlays, &mut all, &read, sources, diagnostics);
+    all
+}
+
+/// The files that were read so far, by absolute path; `None` for one that is no text, which was said already.
+type Read = HashMap<PathBuf, Option<Arc<File>>>;
+
+fn load_top(
+    top: &Path,
+    include_dirs: &[PathBuf],
+    read: &mut Read,
+    sources: &mut Sources,
+    diagnostics: &mut Diagnostics,
+) -> Loaded {
     let mut loader = Loader {
         include_dirs,
+        read,
         sources,
         diagnostics,
         loaded: Loaded::default(),
@@ -63,7 +100,6 @@ pub fn load(
         next += 1;
     }
     circle::report(&loader.edges, &loader.names(), loader.diagnostics);
-    overlays.iter().for_each(|path| loader.overlay(path));
     loader.loaded.name = top.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     loader.loaded.includes = loader.edges.iter().map(|edges| targets(edges)).collect();
     loader.loaded
@@ -91,6 +127,8 @@ fn targets(edges: &[Edge]) -> Vec<FileIndex> {
 
 struct Loader<'a> {
     include_dirs: &'a [PathBuf],
+    /// The files of this dialect and of those before it.
+    read: &'a mut Read,
     sources: &'a mut Sources,
     diagnostics: &'a mut Diagnostics,
     loaded: Loaded,
@@ -114,34 +152,36 @@ impl Loader<'_> {
         }
     }
 
-    fn overlay(&mut self, path: &Path) {
-        if self.seen.insert(paths::absolute(path), None).is_some() {
-            return;
-        }
-        self.loaded.watched.push(path.to_owned());
-        match bytes::read(path, self.sources) {
-            Ok(id) => {
-                let overlay = super::read_overlay(id, self.sources, self.diagnostics);
-                self.loaded.overlays.push(overlay);
-            }
-            Err(why) => self.diagnostics.push(why.diagnostic(path)),
-        }
-    }
-
-    /// Reads the file at `path`, which was not read before.
-    fn open(&mut self, path: &Path, found: Found) -> Result<FileIndex, NoText> {
-        let read = bytes::read(path, self.sources);
+    /// Takes in the file at `path`, which this dialect does not have yet; `None` if it is no text.
+    fn open(&mut self, path: &Path, found: Found) -> Result<Option<FileIndex>, NoText> {
+        let file = self.file(path);
         let index = FileIndex(self.loaded.files.len());
-        if !matches!(read, Err(NoText::Io(_))) {
+        if !matches!(file, Err(NoText::Io(_))) {
             self.loaded.watched.push(path.to_owned());
-            self.seen.insert(paths::absolute(path), read.is_ok().then_some(index));
+            self.seen.insert(paths::absolute(path), matches!(file, Ok(Some(_))).then_some(index));
         }
-        let file = super::read(read?, self.sources, self.diagnostics);
+        let Some(file) = file? else { return Ok(None) };
         self.same.extend(std::fs::canonicalize(path).map(|path| (path, index)));
         self.loaded.files.push(file);
         self.edges.push(Vec::new());
         self.found.push(found);
-        Ok(index)
+        Ok(Some(index))
+    }
+
+    /// Reads the file at `path`, unless another dialect did; `None` if that one found that it is no text.
+    fn file(&mut self, path: &Path) -> Result<Option<Arc<File>>, NoText> {
+        let absolute = paths::absolute(path);
+        if let Some(file) = self.read.get(&absolute) {
+            return Ok(file.clone());
+        }
+        let id = bytes::read(path, self.sources);
+        if matches!(id, Err(NoText::NotText(_))) {
+            self.read.insert(absolute, None);
+            return id.map(|_| None);
+        }
+        let file = Some(Arc::new(super::read(id?, self.sources, self.diagnostics)));
+        self.read.insert(absolute, file.clone());
+        Ok(file)
     }
 
     /// Reads what a file includes.
@@ -181,7 +221,7 @@ impl Loader<'_> {
                 return None;
             }
             match self.open(place, Found { level, by: Some((from, include.span)) }) {
-                Ok(index) => return Some(index),
+                Ok(index) => return index,
                 Err(NoText::NotText(diagnostic)) => {
                     self.diagnostics.push(*diagnostic);
                     return None;

@@ -52,7 +52,7 @@ fn overlaid(files: &[(&str, &str)], overlays: &[&str]) -> Outcome {
     loaded.name = files[0].0.trim_end_matches(".xml").to_owned();
     for (name, content) in files {
         let id = sources.add(*name, format!("<mavlink>{content}</mavlink>"));
-        loaded.files.push(read(id, &sources, &mut diagnostics));
+        loaded.files.push(read(id, &sources, &mut diagnostics).into());
     }
     for (index, content) in overlays.iter().enumerate() {
         let root = format!("<mavlink-overlay version='1' for='{}'>{content}</mavlink-overlay>", files[0].0);

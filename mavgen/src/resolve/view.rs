@@ -25,7 +25,7 @@ use crate::names::type_name;
 use crate::syntax::Text;
 use crate::syntax::overlay::{self, Part, Piece};
 
-pub(super) use names::of as getters;
+pub(crate) use names::of as getters;
 
 /// Resolves a view; what is wrong with it is reported. Where the words are not clear, the rest is not looked at.
 pub(super) fn resolve<'a>(

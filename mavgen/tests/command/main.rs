@@ -11,6 +11,7 @@ mod generate;
 mod help;
 mod lint;
 mod messages;
+mod roots;
 mod speech;
 
 use std::fs;

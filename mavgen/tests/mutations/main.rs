@@ -46,7 +46,7 @@ fn fate(dialect: &str, overlay: Option<&str>) -> Result<Fate, TestCaseError> {
     let (mut sources, mut diagnostics, mut loaded) = (Sources::default(), Diagnostics::default(), Loaded::default());
     "autoquad".clone_into(&mut loaded.name);
     let id = sources.add("autoquad.xml", dialect);
-    loaded.files.push(read(id, &sources, &mut diagnostics));
+    loaded.files.push(read(id, &sources, &mut diagnostics).into());
     loaded.includes.push(Vec::new());
     if let Some(overlay) = overlay {
         let id = sources.add("autoquad.overlay.xml", overlay);
@@ -62,7 +62,7 @@ fn fate(dialect: &str, overlay: Option<&str>) -> Result<Fate, TestCaseError> {
         let mut errors = diagnostics.iter().filter(|problem| problem.severity() == Severity::Error);
         return Ok(Fate::Refused(errors.next().map(|error| one_line(error, &sources)).unwrap()));
     };
-    let resolved = Resolved { dialect, diagnostics, sources, watched: Vec::new() };
+    let resolved = Resolved { dialect, others: Vec::new(), union: None, diagnostics, sources, watched: Vec::new() };
     for file in Builder::new("autoquad.xml").emit(&resolved).unwrap() {
         let parsed = syn::parse_file(&file.text);
         prop_assert!(parsed.is_ok(), "{}: {:?}\n{}", file.path, parsed.err(), file.text);

@@ -22,7 +22,7 @@ fuzz_target!(|text: &str| {
     let (mut sources, mut diagnostics, mut loaded) = (Sources::default(), Diagnostics::default(), Loaded::default());
     "a".clone_into(&mut loaded.name);
     let id = sources.add("a.xml", DIALECT);
-    loaded.files.push(read(id, &sources, &mut diagnostics));
+    loaded.files.push(read(id, &sources, &mut diagnostics).into());
     loaded.includes.push(Vec::new());
     let id = sources.add("a.overlay.xml", text);
     loaded.overlays.push(read_overlay(id, &sources, &mut diagnostics));
@@ -33,7 +33,7 @@ fuzz_target!(|text: &str| {
         render(problem, &sources, Style::Plain);
     }
     let Some(dialect) = dialect else { return };
-    let resolved = Resolved { dialect, diagnostics, sources, watched: Vec::new() };
+    let resolved = Resolved { dialect, others: Vec::new(), union: None, diagnostics, sources, watched: Vec::new() };
     for file in Builder::new("a.xml").emit(&resolved).unwrap_or_default() {
         assert!(syn::parse_file(&file.text).is_ok(), "{}", file.text);
     }

@@ -30,7 +30,7 @@ fn problems(overlay: &str) -> usize {
         ["uint16_t[4] a", "uint16_t[4] b", "uint8_t[4] c", "uint8_t[2] d", "uint8_t n", "uint8_t p", "uint16_t f"];
     let dialect = enumeration("E", &["E_A=1", "E_B=2", "E_C=4"]) + &message(1, "M", &fields);
     let id = sources.add("a.xml", format!("<mavlink>{dialect}</mavlink>"));
-    loaded.files.push(read(id, &sources, &mut diagnostics));
+    loaded.files.push(read(id, &sources, &mut diagnostics).into());
     let id = sources.add("a.overlay.xml", overlay);
     loaded.overlays.push(read_overlay(id, &sources, &mut diagnostics));
     let model = resolve(&loaded, &sources, &mut diagnostics);

@@ -92,7 +92,7 @@ fn check_apart(claims: Vec<Claim>, diagnostics: &mut Diagnostics) {
 }
 
 /// The methods that a view gives to its message.
-pub(in crate::resolve) fn of(view: &View) -> Vec<String> {
+pub(crate) fn of(view: &View) -> Vec<String> {
     match &view.access {
         Access::Once { getter } => vec![getter.clone(), format!("set_{getter}")],
         Access::Slots(slots) => {

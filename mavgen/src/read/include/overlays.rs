@@ -1,0 +1,70 @@
+//! The overlays of the dialects: each read once, and given to the dialects that it is for.
+
+use std::collections::HashSet;
+use std::path::PathBuf;
+
+use super::{Loaded, Read, bytes, paths};
+use crate::diag::{Code, Diagnostic, Diagnostics, nearest};
+use crate::source::Sources;
+use crate::syntax::{Overlay, Text};
+
+/// Reads the overlays at `paths`. They are watched with the first dialect; one that was read before, as an overlay or as a
+/// dialect file, is not read again.
+pub(super) fn load(
+    paths: &[PathBuf],
+    dialects: &mut [Loaded],
+    read: &Read,
+    sources: &mut Sources,
+    diagnostics: &mut Diagnostics,
+) {
+    let mut seen: HashSet<PathBuf> = read.keys().cloned().collect();
+    for path in paths {
+        if !seen.insert(paths::absolute(path)) {
+            continue;
+        }
+        if let Some(first) = dialects.first_mut() {
+            first.watched.push(path.to_owned());
+        }
+        match bytes::read(path, sources) {
+            Ok(id) => give(super::super::read_overlay(id, sources, diagnostics), dialects, sources, diagnostics),
+            Err(why) => diagnostics.push(why.diagnostic(path)),
+        }
+    }
+}
+
+/// Gives an overlay to the dialects that have the file that it is for. Where there is one dialect, it can be for no other.
+fn give(overlay: Overlay, dialects: &mut [Loaded], sources: &Sources, diagnostics: &mut Diagnostics) {
+    if let ([only], _) | ([only, ..], None) = (&mut *dialects, &overlay.base) {
+        only.overlays.push(overlay);
+        return;
+    }
+    let Some(base) = &overlay.base else { return };
+    let names: Vec<Vec<String>> = dialects.iter().map(|dialect| names(dialect, sources)).collect();
+    let mut homeless = true;
+    for (dialect, names) in dialects.iter_mut().zip(&names) {
+        if names.contains(&base.value) {
+            dialect.overlays.push(overlay.clone());
+            homeless = false;
+        }
+    }
+    if homeless {
+        diagnostics.push(foreign(base, &names));
+    }
+}
+
+/// The names of the files of a dialect.
+fn names(dialect: &Loaded, sources: &Sources) -> Vec<String> {
+    dialect.files.iter().filter_map(|file| sources.get(file.id)).map(|source| source.name()).collect()
+}
+
+fn foreign(base: &Text, names: &[Vec<String>]) -> Diagnostic {
+    let message = format!("the overlay is for `{}`, which is part of none of the dialects", base.value);
+    let problem = Diagnostic::new(Code::HomelessOverlay, base.span, message).label("no file of this name was read");
+    match nearest(&base.value, names.iter().flatten().map(String::as_str)) {
+        Some(name) => problem.help(format!("did you mean `{name}`?")),
+        None => {
+            let tops: Vec<&str> = names.iter().filter_map(|names| names.first()).map(String::as_str).collect();
+            problem.help(format!("the dialects are `{}`, and the files that they include", tops.join("`, `")))
+        }
+    }
+}

@@ -1,0 +1,128 @@
+//! What becomes one type, what becomes two, and where they are declared.
+
+use std::fs;
+
+use crate::ir::{EnumId, Home, Lifecycle, Root, Union};
+use crate::{Builder, Failure, Resolved};
+
+/// Resolves dialects together: each a name and what stands in its `<mavlink>`. A name that ends in `.overlay` is that of an
+/// overlay, for the dialect of the name before it.
+fn resolve(files: &[(&str, &str)]) -> Result<Resolved, Failure> {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(format!("{name}.xml"));
+    let mut builder: Option<Builder> = None;
+    for (name, text) in files {
+        let Some(base) = name.strip_suffix(".overlay") else {
+            fs::write(path(name), format!("<mavlink>{text}</mavlink>")).unwrap();
+            builder = Some(builder.map_or_else(|| Builder::new(path(name)), |builder| builder.root(path(name))));
+            continue;
+        };
+        let overlay = format!("<mavlink-overlay version='1' for='{base}.xml'>{text}</mavlink-overlay>");
+        fs::write(path(name), overlay).unwrap();
+        builder = builder.map(|builder| builder.overlay(path(name)));
+    }
+    builder.unwrap().resolve()
+}
+
+fn union(files: &[(&str, &str)]) -> Union {
+    resolve(files).unwrap_or_else(|failure| panic!("{failure}")).union.unwrap()
+}
+
+fn message(id: u32, name: &str, field: &str) -> String {
+    format!("<messages><message id='{id}' name='{name}'><field name='a' {field}/></message></messages>")
+}
+
+fn values(name: &str, attributes: &str, entries: &[(&str, u64)]) -> String {
+    let entries = entries.iter().map(|(name, value)| format!("<entry name='{name}' value='{value}'/>"));
+    format!("<enum name='{name}' {attributes}>{}</enum>", entries.collect::<String>())
+}
+
+/// Names and homes of the messages.
+fn messages(union: &Union) -> Vec<(&str, Home)> {
+    let names = union.all.messages.iter().map(|message| message.name.xml.as_str());
+    names.zip(union.message_homes.iter().map(|at| at.home)).collect()
+}
+
+#[test]
+fn of_three_definitions_the_equal_ones_are_one_type() {
+    let (one, other) = (message(1, "TANK", "type='uint8_t'"), message(1, "TANK", "type='uint16_t'"));
+    let union = union(&[("a", &other), ("b", &one), ("c", &one)]);
+    assert_eq!(messages(&union), [("TANK", Home::Root(0)), ("TANK", Home::Root(1))]);
+    let of_roots: Vec<_> = union.roots.iter().map(|root| root.messages.clone()).collect();
+    assert_eq!(of_roots, [[0], [1], [1]]);
+}
+
+#[test]
+fn names_that_are_one_in_rust_are_apart() {
+    let union = union(&[
+        ("a", &message(1, "FUEL_TANK", "type='uint8_t'")),
+        ("b", &message(1, "FuelTank", "type='uint8_t'")),
+        ("c", &message(2, "FUEL", "type='uint8_t'")),
+    ]);
+    let apart = [("FUEL_TANK", Home::Root(0)), ("FuelTank", Home::Root(1)), ("FUEL", Home::Shared)];
+    assert_eq!(messages(&union), apart);
+}
+
+#[test]
+fn width_and_kind_make_an_enum_another() {
+    for (attributes, entry, types) in [("", 3, 1), ("", 300, 2), ("bitmask='true'", 4, 2)] {
+        let (a, b) = (values("E", "", &[("E_A", 1)]), values("E", attributes, &[("E_B", entry)]));
+        let wrapped = |values: String| format!("<enums>{values}</enums>");
+        let union = union(&[("a", &wrapped(a)), ("b", &wrapped(b))]);
+        assert_eq!(union.all.enums.len(), types, "{attributes} {entry}");
+        let shared = union.enum_homes.iter().all(|home| *home == Home::Shared);
+        assert_eq!(shared, types == 1, "{attributes} {entry}");
+        assert_eq!(union.all.enums[0].entries.len(), 3 - types);
+    }
+}
+
+/// A message with an enum that a dialect widens is not the message of the dialect that does not.
+#[test]
+fn a_message_goes_with_its_enums() {
+    let text = |entry: u64| {
+        format!(
+            "<enums>{}</enums>{}",
+            values("E", "", &[("E_A", entry)]),
+            message(1, "TANK", "type='uint32_t' enum='E'").replace("</messages>", "")
+        ) + "<message id='2' name='PLAIN'><field name='a' type='uint8_t'/></message></messages>"
+    };
+    let union = union(&[("a", &text(1)), ("b", &text(1 << 40))]);
+    assert_eq!(messages(&union), [("TANK", Home::Root(0)), ("PLAIN", Home::Shared), ("TANK", Home::Root(1))]);
+    let Root { enums, messages, .. } = &union.roots[1];
+    assert_eq!((enums.as_slice(), messages.as_slice()), (&[EnumId(1)][..], &[2, 1][..]));
+}
+
+#[test]
+fn overlays_that_disagree_make_two_types() {
+    let tank = message(1, "TANK", "type='uint8_t'");
+    let bind = |values: &str| {
+        let enums = format!("<enums><enum name='{values}'><entry name='{values}_A' value='1'/></enum></enums>");
+        format!("{enums}<message name='TANK'><bind name='kind' field='a' enum='{values}'/></message>")
+    };
+    let union_of =
+        |a: &str, b: &str| union(&[("a", &tank), ("b", &tank), ("a.overlay", &bind(a)), ("b.overlay", &bind(b))]);
+    let same = union_of("E", "E");
+    assert_eq!((messages(&same), same.all.messages[0].bindings.len()), (vec![("TANK", Home::Shared)], 1));
+    assert_eq!(messages(&union_of("E", "F")), [("TANK", Home::Root(0)), ("TANK", Home::Root(1))]);
+}
+
+#[test]
+fn what_one_dialect_has_in_use_is_not_deprecated() {
+    let old = "<enums><enum name='E'><deprecated since='2020-01'/><entry name='E_A' value='1'/></enum></enums>";
+    let refine = "<refine enum='E' deprecated='false'/>";
+    let stage = |files: &[(&str, &str)]| union(files).all.enums[0].origin.lifecycle.clone();
+    assert!(matches!(stage(&[("a", old), ("b", old)]), Some(Lifecycle::Deprecated(_))));
+    assert!(!matches!(stage(&[("a", old), ("b", old), ("b.overlay", refine)]), Some(Lifecycle::Deprecated(_))));
+}
+
+#[test]
+fn what_is_shared_is_read_and_said_once() {
+    let base = format!("<enums>{}</enums>", "<enum name='E'><entry name='E_A'/></enum>");
+    let include = "<include>base.xml</include>";
+    let resolved = resolve(&[("base", &base), ("a", include), ("b", include)]).unwrap();
+    assert_eq!((resolved.sources.iter().count(), resolved.watched.len(), resolved.diagnostics.len()), (3, 3, 1));
+    let union = resolved.union.unwrap();
+    let files: Vec<&str> = union.all.files.iter().map(|file| file.name.as_str()).collect();
+    assert_eq!((files, union.all.enums.len()), (vec!["base.xml", "a.xml", "b.xml"], 1));
+    assert_eq!(union.all.file(union.roots[2].file).map(|file| file.includes.len()), Some(1));
+}
