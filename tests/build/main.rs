@@ -16,7 +16,7 @@ use mavgen::Builder;
 
 fn main() {
     let out = PathBuf::from(env::var_os("OUT_DIR").unwrap());
-    for input in ["build", "src/definition.rs", "vectors/autoquad.txt", "hostile", "packed", "../xml"] {
+    for input in ["build", "src/definition.rs", "vectors/autoquad.txt", "hostile", "packed", "roots", "../xml"] {
         println!("cargo::rerun-if-changed={input}");
     }
     let text = fs::read_to_string("vectors/autoquad.txt").unwrap();
@@ -35,11 +35,14 @@ fn generate_others(out: &Path) {
     let packed = Builder::new("packed/packed.xml").overlay("packed/packed.overlay.xml");
     let five = ["HEARTBEAT", "COMMAND_ACK", "AQ_ESC_TELEMETRY", "GPS_RAW_*", "RADIO_STATUS"];
     let selected = Builder::new("../xml/autoquad.xml").overlay("../xml/autoquad.overlay.xml").messages(five);
+    let overlays = ["heron", "base", "osprey"].map(|name| format!("roots/{name}.overlay.xml"));
+    let roots = Builder::new("roots/heron.xml").root("roots/osprey.xml");
     let others = [
         ("hostile", Builder::new("hostile/hostile.xml").overlay("hostile/hostile.overlay.xml")),
         ("names", Builder::new("hostile/names.xml")),
         ("packed", packed),
         ("selected", selected.name("selected")),
+        ("roots", overlays.iter().fold(roots, Builder::overlay)),
     ];
     for (name, builder) in others {
         builder.out_dir(out.join(name)).generate().unwrap_or_else(|failure| panic!("{failure}"));
