@@ -85,6 +85,9 @@
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
 
+#[cfg(feature = "std")]
+extern crate std;
+
 #[cfg(feature = "arbitrary")]
 #[doc(hidden)]
 pub mod arbitrary;
@@ -93,11 +96,6 @@ pub mod crc;
 #[cfg(feature = "defmt")]
 #[doc(hidden)]
 pub mod defmt;
-#[cfg(feature = "std")]
-extern crate std;
-
-mod chars;
-pub mod crc;
 #[cfg(feature = "embedded-io")]
 pub mod embedded_io;
 #[cfg(feature = "embedded-io-async")]
