@@ -42,7 +42,7 @@ fn problems(definition: &str, overlay: Option<&str>) -> Vec<String> {
     let (mut sources, mut diagnostics) = (Sources::default(), Diagnostics::default());
     let file = read(sources.add("base.xml", definition), &sources, &mut diagnostics);
     let mut loaded =
-        Loaded { name: "base".to_owned(), files: vec![file], includes: vec![Vec::new()], ..Loaded::default() };
+        Loaded { name: "base".to_owned(), files: vec![file.into()], includes: vec![Vec::new()], ..Loaded::default() };
     if let Some(text) = overlay {
         let overlay = read_overlay(sources.add("base.overlay.xml", text), &sources, &mut diagnostics);
         loaded.overlays.push(overlay);
