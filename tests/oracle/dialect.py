@@ -80,7 +80,8 @@ class Encoder:
 
     def __init__(self, xml):
         with tempfile.TemporaryDirectory() as folder:
-            self._modules = {wire: load_module(xml, wire, folder) for wire in ("1.0", "2.0")}
+            #: The generated modules by wire protocol.
+            self.modules = {wire: load_module(xml, wire, folder) for wire in ("1.0", "2.0")}
 
     def frames(self, message, case):
         """The frames of one case by version; no `v1` where the wire protocol 1.0 lacks the message."""
@@ -88,13 +89,13 @@ class Encoder:
             "v2": self._pack("2.0", message, case, signed=False),
             "signed": self._pack("2.0", message, case, signed=True),
         }
-        if message.id in self._modules["1.0"].mavlink_map:
+        if message.id in self.modules["1.0"].mavlink_map:
             made["v1"] = self._pack("1.0", message, case, signed=False)
         return made
 
     def _pack(self, wire_protocol, message, case, signed):
         """Always constructs: decoding and packing again fails for a scalar char and for arrays of one element."""
-        module = self._modules[wire_protocol]
+        module = self.modules[wire_protocol]
         message_class = module.mavlink_map[message.id]
         fields = {field.name: field for field in message.fields}
         arguments = [_python_value(fields[name], case.values[name]) for name in message_class.fieldnames]
