@@ -53,7 +53,6 @@ class Peer:
             return f"refused: {refusal}".encode()
         if len(messages) != 1:
             return f"refused: {len(messages)} messages in one datagram".encode()
-        self._mav.signing.timestamp += 1
         packed = messages[0].pack(self._mav)
         self._mav.seq = (self._mav.seq + 1) % 256
         return bytes(packed)

@@ -9,13 +9,14 @@ use std::net::UdpSocket;
 use std::process::{Child, Command, Stdio};
 use std::time::Duration;
 
-use mavlink_autoquad::autoquad::Autoquad;
+use mavlink_autoquad::autoquad::{Autoquad, Heartbeat};
 use mavlink_conformance::autoquad::SUBJECTS;
 use mavlink_conformance::definition::Definition;
 use mavlink_conformance::subject::Subject;
 use mavlink_conformance::values::Values;
 use mavlink_conformance::vectors::{self, Vectors};
-use mavlink_wire::{Dialect, Frame, MAX_FRAME, Sender, Version};
+use mavlink_wire::signing::{Key, Signer, Trust, Verifier};
+use mavlink_wire::{Dialect, Frame, MAX_FRAME, Sender, Timestamp, Version};
 
 /// The peer of `oracle/peer.py`.
 struct Peer {
@@ -107,6 +108,31 @@ fn every_message_goes_there_and_back() {
     let v1 = exchange(&peer, Sender::v1(1, 1), Version::V1, |frame| assert!(frame.signature().is_none()));
     peer.begin("v2");
     let v2 = exchange(&peer, Sender::v2(1, 1), Version::V2, |frame| assert!(frame.signature().is_none()));
-    println!("{v1} frames of MAVLink 1 and {v2} of MAVLink 2, there and back");
-    assert!(v1 > 900 && v2 > 2000, "{v1} {v2}");
+    peer.begin("signed");
+    let sender = Sender::v2(1, 1).signed(Signer::new(Key::new(vectors::key()), 3, Timestamp::new(1000)));
+    let mut verifier = Verifier::new(Some(Key::new(vectors::key())));
+    let signed = exchange(&peer, sender, Version::V2, |frame| {
+        assert_eq!(verifier.check(frame, Timestamp::new(0)), Ok(Trust::Signed));
+        assert_eq!(frame.signature().map(|signature| signature.link_id()), Some(5));
+    });
+    println!("{v1} frames of MAVLink 1, {v2} of MAVLink 2 and {signed} signed ones, there and back");
+    assert!(v1 > 900 && v2 > 2000 && signed == v2, "{v1} {v2} {signed}");
+}
+
+#[test]
+#[ignore = "needs Python with pymavlink"]
+fn pymavlink_refuses_what_is_not_signed_with_its_key_or_was_there_before() {
+    let mut peer = Peer::new();
+    peer.begin("signed");
+    let beat = Autoquad::from(Heartbeat::default());
+    let frame = |sender: &mut Sender| sender.encode(&beat, &mut [0; MAX_FRAME]).unwrap().to_vec();
+    let signer = |key, link| Sender::v2(1, 1).signed(Signer::new(Key::new(key), link, Timestamp::new(1000)));
+    let (mut ours, mut other) = (signer(vectors::key(), 3), signer([7; 32], 4));
+    let first = frame(&mut ours);
+    let is_refused = |frame: &[u8]| peer.answer(frame).starts_with(b"refused: ");
+    assert!(!is_refused(&first));
+    assert!(is_refused(&first), "a replay");
+    assert!(is_refused(&frame(&mut other)), "another key");
+    assert!(is_refused(&frame(&mut Sender::v2(1, 1))), "no signature");
+    assert!(!is_refused(&frame(&mut ours)), "what follows is not affected");
 }
