@@ -5,7 +5,7 @@ set -eu
 cd "$(dirname "$0")"
 seconds=${1:-60}
 [ $# -eq 0 ] || shift
-[ $# -gt 0 ] || set -- dialect overlay parser decode
+[ $# -gt 0 ] || set -- dialect overlay parser decode signing
 work=${CARGO_TARGET_DIR:-target}/fuzz
 for target in "$@"; do
     corpus=$work/corpus/$target
@@ -21,9 +21,11 @@ for target in "$@"; do
                 cp "$seed" "$corpus/$(echo "$seed" | tr / _)"
             done
             set -- -dict=mavlink.dict -max_len=16384 ;;
-        *)
+        parser | decode)
             # One input a line: frames that pymavlink made, the last line several with damage between them.
             perl -ne 'chomp; open my $f, ">", "'"$corpus"'/frames-$."; print $f pack "H*", $_' seeds/frames.hex
+            set -- -max_len=2048 ;;
+        *)
             set -- -max_len=2048 ;;
     esac
     cargo +nightly fuzz run --fuzz-dir . "$target" "$corpus" -- \
