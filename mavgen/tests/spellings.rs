@@ -33,7 +33,8 @@ const PLAIN: &str = "\
 fn meaning(text: &str) -> String {
     let (mut sources, mut diagnostics) = (Sources::default(), Diagnostics::default());
     let file = read(sources.add("a.xml", text), &sources, &mut diagnostics);
-    let loaded = Loaded { name: "a".to_owned(), files: vec![file.into()], includes: vec![Vec::new()], ..Loaded::default() };
+    let loaded =
+        Loaded { name: "a".to_owned(), files: vec![file.into()], includes: vec![Vec::new()], ..Loaded::default() };
     let dialect = resolve(&loaded, &sources, &mut diagnostics);
     assert!(diagnostics.is_empty(), "{diagnostics:?}\n{text}");
     facts(&dialect.unwrap())
