@@ -10,7 +10,7 @@ use clap::Args;
 use mavgen::output::{self, Differences};
 use mavgen::{Failure, GeneratedFile};
 
-use super::input::Output;
+use super::input::{Output, resolve};
 use super::report::{Report, print_coloured};
 use unified::Unified;
 
@@ -35,7 +35,7 @@ Exit status: 0 current, 1 not current, 2 the definitions are wrong or a file can
 impl Check {
     pub(super) fn run(&self, report: &Report) -> Result<ExitCode, Failure> {
         let builder = self.output.builder();
-        let files = builder.emit(&self.output.input.resolve(&builder, report)?)?;
+        let files = builder.emit(&resolve(&builder, report)?)?;
         let differences = output::check(&self.output.out, &files).map_err(Failure::Output)?;
         if differences.is_empty() {
             return Ok(ExitCode::SUCCESS);

@@ -17,7 +17,7 @@ use mavgen::decode::{Tables, contents};
 use mavgen::ir::Dialect;
 use mavgen::{Failure, Resolved};
 
-use super::input::Input;
+use super::input::{Reading, resolve};
 use super::report::Report;
 use csv::Columns;
 use received::Received;
@@ -31,8 +31,10 @@ use stream::Stream;
 #[derive(Args)]
 #[command(after_help = AFTER_HELP)]
 pub(super) struct Decode {
+    /// The dialect's XML file.
+    xml: PathBuf,
     #[command(flatten)]
-    input: Input,
+    reading: Reading,
     /// What to read; standard input if it is `-` or not given.
     file: Option<PathBuf>,
     /// What it holds.
@@ -62,7 +64,7 @@ enum Format {
 
 impl Decode {
     pub(super) fn run(&self, report: &Report) -> Result<ExitCode, Failure> {
-        let Resolved { dialect, .. } = self.input.resolve(&self.input.whole(), report)?;
+        let Resolved { dialect, .. } = resolve(&self.reading.whole(&self.xml), report)?;
         let wanted = self.wanted()?;
         let printer = Printer::new(self.format, &dialect, wanted)?;
         let name = self.file.as_ref().map_or_else(|| "standard input".to_owned(), |file| file.display().to_string());
@@ -86,10 +88,10 @@ impl Decode {
 
     /// The ids of the messages that were asked for; `None` for all.
     fn wanted(&self) -> Result<Option<Vec<u32>>, Failure> {
-        if !self.input.selects() {
+        if !self.reading.selects() {
             return Ok(None);
         }
-        let chosen = self.input.builder().resolve()?.dialect;
+        let chosen = self.reading.builder(&self.xml).resolve()?.dialect;
         Ok(Some(chosen.messages.iter().map(|message| message.id).collect()))
     }
 }

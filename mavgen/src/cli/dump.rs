@@ -10,7 +10,7 @@ use mavgen::ir::{Dialect, Enum, Field, Message, Scalar};
 use mavgen::{Failure, Resolved};
 use serde_json::{Value, json};
 
-use super::input::Input;
+use super::input::{Input, resolve};
 use super::report::{self, Report};
 use view::Overlaid;
 
@@ -33,7 +33,7 @@ Examples:
 
 impl Dump {
     pub(super) fn run(&self, report: &Report) -> Result<ExitCode, Failure> {
-        let Resolved { dialect, others, .. } = self.input.resolve(&self.input.builder(), report)?;
+        let Resolved { dialect, others, .. } = resolve(&self.input.builder(), report)?;
         for dialect in std::iter::once(&dialect).chain(&others) {
             report::print(&if self.json { json(dialect) } else { text(dialect) })?;
         }

@@ -6,7 +6,7 @@ use std::time::Instant;
 use clap::Args;
 use mavgen::Failure;
 
-use super::input::Output;
+use super::input::{Output, resolve};
 use super::report::Report;
 
 /// Writes Rust sources into a folder.
@@ -35,7 +35,7 @@ In the crate, `mod acme;` takes the sources in; they need the crate mavlink-wire
 impl Generate {
     pub(super) fn run(&self, report: &Report) -> Result<ExitCode, Failure> {
         let (start, builder) = (Instant::now(), self.output.builder());
-        let resolved = self.output.input.resolve(&builder, report)?;
+        let resolved = resolve(&builder, report)?;
         let done = builder.write(&resolved)?;
         let (written, kept, removed) = (done.written, done.kept, done.removed);
         let (out, elapsed) = (self.output.out.display(), start.elapsed().as_millis());

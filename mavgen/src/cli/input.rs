@@ -15,6 +15,13 @@ pub(super) struct Input {
     /// The dialect's XML file; of several, each becomes a module of one tree.
     #[arg(required = true)]
     pub(super) xml: Vec<PathBuf>,
+    #[command(flatten)]
+    pub(super) reading: Reading,
+}
+
+/// How definitions are read.
+#[derive(Args)]
+pub(super) struct Reading {
     /// Where to look for includes that do not lie beside the file that names them; may be given several times.
     #[arg(long, value_name = "DIR")]
     include_dir: Vec<PathBuf>,
@@ -41,15 +48,19 @@ pub(super) struct Output {
 
 impl Input {
     pub(super) fn builder(&self) -> Builder {
-        self.messages.iter().fold(self.whole(), |builder, names| builder.messages(names))
+        let (first, others) = self.xml.split_first().map_or((Path::new(""), &[][..]), |(xml, rest)| (xml, rest));
+        others.iter().fold(self.reading.builder(first), |builder, xml| builder.root(xml))
+    }
+}
+
+impl Reading {
+    pub(super) fn builder(&self, xml: &Path) -> Builder {
+        self.messages.iter().fold(self.whole(xml), |builder, names| builder.messages(names))
     }
 
     /// The builder of all messages.
-    pub(super) fn whole(&self) -> Builder {
-        let mut roots = self.xml.iter();
-        let builder =
-            Builder::new(roots.next().map(PathBuf::as_path).unwrap_or(Path::new(""))).deny_warnings(self.deny_warnings);
-        let builder = roots.fold(builder, |builder, xml| builder.root(xml));
+    pub(super) fn whole(&self, xml: &Path) -> Builder {
+        let builder = Builder::new(xml).deny_warnings(self.deny_warnings);
         let builder = self.include_dir.iter().fold(builder, |builder, folder| builder.include_dir(folder));
         self.overlay.iter().fold(builder, |builder, file| builder.overlay(file))
     }
@@ -58,22 +69,22 @@ impl Input {
     pub(super) fn selects(&self) -> bool {
         self.messages.is_some()
     }
+}
 
-    /// Reads and resolves, and shows what concerns the user.
-    ///
-    /// Warnings about included files and notes are for `mavgen lint`: they would be in the way of everything else.
-    pub(super) fn resolve(&self, builder: &Builder, report: &Report) -> Result<Resolved, Failure> {
-        match builder.resolve() {
-            Ok(resolved) => {
-                report.diagnostics(&concerning(builder, &resolved.diagnostics, &resolved.sources), &resolved.sources);
-                Ok(resolved)
-            }
-            Err(Failure::Definitions(mut problems)) => {
-                problems.diagnostics = concerning(builder, &problems.diagnostics, &problems.sources);
-                Err(Failure::Definitions(problems))
-            }
-            Err(other) => Err(other),
+/// Reads and resolves, and shows what concerns the user.
+///
+/// Warnings about included files and notes are for `mavgen lint`: they would be in the way of everything else.
+pub(super) fn resolve(builder: &Builder, report: &Report) -> Result<Resolved, Failure> {
+    match builder.resolve() {
+        Ok(resolved) => {
+            report.diagnostics(&concerning(builder, &resolved.diagnostics, &resolved.sources), &resolved.sources);
+            Ok(resolved)
         }
+        Err(Failure::Definitions(mut problems)) => {
+            problems.diagnostics = concerning(builder, &problems.diagnostics, &problems.sources);
+            Err(Failure::Definitions(problems))
+        }
+        Err(other) => Err(other),
     }
 }
 
