@@ -76,13 +76,8 @@ fn a_sender_counts_the_time_as_pymavlinks_does() {
 fn a_setup_is_the_setup_signing_of_the_dialect() {
     let timestamp = Timestamp::new(0x0102_0304_0506);
     let setup = Setup::new(7, 8, Key::new(key()), timestamp).unwrap();
-    let message = SetupSigning {
-        target_system: 7,
-        target_component: 8,
-        secret_key: key(),
-        initial_timestamp: timestamp.units(),
-        ..SetupSigning::DEFAULT
-    };
+    let message =
+        SetupSigning { target_system: 7, target_component: 8, secret_key: key(), initial_timestamp: timestamp.units() };
     assert_eq!(setup.info(), SetupSigning::INFO);
     for (setup, message) in [
         (setup, message),
