@@ -9,6 +9,7 @@ use mavlink_wire::{Dialect, Frame, Sender};
 
 use super::{TooLarge, key, message, read, sent, stream};
 use crate::small::Small;
+use crate::streams::pieces::with_checksum;
 
 /// Nothing is lost on the loopback interface: who waits so long waits in vain.
 const LONG: Duration = Duration::from_secs(20);
@@ -88,12 +89,13 @@ fn only_who_sends_verified_frames_is_a_peer_and_the_oldest_is_forgotten() {
     let sockets: [UdpSocket; 4] = std::array::from_fn(|_| socket());
     let beat = stream(Sender::v1(1, 1), 0..1);
     let addresses = sockets.each_ref().map(|socket| socket.local_addr().unwrap());
-    // The fourth sends a frame of a message that nobody knows.
-    sockets[3].send_to(&[0xFE, 1, 0, 1, 1, 200, 7, 0x94, 0x54], address).unwrap();
     for sender in [0, 1, 0, 2] {
         sockets[sender].send_to(&beat, address).unwrap();
     }
-    while station.receive().unwrap().1 != addresses[2] {}
+    // The fourth sends a frame of a message that nobody knows.
+    let unknown = with_checksum(vec![0xFE, 1, 0, 1, 1, 200, 7], 3);
+    sockets[3].send_to(&unknown, address).unwrap();
+    while station.receive().unwrap().1 != addresses[3] {}
     assert_eq!(station.peers().collect::<Vec<_>>(), [addresses[2], addresses[0]]);
     let (station, address) = endpoint(255);
     let mut station = station.with_peer_limit(0);

@@ -74,6 +74,12 @@ fn a_log_that_goes_on_years_later_is_read_on() {
 }
 
 #[test]
+fn a_known_message_of_another_time_needs_a_record_behind_it() {
+    let log = [cut(0, &frame(0)), cut(86_401, &frame(1)), vec![0; 3]].concat();
+    assert_eq!(records(&log, Small::TABLE).count(), 1);
+}
+
+#[test]
 fn garbage_between_records_is_counted() {
     let garbage = [&[0xFE, 9, 9, 9][..], &START_US.to_le_bytes(), &[0xFD, 0xFE]].concat();
     let log = [&cut(0, &frame(0))[..], &garbage, &cut(1, &frame(1)), &garbage].concat();
