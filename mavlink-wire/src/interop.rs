@@ -99,6 +99,16 @@ impl From<MavlinkVersion> for Version {
 #[macro_export]
 macro_rules! __mavlink_core {
     ($dialect:ident { $($message:ident)* }) => {
+        impl $crate::interop::Targets for $dialect {
+            fn target_mut(
+                &mut self,
+            ) -> (::core::option::Option<&mut u8>, ::core::option::Option<&mut u8>) {
+                match self {
+                    $(Self::$message(message) => $crate::Message::target_mut(message),)*
+                }
+            }
+        }
+
         impl $crate::interop::mavlink_core::Message for $dialect {
             fn message_id(&self) -> u32 {
                 $crate::Encode::info(self).id
@@ -117,15 +127,11 @@ macro_rules! __mavlink_core {
             }
 
             fn target_system_id_mut(&mut self) -> ::core::option::Option<&mut u8> {
-                match self {
-                    $(Self::$message(message) => $crate::Message::target_mut(message).0,)*
-                }
+                $crate::interop::Targets::target_mut(self).0
             }
 
             fn target_component_id_mut(&mut self) -> ::core::option::Option<&mut u8> {
-                match self {
-                    $(Self::$message(message) => $crate::Message::target_mut(message).1,)*
-                }
+                $crate::interop::Targets::target_mut(self).1
             }
 
             fn ser(&self, version: $crate::interop::mavlink_core::MavlinkVersion, bytes: &mut [u8]) -> usize {
@@ -180,6 +186,13 @@ macro_rules! __random_message {
 #[macro_export]
 macro_rules! __random_message {
     () => {};
+}
+
+/// [`Message::target_mut`](crate::Message::target_mut) of whatever message there is.
+#[doc(hidden)]
+pub trait Targets {
+    /// The fields with the ids of the addressed system and component.
+    fn target_mut(&mut self) -> (Option<&mut u8>, Option<&mut u8>);
 }
 
 /// The byte at the offset of a target field.

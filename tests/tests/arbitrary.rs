@@ -22,6 +22,8 @@ fn a_message_is_what_its_bytes_decode_to() {
         assert_eq!(Canonical::sent(&message), Canonical::sent(&Attitude::decode(&bytes[..28])));
         assert_eq!(rest.len(), 300 - 28);
         assert_eq!(Attitude::size_hint(0), (28, Some(28)));
+        let extended = Statustext::arbitrary(&mut Unstructured::new(&bytes)).unwrap();
+        assert_eq!(Canonical::sent(&extended), Canonical::sent(&Statustext::decode(&bytes)));
         assert_eq!(Statustext::size_hint(0), (54, Some(54)), "with extensions");
     }
 }
