@@ -42,6 +42,7 @@
 //! wire order, offsets, checksums, merged enums, Rust names; other tools can be written on it. Problems are collected as
 //! [`diag::Diagnostic`]s, each with its place, and a stage that found an error is the last.
 
+#![cfg_attr(docsrs, feature(doc_cfg))]
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
 

@@ -82,6 +82,7 @@
 //! - `mavlink-core`: a dialect over the connections of rust-mavlink; the module `interop` says how.
 
 #![no_std]
+#![cfg_attr(docsrs, feature(doc_cfg))]
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
 

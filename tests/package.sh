@@ -1,0 +1,35 @@
+#!/bin/sh
+# Packs the crates as for a registry, builds each from its archive alone, and documents them as docs.rs does.
+set -eu
+cd "$(dirname "$0")/.."
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+version=$(sed -n 's/^version = "\(.*\)"$/\1/p' Cargo.toml)
+archives=${CARGO_TARGET_DIR:-target}/package
+
+# Builds each from its archive, with its default features, against the archives of the others.
+cargo package --workspace --exclude mavlink-examples --exclude mavlink-conformance --exclude own-dialect
+
+unpack() { tar -xzf "$archives/$1-$version.crate" -C "$scratch"; }
+holds() { for file; do [ -s "$scratch/$file" ] || { echo "$file is missing from the archive" >&2; exit 1; }; done; }
+
+for crate in mavgen mavlink-wire mavlink-autoquad; do
+    unpack "$crate"
+    holds "$crate-$version/README.md" "$crate-$version/LICENSE-MIT" "$crate-$version/LICENSE-APACHE"
+done
+autoquad=mavlink-autoquad-$version
+holds "$autoquad/src/generated/mod.rs" "$autoquad/xml/autoquad.overlay.xml"
+for xml in autoquad common standard minimal; do holds "$autoquad/xml/$xml.xml"; done
+
+# The committed sources in the archive, which is what firmware builds.
+cargo check --quiet --manifest-path "$scratch/$autoquad/Cargo.toml" --no-default-features \
+    --config "patch.crates-io.mavlink-wire.path='$scratch/mavlink-wire-$version'" \
+    --config "patch.crates-io.mavgen.path='$scratch/mavgen-$version'"
+
+if cargo +nightly --version >/dev/null 2>&1; then
+    export RUSTDOCFLAGS="--cfg docsrs -Dwarnings"
+    cargo +nightly doc --quiet --no-deps -p mavgen -p mavlink-wire --all-features
+    cargo +nightly doc --quiet --no-deps -p mavlink-autoquad --no-default-features --features fast-crc
+else
+    echo "without a nightly toolchain the documentation is not built as docs.rs does"
+fi
