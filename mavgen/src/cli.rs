@@ -1,10 +1,11 @@
 //! The command line: parses, calls one library function, prints. One file per command in `cli/`.
 //!
-//! Exit status: 0 fine, 1 the answer is no (`check`, `lint`), 2 the input or the usage is wrong.
+//! Exit status: 0 fine, 1 the answer is no (`check`, `diff`, `lint`), 2 the input or the usage is wrong.
 
 mod check;
 mod completions;
 mod decode;
+mod diff;
 mod dump;
 mod explain;
 mod generate;
@@ -21,6 +22,7 @@ use clap::{Parser, Subcommand};
 use check::Check;
 use completions::Completions;
 use decode::Decode;
+use diff::Diff;
 use dump::Dump;
 use explain::Explain;
 use generate::Generate;
@@ -51,8 +53,10 @@ Examples:
   mavgen check xml/acme.xml --out src/acme        in CI: is what is committed current?
   mavgen dump xml/acme.xml                        ids, offsets, lengths, crc_extra, values
   mavgen decode xml/acme.xml flight.tlog          what did it say?
+  mavgen diff old/acme.xml xml/acme.xml           what breaks, on the wire and in Rust?
+  mavgen vendor up/acme.xml --out xml             copy it and its includes
 
-Exit status: 0 fine, 1 the answer is no (check, lint), 2 the input or the usage is wrong.";
+Exit status: 0 fine, 1 the answer is no (check, diff, lint), 2 the input or the usage is wrong.";
 
 #[derive(Subcommand)]
 enum Action {
@@ -61,6 +65,7 @@ enum Action {
     Lint(Lint),
     Dump(Dump),
     Decode(Decode),
+    Diff(Diff),
     Explain(Explain),
     Vendor(Vendor),
     Completions(Completions),
@@ -77,6 +82,7 @@ pub(crate) fn run() -> ExitCode {
         Action::Lint(lint) => lint.run(&report),
         Action::Dump(dump) => dump.run(&report),
         Action::Decode(decode) => decode.run(&report),
+        Action::Diff(diff) => diff.run(&report),
         Action::Explain(explain) => explain.run(),
         Action::Vendor(vendor) => vendor.run(&report),
         Action::Completions(completions) => completions.run(),

@@ -48,6 +48,8 @@
 
 mod build_script;
 mod builder;
+#[cfg(feature = "compare")]
+pub mod compare;
 #[cfg(feature = "decode")]
 pub mod decode;
 pub mod diag;

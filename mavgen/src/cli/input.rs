@@ -20,14 +20,14 @@ pub(super) struct Input {
 }
 
 /// How definitions are read.
-#[derive(Args)]
+#[derive(Args, Clone)]
 pub(super) struct Reading {
     /// Where to look for includes that do not lie beside the file that names them; may be given several times.
     #[arg(long, value_name = "DIR")]
     include_dir: Vec<PathBuf>,
     /// A file that says what the XML cannot, like the meaning of packed bits; may be given several times.
     #[arg(long, value_name = "FILE")]
-    overlay: Vec<PathBuf>,
+    pub(super) overlay: Vec<PathBuf>,
     /// Only these messages and what they need: names separated by commas; in a pattern, a star stands for any characters.
     #[arg(long, visible_alias = "message", value_name = "NAME,PREFIX_*", value_delimiter = ',')]
     messages: Option<Vec<String>>,
@@ -89,7 +89,7 @@ pub(super) fn resolve(builder: &Builder, report: &Report) -> Result<Resolved, Fa
 }
 
 /// All errors, and the warnings about what the user wrote.
-fn concerning(builder: &Builder, diagnostics: &Diagnostics, sources: &Sources) -> Diagnostics {
+pub(super) fn concerning(builder: &Builder, diagnostics: &Diagnostics, sources: &Sources) -> Diagnostics {
     let concerns = |diagnostic: &&Diagnostic| match diagnostic.severity() {
         Severity::Error => true,
         Severity::Warning => builder.concerns(diagnostic, sources),

@@ -4,9 +4,10 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Args;
-use mavgen::Failure;
 use mavgen::vendor::{Copy, Prose, Vendored, Written, vendor, write};
+use mavgen::{Builder, Failure};
 
+use super::input::concerning;
 use super::report::Report;
 
 /// Copies a dialect and its includes into one folder.
@@ -52,7 +53,8 @@ impl Vendor {
             None => Prose::Keep,
         };
         let vendored = vendor(&self.xml, &self.include_dir, &prose)?;
-        report.diagnostics(&vendored.diagnostics, &vendored.sources);
+        let warnings = concerning(&Builder::new(&self.xml), &vendored.diagnostics, &vendored.sources);
+        report.diagnostics(&warnings, &vendored.sources);
         let Written { written, kept, others } = write(&self.out, &vendored.files).map_err(Failure::Output)?;
         report.note(&format!("{}: {written} files written, {kept} kept", self.out.display()));
         for other in others {

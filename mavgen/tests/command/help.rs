@@ -2,7 +2,7 @@
 
 use crate::{ACME, folder, mavgen, stderr, stdout};
 
-const COMMANDS: [&str; 7] = ["generate", "check", "lint", "dump", "vendor", "completions", "man"];
+const COMMANDS: [&str; 8] = ["generate", "check", "lint", "dump", "diff", "vendor", "completions", "man"];
 
 #[test]
 fn help_teaches_by_example() {

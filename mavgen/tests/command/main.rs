@@ -6,6 +6,7 @@
 
 mod bad_input;
 mod check;
+mod diff;
 mod dump;
 mod generate;
 mod help;
@@ -13,6 +14,7 @@ mod lint;
 mod messages;
 mod roots;
 mod speech;
+mod vendor;
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,0 +1,264 @@
+//! The generated Rust: what no longer compiles, what is new, and what makes the compiler warn.
+
+use std::collections::{BTreeMap, HashMap};
+
+use super::pairs::Pairs;
+use super::surface::{Member, Name, Shape, Surface, surface};
+use super::{Change, Kind};
+use crate::emit::{self, emit};
+use crate::ir::Dialect;
+use crate::source::Span;
+
+/// The changes of all types.
+pub(super) fn changes(old: &Dialect, new: &Dialect, pairs: &Pairs<'_>) -> Vec<Change> {
+    let names = Renamed::of(pairs);
+    let (before, after) = (Side::of(old), Side::of(new));
+    let mut changes = Vec::new();
+    let mut matched: BTreeMap<&str, &str> = BTreeMap::new();
+    for (name, shape) in &before.surface {
+        match names.ty(name).and_then(|now| Some((now, after.surface.get(now)?))) {
+            Some((now, other)) => {
+                matched.insert(now, name);
+                let types =
+                    Types { old: (name, shape), new: (now, other), before: &before, after: &after, names: &names };
+                changes.extend(types.changes());
+            }
+            None => changes.push(Change::new(Kind::ItemRemoved, true, name).at(before.place(name, None), None)),
+        }
+    }
+    for name in after.surface.keys().filter(|name| !matched.contains_key(name.as_str())) {
+        changes.push(Change::new(Kind::ItemAdded, false, name).at(None, after.place(name, None)));
+    }
+    changes
+}
+
+/// What generated items are called now.
+struct Renamed<'a> {
+    types: HashMap<&'a str, &'a str>,
+    /// By old type: fields and constants.
+    members: HashMap<(&'a str, &'a str), &'a str>,
+}
+
+impl<'a> Renamed<'a> {
+    fn of(pairs: &Pairs<'a>) -> Self {
+        let (mut types, mut members) = (HashMap::new(), HashMap::new());
+        for pair in &pairs.messages.both {
+            types.insert(pair.old.name.rust.as_str(), pair.new.name.rust.as_str());
+            let fields = pair.fields.both.iter().map(|(old, new)| (&old.name, &new.name));
+            members
+                .extend(fields.map(|(old, new)| ((pair.old.name.rust.as_str(), old.rust.as_str()), new.rust.as_str())));
+        }
+        for pair in &pairs.enums.both {
+            types.insert(pair.old.name.rust.as_str(), pair.new.name.rust.as_str());
+            let entries = pair.entries.both.iter().map(|(old, new)| (&old.name, &new.name));
+            members.extend(
+                entries.map(|(old, new)| ((pair.old.name.rust.as_str(), old.rust.as_str()), new.rust.as_str())),
+            );
+        }
+        Self { types, members }
+    }
+
+    /// What an old type is called now; nothing if another type has taken its name.
+    fn ty<'n>(&self, name: &'n str) -> Option<&'n str>
+    where
+        'a: 'n,
+    {
+        match self.types.get(name) {
+            Some(now) => Some(now),
+            None => (!self.types.values().any(|now| *now == name)).then_some(name),
+        }
+    }
+
+    /// What a member of an old type is called now.
+    fn member(&self, of: &str, name: &Name) -> Name {
+        let now = |name: &str| self.members.get(&(of, name)).map(|now| (*now).to_owned());
+        match name {
+            Name::Field(field) => Name::Field(now(field).unwrap_or_else(|| field.clone())),
+            Name::Constant(constant) => Name::Constant(now(constant).unwrap_or_else(|| constant.clone())),
+            Name::Method(method) => {
+                let setter = || method.strip_prefix("set_").and_then(now).map(|field| format!("set_{field}"));
+                Name::Method(now(method).or_else(setter).unwrap_or_else(|| method.clone()))
+            }
+            Name::Trait(of) => Name::Trait(self.signature(of)),
+        }
+    }
+
+    /// A signature with types called as they are now.
+    fn signature(&self, signature: &str) -> String {
+        let mut text = String::new();
+        let mut rest = signature;
+        while !rest.is_empty() {
+            let is_word = |character: char| character.is_alphanumeric() || character == '_';
+            let end = rest.find(|character| !is_word(character)).unwrap_or(rest.len());
+            let (word, after) = rest.split_at_checked(end).unwrap_or((rest, ""));
+            text.push_str(self.types.get(word).copied().unwrap_or(word));
+            let gap = after.find(is_word).unwrap_or(after.len());
+            let (gap, after) = after.split_at_checked(gap).unwrap_or((after, ""));
+            text.push_str(gap);
+            rest = after;
+        }
+        text
+    }
+}
+
+/// One state.
+struct Side {
+    surface: Surface,
+    /// Where types are defined and, by their own name, fields and constants.
+    places: HashMap<(String, Option<String>), Span>,
+}
+
+impl Side {
+    fn of(dialect: &Dialect) -> Self {
+        let options = emit::Options { runtime: "::mavlink_wire".to_owned(), deprecated: true, sources: String::new() };
+        let mut places = HashMap::new();
+        for message in &dialect.messages {
+            let name = &message.name.rust;
+            places.insert((name.clone(), None), message.origin.span);
+            let fields = message.fields.iter().map(|field| (field.name.rust.clone(), field.origin.span));
+            places.extend(fields.map(|(field, span)| ((name.clone(), Some(field)), span)));
+            places.extend(message.views.iter().map(|view| ((view.name.rust.clone(), None), view.origin.span)));
+        }
+        for values in &dialect.enums {
+            let name = &values.name.rust;
+            places.insert((name.clone(), None), values.origin.span);
+            let entries = values.entries.iter().map(|entry| (entry.name.rust.clone(), entry.origin.span));
+            places.extend(entries.map(|(entry, span)| ((name.clone(), Some(entry)), span)));
+        }
+        Self { surface: surface(&emit(dialect, &options)), places }
+    }
+
+    /// Where a type, or a member of it, comes from; at least where the type does.
+    fn place(&self, of: &str, member: Option<&Name>) -> Option<Span> {
+        let own = member.map(Name::stem).map(|stem| (of.to_owned(), Some(stem.to_owned())));
+        let own = own.and_then(|key| self.places.get(&key));
+        own.or_else(|| self.places.get(&(of.to_owned(), None))).copied()
+    }
+}
+
+impl Name {
+    /// The field, constant or method that it is about: `set_level` is about `level`.
+    fn stem(&self) -> &str {
+        match self {
+            Self::Field(name) | Self::Constant(name) | Self::Trait(name) => name,
+            Self::Method(name) => name.strip_prefix("set_").unwrap_or(name),
+        }
+    }
+
+    /// `Sprayer.level`, `SprayState::ON`, `Sprayer::level()`, `impl Targeted for Sprayer`
+    fn of(&self, ty: &str) -> String {
+        match self {
+            Self::Field(name) => format!("{ty}.{name}"),
+            Self::Constant(name) => format!("{ty}::{name}"),
+            Self::Method(name) => format!("{ty}::{name}()"),
+            Self::Trait(name) => format!("impl {name} for {ty}"),
+        }
+    }
+}
+
+/// A type that is in both states.
+struct Types<'a> {
+    old: (&'a str, &'a Shape),
+    new: (&'a str, &'a Shape),
+    before: &'a Side,
+    after: &'a Side,
+    names: &'a Renamed<'a>,
+}
+
+impl Types<'_> {
+    fn changes(&self) -> Vec<Change> {
+        let ((name, old), (now, new)) = (self.old, self.new);
+        let mut changes = Vec::new();
+        let mut push = |change: Change| changes.push(self.placed(change, None, None));
+        if name != now {
+            push(Change::new(Kind::ItemName, true, name).to(now));
+        }
+        if old.signature != new.signature {
+            push(Change::new(Kind::ItemType, true, name).from(&old.signature).to(&new.signature));
+        }
+        deprecation(name, old.deprecated, new.deprecated).into_iter().for_each(push);
+        changes.extend(self.members());
+        changes
+    }
+
+    fn placed(&self, change: Change, old: Option<&Name>, new: Option<&Name>) -> Change {
+        change.at(self.before.place(self.old.0, old), self.after.place(self.new.0, new))
+    }
+
+    fn members(&self) -> Vec<Change> {
+        let ((ty, old), (_, new)) = (self.old, self.new);
+        let renamed: BTreeMap<Name, &Name> =
+            old.members.keys().map(|name| (self.names.member(ty, name), name)).collect();
+        let mut changes = Vec::new();
+        for (now, name) in &renamed {
+            let (Some(before), after) = (old.members.get(name), new.members.get(now)) else { continue };
+            match after {
+                Some(after) => changes.extend(self.member((name, before), (now, after))),
+                None => changes.push((Kind::ItemRemoved, *name, self.removed(name))),
+            }
+        }
+        let added = new.members.keys().filter(|name| !renamed.contains_key(name));
+        changes.extend(added.map(|name| (Kind::ItemAdded, name, self.added(name))));
+        once(changes)
+    }
+
+    fn removed(&self, name: &Name) -> Change {
+        let change = Change::new(Kind::ItemRemoved, true, name.of(self.old.0));
+        Change { new: None, ..self.placed(change, Some(name), None) }
+    }
+
+    /// A new field breaks every literal of the struct.
+    fn added(&self, name: &Name) -> Change {
+        let breaking = matches!(name, Name::Field(_)) && self.new.1.exhaustive;
+        let change = Change::new(Kind::ItemAdded, breaking, name.of(self.new.0));
+        Change { old: None, ..self.placed(change, None, Some(name)) }
+    }
+
+    /// The changes of a member that is in both states.
+    fn member<'n>(
+        &self,
+        (name, old): (&'n Name, &Member),
+        (now, new): (&Name, &Member),
+    ) -> Vec<(Kind, &'n Name, Change)> {
+        let item = name.of(self.old.0);
+        let mut changes = Vec::new();
+        if name != now && !matches!(name, Name::Trait(_)) {
+            changes.push(Change::new(Kind::ItemName, true, &item).to(now.of(self.new.0)));
+        }
+        let signature = self.names.signature(&old.signature);
+        if signature != new.signature {
+            changes.push(Change::new(Kind::ItemType, true, &item).from(&old.signature).to(&new.signature));
+        } else if old.default != new.default
+            && let (Some(from), Some(to)) = (&old.default, &new.default)
+        {
+            changes.push(Change::new(Kind::ItemDefault, false, &item).from(from).to(to));
+        }
+        changes.extend(deprecation(&item, old.deprecated, new.deprecated));
+        changes.into_iter().map(|change| (change.kind, name, self.placed(change, Some(name), Some(now)))).collect()
+    }
+}
+
+/// That the compiler warns of an item, or no longer does. Code that does not forbid warnings goes on to compile.
+fn deprecation(item: &str, old: bool, new: bool) -> Option<Change> {
+    match (old, new) {
+        (false, true) => Some(Change::new(Kind::ItemDeprecated, false, item)),
+        (true, false) => Some(Change::new(Kind::ItemUndeprecated, false, item)),
+        _ => None,
+    }
+}
+
+/// One change where a field, its getter and its setter share one: that of the first of them.
+fn once(changes: Vec<(Kind, &Name, Change)>) -> Vec<Change> {
+    let rank = |name: &Name| match name {
+        Name::Method(method) if method.starts_with("set_") => 2,
+        Name::Method(_) => 1,
+        _ => 0,
+    };
+    let mut first: HashMap<(Kind, &str), u8> = HashMap::new();
+    for (kind, name, _) in &changes {
+        let best = first.entry((*kind, name.stem())).or_insert(u8::MAX);
+        *best = rank(name).min(*best);
+    }
+    let is_first = |kind: Kind, name: &Name| first.get(&(kind, name.stem())) == Some(&rank(name));
+    changes.iter().filter(|(kind, name, _)| is_first(*kind, name)).map(|(_, _, change)| change.clone()).collect()
+}
