@@ -156,6 +156,17 @@ fn messages() {
         ],
         "another layout is another message"
     );
+    let elsewhere = beat.replace("201", "202").replace("BEAT", "PULSE");
+    assert_eq!(
+        edit(beat, &elsewhere),
+        [
+            "wire! message BEAT is gone: id 201",
+            "wire message PULSE is new: id 202",
+            "api! Beat is gone",
+            "api Pulse is new"
+        ],
+        "another id and another name are another message"
+    );
 }
 
 #[test]
