@@ -61,8 +61,18 @@ impl<'t> Parser<'t> {
     /// its end is kept until the next chunk comes.
     #[inline]
     pub fn next<'s, 'i: 's>(&'s mut self, input: &mut &'i [u8]) -> Option<Frame<'s>> {
+        self.next_telling(input, |_| ())
+    }
+
+    /// The next frame; `bad_checksum` is told the message of each frame that is counted as damaged.
+    #[inline]
+    pub(crate) fn next_telling<'s, 'i: 's>(
+        &'s mut self,
+        input: &mut &'i [u8],
+        mut bad_checksum: impl FnMut(u32),
+    ) -> Option<Frame<'s>> {
         if !self.held.is_empty() {
-            if let Some((header, facts)) = self.resume(input, false) {
+            if let Some((header, facts)) = self.resume(input, false, &mut bad_checksum) {
                 return Some(self.held_frame(header, facts));
             }
             if !self.held.is_empty() {
@@ -71,7 +81,7 @@ impl<'t> Parser<'t> {
         }
         loop {
             let bytes = *input;
-            match self.search.look(bytes, false) {
+            match self.search.look(bytes, false, &mut bad_checksum) {
                 Sight::Frame(header, facts) => {
                     skip(input, header.frame_length());
                     return Some(Frame::with_facts(bytes, header, facts));
@@ -91,7 +101,12 @@ impl<'t> Parser<'t> {
     /// A damaged byte can look like the start of a long frame, which then waits for bytes that do not come. This gives it
     /// up and searches what was waiting with it. What comes afterwards is a new stream.
     pub fn finish(&mut self) -> Option<Frame<'_>> {
-        let found = self.resume(&mut &[][..], true);
+        self.finish_telling(|_| ())
+    }
+
+    /// The frames behind an unfinished one; `bad_checksum` is told the message of each frame that is counted as damaged.
+    pub(crate) fn finish_telling(&mut self, bad_checksum: impl FnMut(u32)) -> Option<Frame<'_>> {
+        let found = self.resume(&mut &[][..], true, bad_checksum);
         if found.is_none() {
             self.search.restart();
         }
@@ -118,14 +133,19 @@ impl<'t> Parser<'t> {
 
     /// Searches the held bytes for a frame, which may end in `input`. Of `input`, only what belongs to that frame is
     /// used, so that the search returns to it, and to whole chunks, as soon as no earlier byte is left.
-    fn resume(&mut self, input: &mut &[u8], at_end: bool) -> Option<(Header, Facts)> {
+    fn resume(
+        &mut self,
+        input: &mut &[u8],
+        at_end: bool,
+        mut bad_checksum: impl FnMut(u32),
+    ) -> Option<(Header, Facts)> {
         if !at_end && self.held.length() + input.len() < self.needed {
             self.wait(self.needed, input);
             return None;
         }
         let mut borrowed = 0;
         while !self.held.is_empty() {
-            match self.search.look(self.held.with_borrowed(borrowed), at_end) {
+            match self.search.look(self.held.with_borrowed(borrowed), at_end, &mut bad_checksum) {
                 Sight::Frame(header, facts) => {
                     self.held.release(header.frame_length(), input);
                     self.needed = 0;

@@ -97,7 +97,7 @@ impl<'b> Iterator for Entries<'b, '_> {
 
     fn next(&mut self) -> Option<Entry<'b>> {
         while !self.rest.is_empty() {
-            let (used, entry) = match self.scan.look(self.rest, true) {
+            let (used, entry) = match self.scan.look(self.rest, true, |_| ()) {
                 Sight::Entry(entry) => (TIME + entry.frame.bytes().len(), Some(entry)),
                 Sight::Nothing { passed } => (passed, None),
                 Sight::Unfinished => (self.rest.len(), None),

@@ -29,8 +29,18 @@ impl<'t, R: Read> FrameReader<'t, R> {
     /// What `R` says, except for [`ErrorKind::Interrupted`]. Nothing is lost: read again if it was a timeout, or
     /// [`ErrorKind::WouldBlock`].
     pub fn read(&mut self) -> Result<Option<Frame<'_>>> {
+        self.read_telling(|_| ())
+    }
+
+    /// The next frame, as [`read`](Self::read) gives it. `bad_checksum` is told the message of each frame that
+    /// [`Statistics::bad_checksums`] counts: if it is often the same one, both sides define it otherwise.
+    ///
+    /// # Errors
+    ///
+    /// As [`read`](Self::read).
+    pub fn read_telling(&mut self, mut bad_checksum: impl FnMut(u32)) -> Result<Option<Frame<'_>>> {
         loop {
-            if let Some(found) = self.incoming.find() {
+            if let Some(found) = self.incoming.find_telling(&mut bad_checksum) {
                 return Ok(Some(self.incoming.frame(&found)));
             }
             if self.incoming.take_end() {

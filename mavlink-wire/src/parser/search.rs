@@ -42,9 +42,9 @@ impl<'t> Search<'t> {
     }
 
     /// What there is at the start of these bytes. The next look is at the bytes behind that, or at more bytes if it was
-    /// unfinished. `at_end` says that there are no more.
+    /// unfinished. `at_end` says that there are no more. `bad_checksum` is told the message of a frame that is counted as damaged.
     #[inline]
-    pub(super) fn look(&mut self, bytes: &[u8], at_end: bool) -> Sight {
+    pub(super) fn look(&mut self, bytes: &[u8], at_end: bool, bad_checksum: impl FnOnce(u32)) -> Sight {
         match Facts::of(bytes, self.table) {
             Ok((header, facts)) => {
                 if facts.verified {
@@ -57,7 +57,7 @@ impl<'t> Search<'t> {
                 Sight::Frame(header, facts)
             }
             Err(FrameError::Incomplete { needed }) if !at_end => Sight::Unfinished { needed },
-            Err(error) => self.give_up(bytes, error),
+            Err(error) => self.give_up(bytes, error, bad_checksum),
         }
     }
 
@@ -78,11 +78,12 @@ impl<'t> Search<'t> {
 
     /// Passes over something that is no frame.
     #[inline(never)]
-    fn give_up(&mut self, bytes: &[u8], error: FrameError) -> Sight {
+    fn give_up(&mut self, bytes: &[u8], error: FrameError, bad_checksum: impl FnOnce(u32)) -> Sight {
         match error {
             // The common case while searching: nothing was found out about the first byte but that it starts nothing.
             FrameError::NotStx { .. } => self.pass(memchr2(STX_V1, STX_V2, bytes).unwrap_or(bytes.len())),
-            FrameError::Checksum { .. } if self.damaged == 0 => {
+            FrameError::Checksum { id } if self.damaged == 0 => {
+                bad_checksum(id);
                 self.statistics.bad_checksums += 1;
                 self.damaged = Header::read(bytes).map_or(0, Header::frame_length);
                 self.pass(1)

@@ -34,9 +34,19 @@ impl<'t, R: Read> Reader<'t, R> {
     ///
     /// What `R` says, except for [`ErrorKind::Interrupted`]. Nothing is lost: read again.
     pub fn read(&mut self) -> Result<Option<Entry<'_>>> {
+        self.read_telling(|_| ())
+    }
+
+    /// The next entry, as [`read`](Self::read) gives it. `bad_checksum` is told the message of each frame whose checksum is
+    /// wrong, once: if it is often the same one, the log was written by another definition of it.
+    ///
+    /// # Errors
+    ///
+    /// As [`read`](Self::read).
+    pub fn read_telling(&mut self, mut bad_checksum: impl FnMut(u32)) -> Result<Option<Entry<'_>>> {
         let (time_us, outline, skipped) = loop {
             let rest = self.buffer.get(self.start..self.end).unwrap_or_default();
-            match self.scan.look(rest, self.ended) {
+            match self.scan.look(rest, self.ended, &mut bad_checksum) {
                 Sight::Entry(Entry { time_us, frame, skipped }) => {
                     self.start += TIME + frame.bytes().len();
                     break (time_us, Outline::of(&frame), skipped);

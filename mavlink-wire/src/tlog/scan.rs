@@ -3,7 +3,7 @@
 use memchr::memchr2;
 
 use super::{DAY_US, Entry, TIME};
-use crate::header::{STX_V1, STX_V2};
+use crate::header::{Header, STX_V1, STX_V2};
 use crate::{Frame, FrameError, Table};
 
 /// Times that are plausible without one before: the years 2000 to 2099.
@@ -18,6 +18,8 @@ pub(super) struct Scan<'t> {
     /// Bytes skipped since the entry before, and before it.
     skipped: u64,
     skipped_before: u64,
+    /// How many of the next bytes belong to a frame that was taken for a damaged one.
+    damaged: usize,
 }
 
 /// What there is at the start of some bytes.
@@ -33,7 +35,7 @@ pub(super) enum Sight<'b> {
 
 impl<'t> Scan<'t> {
     pub(super) const fn new(table: &'t Table<'t>) -> Self {
-        Self { table, time_us: None, skipped: 0, skipped_before: 0 }
+        Self { table, time_us: None, skipped: 0, skipped_before: 0, damaged: 0 }
     }
 
     pub(super) fn skipped_bytes(&self) -> u64 {
@@ -41,8 +43,8 @@ impl<'t> Scan<'t> {
     }
 
     /// What there is at the start of these bytes. The next look is at those behind it, or at more if it was unfinished.
-    /// `at_end` says that there are no more.
-    pub(super) fn look<'b>(&mut self, bytes: &'b [u8], at_end: bool) -> Sight<'b> {
+    /// `at_end` says that there are no more. `bad_checksum` is told the message of a damaged frame.
+    pub(super) fn look<'b>(&mut self, bytes: &'b [u8], at_end: bool, bad_checksum: impl FnOnce(u32)) -> Sight<'b> {
         let Some((time, rest)) = bytes.split_first_chunk::<TIME>() else {
             return if at_end { self.pass(bytes.len()) } else { Sight::Unfinished };
         };
@@ -52,7 +54,13 @@ impl<'t> Scan<'t> {
                 None => self.pass(1),
             },
             Err(FrameError::Incomplete { .. }) if !at_end => Sight::Unfinished,
-            Err(_) => {
+            Err(error) => {
+                if let FrameError::Checksum { id } = error
+                    && self.damaged == 0
+                {
+                    bad_checksum(id);
+                    self.damaged = TIME + Header::read(rest).map_or(0, Header::frame_length);
+                }
                 let others = rest.get(1..).unwrap_or_default();
                 // Without a start, the last bytes may still be the time in front of one.
                 self.pass(1 + memchr2(STX_V1, STX_V2, others).unwrap_or(others.len()))
@@ -76,12 +84,14 @@ impl<'t> Scan<'t> {
     fn take<'b>(&mut self, frame: Frame<'b>, time_us: u64) -> Entry<'b> {
         let skipped = core::mem::take(&mut self.skipped);
         self.skipped_before += skipped;
+        self.damaged = 0;
         self.time_us = Some(time_us);
         Entry { time_us, frame, skipped }
     }
 
     fn pass<'b>(&mut self, passed: usize) -> Sight<'b> {
         self.skipped += passed as u64;
+        self.damaged = self.damaged.saturating_sub(passed);
         Sight::Nothing { passed }
     }
 }
