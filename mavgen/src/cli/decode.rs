@@ -22,7 +22,6 @@ use super::report::Report;
 use csv::Columns;
 use received::Received;
 use source::Layout;
-use stream::Stream;
 
 /// Prints the messages of a recording or a stream: times, senders, fields with units and names of enums, packed bits.
 ///
@@ -69,8 +68,7 @@ impl Decode {
         let printer = Printer::new(self.format, &dialect, wanted)?;
         let name = self.file.as_ref().map_or_else(|| "standard input".to_owned(), |file| file.display().to_string());
         let refused = |error: io::Error| Failure::Usage(format!("{name}: {error}"));
-        let (bytes, lead) = source::open(self.file.as_deref(), self.layout).map_err(refused)?;
-        let mut stream = Stream::new(bytes, lead, printer.tables.table());
+        let mut stream = source::open(self.file.as_deref(), self.layout, printer.tables.table()).map_err(refused)?;
         let mut out = io::stdout().lock();
         let mut print = |text: String| match out.write_all(text.as_bytes()) {
             Ok(()) => Ok(true),

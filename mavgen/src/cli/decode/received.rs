@@ -4,6 +4,7 @@ use std::fmt;
 use std::time::{Duration, SystemTime};
 
 use mavlink_wire::Frame;
+use mavlink_wire::tlog::Entry;
 
 /// 9999-12-31T23:59:59.999999Z, the last time that RFC 3339 can write, in microseconds.
 const LAST: u64 = 253_402_300_799_999_999;
@@ -13,6 +14,12 @@ const LAST: u64 = 253_402_300_799_999_999;
 pub(super) struct Received<'a> {
     pub(super) time: Option<Time>,
     pub(super) frame: Frame<'a>,
+}
+
+impl<'a> From<Entry<'a>> for Received<'a> {
+    fn from(entry: Entry<'a>) -> Self {
+        Self { time: Some(Time(entry.time_us)), frame: entry.frame }
+    }
 }
 
 /// Microseconds since 1970, as a log has them.

@@ -5,8 +5,10 @@ use std::io::{self, Cursor, Read};
 use std::path::Path;
 
 use clap::ValueEnum;
+use mavlink_wire::Table;
 
 use super::hex::{HexReader, is_part};
+use super::stream::Stream;
 
 /// Bytes of the time in front of each frame of a tlog.
 const TIME: usize = 8;
@@ -24,8 +26,8 @@ pub(super) enum Layout {
     Hex,
 }
 
-/// The bytes, and how many stand in front of each frame.
-pub(super) fn open(file: Option<&Path>, layout: Layout) -> io::Result<(Box<dyn Read>, usize)> {
+/// The frames of a file, or of standard input.
+pub(super) fn open<'t>(file: Option<&Path>, layout: Layout, table: &'t Table<'t>) -> io::Result<Stream<'t>> {
     let mut input: Box<dyn Read> = match file {
         Some(file) if file != Path::new("-") => Box::new(File::open(file)?),
         _ => Box::new(io::stdin()),
@@ -36,9 +38,9 @@ pub(super) fn open(file: Option<&Path>, layout: Layout) -> io::Result<(Box<dyn R
     let found = if layout == Layout::Auto { self::layout(&first) } else { layout };
     let bytes = Cursor::new(first).chain(input);
     Ok(match found {
-        Layout::Hex => (Box::new(HexReader::new(bytes)), 0),
-        Layout::Tlog => (Box::new(bytes), TIME),
-        Layout::Raw | Layout::Auto => (Box::new(bytes), 0),
+        Layout::Hex => Stream::of_frames(Box::new(HexReader::new(bytes)), table),
+        Layout::Tlog => Stream::of_log(Box::new(bytes), table),
+        Layout::Raw | Layout::Auto => Stream::of_frames(Box::new(bytes), table),
     })
 }
 
