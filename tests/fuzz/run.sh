@@ -29,5 +29,5 @@ for target in "$@"; do
             set -- -max_len=2048 ;;
     esac
     cargo +nightly fuzz run --fuzz-dir . "$target" "$corpus" -- \
-        -artifact_prefix="$work/artifacts/$target/" -max_total_time="$seconds" -timeout=20 -rss_limit_mb=2048 -print_final_stats=1 "$@"
+        -artifact_prefix="$work/artifacts/$target/" -max_total_time="$seconds" -timeout=60 -rss_limit_mb=2048 -print_final_stats=1 "$@"
 done
