@@ -84,9 +84,7 @@ fn of_one(dialect: &Dialect) -> String {
         return format!("/// The `{}` dialect.", dialect.name);
     }
     let (name, type_name, module) = (&dialect.name, &dialect.type_name, module_name(&dialect.name));
-    format!(
-        "/// The `{name}` dialect: its messages, its enums, and [`{type_name}`]({module}::{type_name}) over all messages."
-    )
+    format!("/// The `{name}` dialect: its messages, its enums, and [`{module}::{type_name}`] over all messages.")
 }
 
 /// What stands over the module of several dialects.

@@ -134,7 +134,7 @@ pub mod esc;
 #[cfg(feature = "generate")]
 mavlink_wire::include_dialect!("autoquad");
 
-/// The `autoquad` dialect: its messages, its enums, and [`Autoquad`](autoquad::Autoquad) over all messages.
+/// The `autoquad` dialect: its messages, its enums, and [`autoquad::Autoquad`] over all messages.
 #[cfg(not(feature = "generate"))]
 #[rustfmt::skip]
 #[path = "generated/mod.rs"]
