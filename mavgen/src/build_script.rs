@@ -7,7 +7,7 @@ use crate::builder::{Builder, Failure, Resolved};
 use crate::diag::{Diagnostic, Diagnostics, Severity, Style, render};
 use crate::emit::MARK;
 use crate::ir::{Dialect, Union};
-use crate::names::module_name;
+use crate::names::dialect_module_name;
 use crate::output::{write, write_file};
 use crate::source::Sources;
 
@@ -53,7 +53,7 @@ impl Builder {
             Some(union) => (&union.all.name, of_several(union)),
             None => (&resolved.dialect.name, of_one(&resolved.dialect)),
         };
-        let module = module_name(name);
+        let module = dialect_module_name(name);
         let tree = self.out_dir.clone().unwrap_or_else(|| out.join(&module));
         write(&tree, &self.emit(resolved)?).map_err(Failure::Output)?;
         let entry_point = format!("{MARK}; do not edit.\n\n{docs}\n#[path = \"{module}/mod.rs\"]\npub mod {module};\n");
@@ -83,7 +83,7 @@ fn of_one(dialect: &Dialect) -> String {
     if dialect.messages.is_empty() {
         return format!("/// The `{}` dialect.", dialect.name);
     }
-    let (name, type_name, module) = (&dialect.name, &dialect.type_name, module_name(&dialect.name));
+    let (name, type_name, module) = (&dialect.name, &dialect.type_name, dialect_module_name(&dialect.name));
     format!("/// The `{name}` dialect: its messages, its enums, and [`{module}::{type_name}`] over all messages.")
 }
 

@@ -42,8 +42,22 @@ pub(crate) fn item_module_name(xml: &str) -> String {
 
 /// The name of the module of a dialect, and of its folder: `my-dialect` becomes `my_dialect`.
 ///
+/// The names of the modules in it take an underscore: one inside another of the same name confuses readers, and clippy.
+pub(crate) fn dialect_module_name(stem: &str) -> String {
+    let name = item_module_name(stem);
+    if name == "dialect" { name + "_" } else { name }
+}
+
+/// The name of the module of one of several dialects, in the tree of this name; that of the tree takes an underscore.
+pub(crate) fn root_module_name(stem: &str, tree: &str) -> String {
+    let name = dialect_module_name(stem);
+    if name == dialect_module_name(tree) { name + "_" } else { name }
+}
+
+/// A name as that of a module and its file.
+///
 /// Keywords and the names that Windows keeps for devices take an underscore.
-pub(crate) fn module_name(xml: &str) -> String {
+fn module_name(xml: &str) -> String {
     let name = xml.to_snake_case();
     if is_keyword(&name) || is_device(&name) { name + "_" } else { not_a_digit(name) }
 }
@@ -160,6 +174,17 @@ mod tests {
         ] {
             assert_eq!(item_module_name(xml), rust);
         }
+    }
+
+    #[test]
+    fn no_module_stands_in_one_of_its_own_name() {
+        for (stem, rust) in [("my-dialect.v2", "my_dialect_v2"), ("Messages", "messages_"), ("dialect", "dialect_")] {
+            assert_eq!(dialect_module_name(stem), rust);
+        }
+        assert_eq!(item_module_name("DIALECT"), "dialect", "that of a message is not beside that of the dialect");
+        let in_tree = |stem| root_module_name(stem, "dialects");
+        assert_eq!(["Dialects", "dialect", "wire"].map(in_tree), ["dialects_", "dialect_", "wire"]);
+        assert_eq!(root_module_name("dialects", "acme"), "dialects");
     }
 
     /// Every row: enum, entries of its own file, entry, constant.

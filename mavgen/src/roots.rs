@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use crate::diag::Diagnostics;
 use crate::ir::{Dialect, Union};
-use crate::names::{item_module_name, module_name};
+use crate::names::{dialect_module_name, root_module_name};
 use crate::read::Loaded;
 use crate::resolve::resolve;
 use crate::source::Sources;
@@ -16,13 +16,13 @@ pub(crate) const TREE: &str = "dialects";
 
 /// Why these files cannot be the dialects of one tree of this name, if they cannot.
 pub(crate) fn conflict(roots: &[PathBuf], tree: &str) -> Option<String> {
-    if roots.len() > 1 && syn::parse_str::<syn::Ident>(&module_name(tree)).is_err() {
+    if roots.len() > 1 && syn::parse_str::<syn::Ident>(&dialect_module_name(tree)).is_err() {
         return Some(format!("`{tree}` makes no Rust name for a module: use letters and digits"));
     }
     let mut modules: HashMap<String, &Path> = HashMap::new();
     for root in roots {
         let name = root.file_stem().unwrap_or_default().to_string_lossy();
-        let module = item_module_name(&name);
+        let module = root_module_name(&name, tree);
         let Some(first) = modules.insert(module.clone(), root) else { continue };
         let (first, second) = (first.display(), root.display());
         return Some(if first.to_string() == second.to_string() {

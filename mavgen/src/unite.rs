@@ -33,7 +33,7 @@ struct Class<T> {
 }
 
 /// Unites dialects into a tree of this name. The result is of no use if there was an error.
-pub(crate) fn unite(name: &str, parts: Vec<Part>, diagnostics: &mut Diagnostics) -> Union {
+pub(crate) fn unite(tree: &str, parts: Vec<Part>, diagnostics: &mut Diagnostics) -> Union {
     let (mut files, mut enums, mut messages) = (Files::default(), Enums::default(), Messages::default());
     let mut roots = Vec::with_capacity(parts.len());
     for (index, Part { mut dialect, sources }) in parts.into_iter().enumerate() {
@@ -43,13 +43,14 @@ pub(crate) fn unite(name: &str, parts: Vec<Part>, diagnostics: &mut Diagnostics)
         let Dialect { name, type_name, .. } = dialect;
         let mut enums: Vec<EnumId> = ids;
         enums.sort_unstable();
-        roots.push(Root { name, type_name, file, enums, messages });
+        let module = names::root_module_name(&name, tree);
+        roots.push(Root { name, module, type_name, file, enums, messages });
     }
     let enum_homes = homes::of_enums(&enums.list);
     let message_homes = homes::of_messages(&messages.list);
     let all = Dialect {
-        name: name.to_owned(),
-        type_name: names::dialect_type_name(name),
+        name: tree.to_owned(),
+        type_name: names::dialect_type_name(tree),
         version: 0,
         files: files.list,
         enums: enums.list.into_iter().map(|class| class.item).collect(),

@@ -174,6 +174,8 @@ macro_rules! dialect {
 }
 
 /// Brings a dialect in that a build script generated: `include_dialect!("acme")` gives the module `acme`.
+///
+/// A name that cannot be that of the module takes an underscore: `type.xml` is `type_`, and `messages.xml` is `messages_`.
 #[macro_export]
 macro_rules! include_dialect {
     ($name:literal) => {

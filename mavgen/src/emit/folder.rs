@@ -11,7 +11,6 @@
 
 use crate::emit::views;
 use crate::ir::{Dialect, Enum, Home, Message, Root, Union, View};
-use crate::names::item_module_name;
 
 /// A module with the modules `messages`, `enums` and `views`, as far as it has something for them.
 pub(crate) struct Folder<'a> {
@@ -83,7 +82,7 @@ impl<'a> Folder<'a> {
             file: "mod.rs".to_owned(),
             prefix: String::new(),
             sources: tops.join(", "),
-            roots: union.roots.iter().map(|root| item_module_name(&root.name)).collect(),
+            roots: union.roots.iter().map(|root| root.module.clone()).collect(),
             messages: messages.filter(|listed| listed.home == Home::Shared).collect(),
             enums: enums.filter(|listed| listed.home == Home::Shared).collect(),
             views: views.filter(|listed| listed.home == Home::Shared).collect(),
@@ -96,7 +95,7 @@ impl<'a> Folder<'a> {
     }
 
     fn of_root(union: &'a Union, at: usize, root: &'a Root) -> Self {
-        let module = item_module_name(&root.name);
+        let module = &root.module;
         let enums = root.enums.iter().filter_map(|&id| {
             Some(Listed { item: union.all.enum_by_id(id)?, home: union.enum_homes.get(id.0).copied()? })
         });

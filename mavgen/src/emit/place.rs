@@ -12,7 +12,6 @@ use quote::quote;
 use crate::emit::Context;
 use crate::emit::token::ident;
 use crate::ir::{EnumId, Home, Message};
-use crate::names::item_module_name;
 
 impl Context<'_> {
     /// The way from a file that stands `depth` modules below its folder to the folder `to`: `super::super::acme::`.
@@ -27,7 +26,7 @@ impl Context<'_> {
 
     /// The module of one of several dialects.
     pub(crate) fn root_module(&self, root: usize) -> Option<String> {
-        Some(item_module_name(&self.union?.roots.get(root)?.name))
+        Some(self.union?.roots.get(root)?.module.clone())
     }
 
     /// Where an enum is declared.

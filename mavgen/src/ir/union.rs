@@ -20,6 +20,8 @@ pub struct Union {
 pub struct Root {
     /// What it is called: `autoquad`.
     pub name: String,
+    /// The Rust module that it is: `autoquad`.
+    pub module: String,
     /// The Rust type that holds any message of it: `Autoquad`.
     pub type_name: String,
     /// Its top file, in the files of [`Union::all`].
