@@ -11,6 +11,12 @@ use crate::source::Span;
 /// The blanks of XML; Unicode has more.
 pub(super) const BLANKS: [char; 4] = [' ', '\t', '\r', '\n'];
 
+/// What to do about a character in what should be a name that looks like a blank, and is none to XML.
+pub(super) fn wrong_blank(name: &str) -> Option<String> {
+    let blank = name.chars().find(|letter| letter.is_whitespace())?;
+    Some(format!("write a plain blank for the character U+{:04X}, which only looks like one", u32::from(blank)))
+}
+
 /// Whether XML 1.0 allows a character in a document, even as a reference.
 fn is_legal(character: char) -> bool {
     !matches!(character, '\0'..='\x08' | '\x0b' | '\x0c' | '\x0e'..='\x1f' | '\u{fffe}' | '\u{ffff}')

@@ -192,6 +192,7 @@ impl<'t, 'd> Elements<'t, 'd> {
         let warning = warning.label("ignored, with all that is in it");
         self.diagnostics.push(match nearest(tag.name, grammar.children.iter().copied()) {
             Some(known) => warning.help(format!("did you mean `<{known}>`?")),
+            None if parent == "extensions" => warning.help("write `<extensions/>`, and the extension fields after it"),
             None => warning,
         });
     }

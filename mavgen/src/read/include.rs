@@ -204,7 +204,8 @@ impl Loader<'_> {
     fn resolve(&mut self, from: FileIndex, include: &Text, places: &[PathBuf]) -> Option<FileIndex> {
         if include.value.is_empty() {
             let message = "an include without a path";
-            self.diagnostics.push(Diagnostic::new(Code::MissingInclude, include.span, message));
+            let error = Diagnostic::new(Code::MissingInclude, include.span, message);
+            self.diagnostics.push(error.help("the path is its text: `<include>common.xml</include>`"));
             return None;
         }
         let level = self.found.get(from.0).map_or(0, |found| found.level + 1);

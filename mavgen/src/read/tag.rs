@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use quick_xml::events::attributes::{AttrError, Attributes};
 
-use super::characters::{self, expand, is_name};
+use super::characters::{self, expand, is_name, wrong_blank};
 use super::xml::Fault;
 use crate::diag::{Code, Diagnostic, Diagnostics, nearest};
 use crate::source::{FileId, Span, Spanned};
@@ -176,7 +176,12 @@ impl<'t> Source<'t> {
         let name_range = at..at + name.len();
         if !is_name(name) {
             let message = format!("`{name}` is not a name of an attribute");
-            return Err(self.wrong(Code::NotWellFormed, name_range, message).into());
+            let diagnostic = self.wrong(Code::NotWellFormed, name_range, message);
+            return Err(match wrong_blank(name) {
+                Some(help) => diagnostic.help(help),
+                None => diagnostic,
+            }
+            .into());
         }
         let start = self.offset_of(raw);
         if let Some(bracket) = raw.find('<') {

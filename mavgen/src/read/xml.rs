@@ -7,7 +7,7 @@ use std::ops::Range;
 use quick_xml::events::Event;
 use quick_xml::reader::Reader;
 
-use super::characters::{self, is_name};
+use super::characters::{self, is_name, wrong_blank};
 use super::fault::{self, Reason};
 use super::range::{first_line, trimmed};
 use super::tag;
@@ -162,7 +162,11 @@ impl<'t> Xml<'t> {
                 _ => format!("`{name}` is not a name of an element"),
             };
             let name_range = range.start..name_range.end;
-            let help = "write `&lt;` for a plain `<`";
+            let help = if name.starts_with("<<<<<<") {
+                "a merge left this marker: choose one of the versions that it separates".to_owned()
+            } else {
+                wrong_blank(name).unwrap_or_else(|| "write `&lt;` for a plain `<`".to_owned())
+            };
             return Err(self.not_well_formed(name_range, message).help(help).into());
         }
         self.root_seen = true;

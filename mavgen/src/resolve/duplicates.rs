@@ -8,10 +8,12 @@ use crate::read::Loaded;
 use crate::syntax::Message;
 
 /// Reports every message whose id or name an earlier one has, even if the rest of it is broken.
+///
+/// Included files come first: they were there before what includes them, and its author is who can mend it.
 pub(super) fn check(loaded: &Loaded, diagnostics: &mut Diagnostics) {
     let mut ids: HashMap<u64, &Message> = HashMap::new();
     let mut names: HashMap<&str, &Message> = HashMap::new();
-    for message in loaded.files.iter().flat_map(|file| &file.messages) {
+    for message in loaded.files.iter().rev().flat_map(|file| &file.messages) {
         let same_id = number::count(&message.id.value).and_then(|id| ids.insert(id, message));
         let same_name = names.insert(&message.name.value, message);
         match (same_id, same_name) {

@@ -26,6 +26,24 @@ const SPELLINGS: [(&str, Scalar); 11] = [
     ("double", Scalar::F64),
 ];
 
+/// Types of other languages, and what they are on the wire.
+const FOREIGN: [(&str, &str); 14] = [
+    ("bool", "uint8_t"),
+    ("byte", "uint8_t"),
+    ("int", "int32_t"),
+    ("string", "char"),
+    ("u8", "uint8_t"),
+    ("i8", "int8_t"),
+    ("u16", "uint16_t"),
+    ("i16", "int16_t"),
+    ("u32", "uint32_t"),
+    ("i32", "int32_t"),
+    ("u64", "uint64_t"),
+    ("i64", "int64_t"),
+    ("f32", "float"),
+    ("f64", "double"),
+];
+
 /// Reads a `type` attribute; `version` is that of the file, as known at this place.
 pub(super) fn resolve(text: &Text, version: u8, diagnostics: &mut Diagnostics) -> Option<FieldType> {
     let (element, brackets) = match text.value.split_once('[') {
@@ -74,8 +92,28 @@ fn scalar(name: &str, version: u8) -> Option<Scalar> {
 fn unknown(text: &Text, element: &str, diagnostics: &Diagnostics) -> Diagnostic {
     let message = format!("type `{element}` does not exist");
     let problem = Diagnostic::new(Code::UnknownType, text.span, message).label("no such type");
-    let problem = problem.help("types are char, int8_t to int64_t, uint8_t to uint64_t, float and double");
-    suggest(problem, element, SPELLINGS.iter().map(|(name, _)| *name).chain([VERSION]), diagnostics)
+    if let Some(meant) = meant(&text.value) {
+        return problem.help(format!("did you mean `{meant}`?"));
+    }
+    let help = "types are char, int8_t to int64_t, uint8_t to uint64_t, float and double; \
+                an enum is named by `enum`, beside an integer type";
+    suggest(problem.help(help), element, SPELLINGS.iter().map(|(name, _)| *name).chain([VERSION]), diagnostics)
+}
+
+/// What a type of another language is here, and an array whose brackets are not `[N]`.
+fn meant(text: &str) -> Option<String> {
+    let name_end = text.find(|c: char| c != '_' && !c.is_ascii_alphanumeric()).unwrap_or(text.len());
+    let (name, length) = text.split_at_checked(name_end)?;
+    let is_bracket = |c: char| " \t()<>{}[]".contains(c);
+    let length = length.trim_matches(is_bracket);
+    let known = SPELLINGS.iter().find(|(spelling, _)| *spelling == name).map(|&(spelling, _)| spelling);
+    let foreign = || FOREIGN.iter().find(|(foreign, _)| *foreign == name).map(|&(_, spelling)| spelling);
+    match (known.or_else(foreign)?, length) {
+        ("char", "") => Some("char[N]".to_owned()),
+        (meant, "") => Some(meant.to_owned()),
+        (meant, digits) if digits.bytes().all(|digit| digit.is_ascii_digit()) => Some(format!("{meant}[{digits}]")),
+        _ => None,
+    }
 }
 
 fn bad_length(text: &Text, label: &str) -> Box<Diagnostic> {
@@ -122,7 +160,12 @@ mod tests {
             ("Float", Code::UnknownType, Some("did you mean `float`?")),
             ("flaot[3]", Code::UnknownType, Some("did you mean `float`?")),
             ("array", Code::UnknownType, None),
-            ("uint8_t [4]", Code::UnknownType, Some("did you mean `uint8_t`?")),
+            ("uint8_t [4]", Code::UnknownType, Some("did you mean `uint8_t[4]`?")),
+            ("uint32_t(8)", Code::UnknownType, Some("did you mean `uint32_t[8]`?")),
+            ("uint32_t(eight)", Code::UnknownType, None),
+            ("u16[3]", Code::UnknownType, Some("did you mean `uint16_t[3]`?")),
+            ("bool", Code::UnknownType, Some("did you mean `uint8_t`?")),
+            ("string", Code::UnknownType, Some("did you mean `char[N]`?")),
             ("", Code::UnknownType, None),
             ("uint8_t[0]", Code::ArrayLength, Some("leave the brackets out for a scalar")),
             ("uint8_t[256]", Code::ArrayLength, None),

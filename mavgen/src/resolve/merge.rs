@@ -1,5 +1,6 @@
 //! Merging: one enum out of the definitions in all files, as pymavlink's `merge_enums` does it.
 
+use std::cmp::Reverse;
 use std::collections::HashMap;
 use std::collections::hash_map;
 
@@ -177,13 +178,15 @@ impl<'a> Merged<'a> {
     }
 }
 
-/// Reports automatic values, and names and values that stand twice. The entries are still in merge order, so that the second
-/// of two is the one that came later.
+/// Reports automatic values, and names and values that stand twice. The entries are still in merge order; of two in different
+/// files the second is that of the file that includes the other, because its author is who can mend it.
 fn check(merged: &Merged<'_>, diagnostics: &mut Diagnostics) {
     let exact = merged.is_exact();
     let mut names = HashMap::new();
     let mut values = HashMap::new();
-    for entry in &merged.entries {
+    let mut entries: Vec<_> = merged.entries.iter().collect();
+    entries.sort_by_key(|entry| Reverse(entry.file));
+    for entry in entries {
         let same_name = names.insert(entry.syntax.name.value.as_str(), entry);
         // A value that was guessed beside one that could not be read says nothing.
         let known = exact || !entry.auto;

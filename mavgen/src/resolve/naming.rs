@@ -126,7 +126,10 @@ pub(super) fn check_spelling(name: &Text, what: &str, diagnostics: &mut Diagnost
     if let Some(fault) = fault(&name.value) {
         let message = format!("`{}` cannot be the name of {what}", name.value);
         let problem = Diagnostic::new(Code::BadName, name.span, message).label(fault);
-        diagnostics.push(problem.help("names are letters, digits and underscores, a letter first"));
+        diagnostics.push(problem.help(match name.value.contains('[') {
+            true => "the length of an array belongs to its type, as in `uint8_t[4]`",
+            false => "names are letters, digits and underscores, a letter first",
+        }));
     }
 }
 

@@ -48,6 +48,10 @@ pub(super) fn similar(places: &[PathBuf]) -> Option<String> {
             .filter(|name| name.ends_with(".xml"))
             .collect();
         names.sort();
+        let with_extension = format!("{wanted}.xml");
+        if names.contains(&with_extension) {
+            return Some(with_extension);
+        }
         nearest(&wanted, names.iter().map(String::as_str)).map(str::to_owned)
     })
 }
