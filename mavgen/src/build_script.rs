@@ -1,7 +1,7 @@
 //! The build script: generates into `OUT_DIR` and tells cargo what it needs to know.
 
 use std::env;
-use std::path::{Path, PathBuf};
+use std::path::{Path, PathBuf, absolute};
 
 use crate::builder::{Builder, Failure, Resolved};
 use crate::diag::{Diagnostic, Diagnostics, Severity, Style, render};
@@ -54,9 +54,14 @@ impl Builder {
             None => (&resolved.dialect.name, of_one(&resolved.dialect)),
         };
         let module = dialect_module_name(name);
-        let tree = self.out_dir.clone().unwrap_or_else(|| out.join(&module));
+        let (tree, path) = match &self.out_dir {
+            // Relative paths are relative to the folder of the crate here, and to `OUT_DIR` in the file there.
+            Some(folder) => (folder.clone(), absolute(folder).unwrap_or_else(|_| folder.clone()).join("mod.rs")),
+            None => (out.join(&module), PathBuf::from(format!("{module}/mod.rs"))),
+        };
         write(&tree, &self.emit(resolved)?).map_err(Failure::Output)?;
-        let entry_point = format!("{MARK}; do not edit.\n\n{docs}\n#[path = \"{module}/mod.rs\"]\npub mod {module};\n");
+        let path = path.to_string_lossy();
+        let entry_point = format!("{MARK}; do not edit.\n\n{docs}\n#[path = {path:?}]\npub mod {module};\n");
         write_file(&out.join(format!("{module}.rs")), &entry_point).map_err(Failure::Output)?;
         Ok(())
     }

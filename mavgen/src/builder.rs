@@ -152,7 +152,7 @@ impl Builder {
         self
     }
 
-    /// Where [`Builder::generate`] writes. In a build script that is a folder in `OUT_DIR`, and need not be said.
+    /// Where [`Builder::generate`] writes. In a build script that need not be said: there it is a folder in `OUT_DIR`.
     #[must_use]
     pub fn out_dir(mut self, folder: impl Into<PathBuf>) -> Self {
         self.out_dir = Some(folder.into());

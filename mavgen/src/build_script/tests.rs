@@ -54,6 +54,16 @@ fn every_file_is_watched() {
 }
 
 #[test]
+fn the_tree_can_lie_elsewhere() {
+    let (folder, _) = build(ACME, BASE);
+    let (out, tree) = (folder.path().join("out"), folder.path().join("src/generated"));
+    Builder::new(folder.path().join("acme.xml")).out_dir(&tree).cargo_directives(Some(&out));
+    let entry = fs::read_to_string(out.join("acme.rs")).unwrap();
+    assert!(entry.contains(&format!("#[path = {:?}]\npub mod acme;", tree.join("mod.rs"))), "{entry}");
+    assert!(tree.join("mod.rs").exists());
+}
+
+#[test]
 fn a_mistake_is_an_error_with_its_place() {
     let (folder, said) = build(&ACME.replace("uint8_t", "uint9_t"), BASE);
     let errors = starting(&said, "cargo::error=");
