@@ -144,18 +144,23 @@ impl Format for Version {
     }
 }
 
+/// The header and the payload; without the payload if that is a [key](Frame::carries_key), as in `Debug`.
 impl Format for Frame<'_> {
     fn format(&self, f: Formatter<'_>) {
         write!(
             f,
-            "Frame {{ {}, sequence: {=u8}, system: {=u8}, component: {=u8}, id: {=u32}, payload: {=[u8]:02x} }}",
+            "Frame {{ {}, sequence: {=u8}, system: {=u8}, component: {=u8}, id: {=u32}, payload: ",
             self.version(),
             self.sequence(),
             self.system(),
             self.component(),
-            self.id(),
-            self.payload()
+            self.id()
         );
+        if self.carries_key() {
+            write!(f, "secret }}");
+        } else {
+            write!(f, "{=[u8]:02x} }}", self.payload());
+        }
     }
 }
 

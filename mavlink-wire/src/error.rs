@@ -43,6 +43,7 @@ impl Error for EncodeError {}
 /// A message was not sent over a link.
 #[cfg(any(feature = "embedded-io", feature = "embedded-io-async"))]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(::defmt::Format))]
 #[non_exhaustive]
 pub enum SendError<E> {
     /// The sender cannot carry the message.

@@ -75,7 +75,7 @@
 //!   ([`Frame::signature`]).
 //! - `serde`: messages, enums, flags, [`Chars`] and dialects serialize, without losing a bit, in text by names; the module
 //!   `serde` says how.
-//! - `defmt`: `Format` of the same, of frames and of errors. Written by the field tables, with the names of fields and
+//! - `defmt`: `Format` of the same, of frames, counters and errors. Written by the field tables, with the names of fields and
 //!   entries sent as text: a type that is never logged costs no flash.
 //! - `arbitrary`: `Arbitrary` of messages, enums, flags, [`Chars`] and dialects, for fuzzing: any payload decodes.
 //! - `bitflags`: `bitflags::Flags` of flags types, for code that works on any.

@@ -50,6 +50,7 @@ pub struct Losses<const N: usize = 16> {
 
 /// What one component sent, and what of it was lost.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(::defmt::Format))]
 #[non_exhaustive]
 pub struct Received {
     /// Id of the sending system.
@@ -70,6 +71,7 @@ pub struct Received {
 
 /// What the number of a frame tells.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(::defmt::Format))]
 #[non_exhaustive]
 pub enum Arrival {
     /// The first frame of this component.

@@ -4,6 +4,7 @@
 ///
 /// Frames that never arrived are not seen here: [`Losses`](crate::Losses) counts them by their numbers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(::defmt::Format))]
 #[non_exhaustive]
 pub struct Statistics {
     /// Frames handed over, the unverified ones among them.

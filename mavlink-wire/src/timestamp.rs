@@ -17,6 +17,7 @@ const UNIT_US: u64 = 10;
 /// assert_eq!(now, Timestamp::new(100_000));
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "defmt", derive(::defmt::Format))]
 pub struct Timestamp(u64);
 
 impl Timestamp {

@@ -6,7 +6,10 @@ use mavlink_autoquad::autoquad::{
 use mavlink_conformance::payload::Fill;
 use mavlink_conformance::random::Random;
 use mavlink_wire::reflect::Reflected;
-use mavlink_wire::{Chars, Dialect, EncodeError, Frame, FrameBuf, MAX_FRAME, MAX_PAYLOAD, Message, Sender};
+use mavlink_wire::signing::{Key, Setup, Verifier};
+use mavlink_wire::{
+    Chars, Dialect, EncodeError, Frame, FrameBuf, Losses, MAX_FRAME, MAX_PAYLOAD, Message, Parser, Sender, Timestamp,
+};
 
 /// What is sent for a value: indices of strings that stay in the program, and the rest.
 fn log(value: &impl defmt::Format) -> Vec<u8> {
@@ -95,4 +98,29 @@ fn frames_and_errors_are_logged() {
     assert!(has(&log(&frame), &expected), "{:?}", log(&frame));
     assert!(has(&log(&FrameBuf::from(frame)), &expected));
     assert!(has(&log(&EncodeError::IdTooLarge { id: 300 }), &[&300_u32.to_le_bytes()]));
+}
+
+#[test]
+fn a_key_is_logged_by_no_frame() {
+    let setup = Setup::new(1, 1, Key::new([0xA7; 32]), Timestamp::ZERO).unwrap();
+    let (mut sender, mut buffer) = (Sender::v2(255, 190), [0; MAX_FRAME]);
+    let frame = Frame::parse(sender.encode(&setup, &mut buffer).unwrap(), Autoquad::TABLE).unwrap();
+    for logged in [log(&frame), log(&FrameBuf::from(frame))] {
+        assert!(has(&logged, &[&[0, 255, 190], &256_u32.to_le_bytes()]));
+        assert!(!has(&logged, &[&[0xA7; 2]]), "{logged:?}");
+    }
+}
+
+#[test]
+fn what_a_link_tells_of_itself_is_logged() {
+    let (mut sender, mut buffer) = (Sender::v2(7, 8), [0; MAX_FRAME]);
+    let bytes = sender.encode(&Heartbeat::DEFAULT, &mut buffer).unwrap();
+    let (mut parser, mut losses) = (Parser::new(Autoquad::TABLE), Losses::<2>::new());
+    let frame = parser.next(&mut &bytes[..]).unwrap();
+    log(&losses.count(&frame));
+    assert!(has(&log(&losses.total()), &[&1_u64.to_le_bytes()]));
+    let refused = Verifier::new(Some(Key::new([1; 32]))).check_with(&frame, Timestamp::new(77), |_| false);
+    assert!(has(&log(&refused), &[&[0; 4]]));
+    assert!(has(&log(&Timestamp::new(77)), &[&77_u64.to_le_bytes()]));
+    assert!(has(&log(&parser.statistics()), &[&1_u64.to_le_bytes()]));
 }

@@ -7,6 +7,7 @@ use crate::Timestamp;
 
 /// A signature proves nothing, or a key would go to more than one component.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(::defmt::Format))]
 #[non_exhaustive]
 pub enum SigningError {
     /// The frame is not signed; MAVLink 1 never is.

@@ -10,6 +10,7 @@ const RADIO_STATUS: u32 = 109;
 
 /// Why a frame was accepted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(::defmt::Format))]
 pub enum Trust {
     /// A holder of the key made it, and it is new.
     Signed,
@@ -21,6 +22,7 @@ pub enum Trust {
 
 /// The frames of one component over one of its links, and the timestamp of the last one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(::defmt::Format))]
 pub struct Stream {
     /// Which of the sender's links.
     pub link_id: u8,
