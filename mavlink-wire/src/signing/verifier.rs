@@ -130,11 +130,13 @@ impl<const STREAMS: usize> Verifier<STREAMS> {
     /// [`SigningError::TooManyStreams`]: those that there is room for were restored.
     pub fn restore(&mut self, timestamp: Timestamp, streams: &[Stream]) -> Result<(), SigningError> {
         self.advance_time(timestamp);
-        for &stream in streams {
-            match self.find(&stream) {
-                Some(known) => known.timestamp = known.timestamp.max(stream.timestamp),
-                None => self.add(stream)?,
-            }
+        streams.iter().map(|&stream| self.restore_stream(stream)).fold(Ok(()), Result::and)
+    }
+
+    fn restore_stream(&mut self, stream: Stream) -> Result<(), SigningError> {
+        match self.find(&stream) {
+            Some(known) => known.timestamp = known.timestamp.max(stream.timestamp),
+            None => self.add(stream)?,
         }
         Ok(())
     }

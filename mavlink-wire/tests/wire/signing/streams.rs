@@ -105,4 +105,7 @@ fn restoring_sets_nothing_back() {
     assert_eq!((verifier.timestamp(), verifier.streams()), (at(1000), &[stream(3, 1, 1, 1000)][..]));
     assert_eq!(verifier.restore(at(2000), &[stream(3, 1, 1, 1500)]), Ok(()));
     assert_eq!((verifier.timestamp(), verifier.streams()), (at(2000), &[stream(3, 1, 1, 1500)][..]));
+    let behind_one_without_room = [stream(4, 1, 1, 900), stream(3, 1, 1, 1600)];
+    assert!(verifier.restore(at(2000), &behind_one_without_room).is_err());
+    assert_eq!(verifier.streams(), [stream(3, 1, 1, 1600)]);
 }
