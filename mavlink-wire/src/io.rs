@@ -37,6 +37,9 @@
 //! [`ErrorKind::WouldBlock`](std::io::ErrorKind::WouldBlock) and [`TimedOut`](std::io::ErrorKind::TimedOut) are handed on and
 //! lose nothing: read again later. A writer keeps what such a link does not take of a frame, and writes it first
 //! the next time, so that no frame is torn. [`Interrupted`](std::io::ErrorKind::Interrupted) is tried again at once.
+//!
+//! A timeout is that of the link, for the next byte. While bytes come that make no frame, as at a wrong baud rate, a reader
+//! goes on reading.
 
 mod reader;
 mod writer;

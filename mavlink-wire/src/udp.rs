@@ -36,6 +36,7 @@ mod peers;
 use std::boxed::Box;
 use std::io::{Error, ErrorKind, Result};
 use std::net::{SocketAddr, UdpSocket};
+use std::time::Instant;
 use std::vec;
 
 use crate::incoming::Incoming;
@@ -80,11 +81,14 @@ impl<'t> Endpoint<'t> {
 
     /// The next frame, and who sent it; waits for it as the socket does.
     ///
+    /// Datagrams without a frame do not make a timeout longer, but for what the last wait takes: at most twice the time.
+    ///
     /// # Errors
     ///
     /// What the socket says: a timeout or [`ErrorKind::WouldBlock`] where one was asked for. Interruptions are not among
     /// them, and neither is the news that a datagram of ours reached nobody (Windows gives that to the receiver).
     pub fn receive(&mut self) -> Result<(Frame<'_>, SocketAddr)> {
+        let mut began: Option<Instant> = None;
         loop {
             if let Some(from) = self.from {
                 if let Some(found) = self.incoming.find() {
@@ -96,6 +100,11 @@ impl<'t> Endpoint<'t> {
                 }
                 self.incoming.take_end();
                 self.from = None;
+            }
+            match began {
+                None => began = Some(Instant::now()),
+                Some(began) if has_timed_out(&self.socket, began)? => return Err(ErrorKind::TimedOut.into()),
+                Some(_) => {}
             }
             match self.socket.recv_from(self.incoming.space()) {
                 Ok((length, from)) => {
@@ -176,6 +185,11 @@ impl<'t> Endpoint<'t> {
 /// Whether to go on receiving as if nothing had happened.
 fn is_passing(kind: ErrorKind) -> bool {
     matches!(kind, ErrorKind::Interrupted | ErrorKind::ConnectionReset | ErrorKind::ConnectionRefused)
+}
+
+/// Whether this began longer ago than the socket is to wait.
+fn has_timed_out(socket: &UdpSocket, began: Instant) -> Result<bool> {
+    Ok(socket.read_timeout()?.is_some_and(|timeout| began.elapsed() >= timeout))
 }
 
 fn encode<'b>(

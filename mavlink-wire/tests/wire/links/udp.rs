@@ -2,6 +2,7 @@
 
 use std::io::ErrorKind;
 use std::net::{SocketAddr, UdpSocket};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use mavlink_wire::udp::Endpoint;
@@ -80,6 +81,30 @@ fn a_datagram_is_a_stream_of_its_own() {
     vehicle.send_to(&[&[0xFD, 200, 0][..], &bytes].concat(), address).unwrap();
     let received: Vec<_> = (0..5).map(|_| read(&station.receive().unwrap().0)).collect();
     assert_eq!(received, [sent(0..2), sent(0..3)].concat());
+}
+
+#[test]
+fn datagrams_without_a_frame_keep_nobody_waiting() {
+    let (mut station, address) = endpoint(255);
+    station.socket().set_read_timeout(Some(Duration::from_millis(50))).unwrap();
+    let heard = AtomicBool::new(false);
+    let error = std::thread::scope(|scope| {
+        scope.spawn(|| {
+            let stranger = socket();
+            for garbage in [&b"MAVLink?"[..], &[], &[0xFD]].into_iter().cycle().take(2000) {
+                if heard.load(Ordering::Relaxed) {
+                    return;
+                }
+                stranger.send_to(garbage, address).unwrap();
+                std::thread::sleep(Duration::from_millis(5));
+            }
+            stranger.send_to(&stream(Sender::v1(1, 1), 0..1), address).unwrap();
+        });
+        let error = station.receive().map(drop).unwrap_err();
+        heard.store(true, Ordering::Relaxed);
+        error.kind()
+    });
+    assert!(matches!(error, ErrorKind::TimedOut | ErrorKind::WouldBlock), "{error}");
 }
 
 #[test]
