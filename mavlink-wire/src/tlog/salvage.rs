@@ -31,14 +31,16 @@
 //! - behind it another such time, within a day of this one, and the start of a frame; or
 //! - a time within a day of the record before, and the end of the log.
 //!
+//! In the last two cases none of the first may start in it: its length is damaged then, and reaches over other records.
+//!
 //! Everything else is skipped, byte by byte. Frames of fewer than two bytes of payload are so short here that they have no
 //! length any more: they are skipped, too.
 
 use memchr::memchr;
 
 use super::{DAY_US, TIME};
+use crate::Table;
 use crate::header::STX_V1;
-use crate::{Table, get};
 
 /// Times that may be: the years 2012 to 2099.
 const YEARS_US: core::ops::Range<u64> = 1_325_376_000_000_000..4_102_444_800_000_000;
@@ -140,18 +142,39 @@ impl<'b> Iterator for Records<'b, '_> {
 impl<'b> Records<'b, '_> {
     /// Time and frame at this place, if it is to be believed.
     fn record(&self) -> Option<(u64, &'b [u8])> {
-        let (time_us, frame) = start(self.rest)?;
-        let length = usize::from(*frame.get(1)?);
-        let (frame, behind) = frame.split_at_checked(length + HEADER + 2 - MISSING)?;
-        let near = self.time_us.is_none_or(|before| before.abs_diff(time_us) <= DAY_US);
-        let known = || {
-            let info = self.table.get(get::<u8>(frame, 5).into());
-            frame.len() >= HEADER && info.is_some_and(|info| usize::from(info.len_v1) == length)
+        let (time_us, frame, behind) = split(self.rest)?;
+        let near = self.time_us.is_none_or(|before| is_near(before, time_us));
+        let stands = || match start(behind) {
+            Some((next_us, _)) => is_near(time_us, next_us),
+            None => near && behind.is_empty(),
         };
-        let followed = || start(behind).is_some_and(|(next_us, _)| next_us.abs_diff(time_us) <= DAY_US);
-        let believed = frame.len() >= 2 && (near && (known() || behind.is_empty()) || followed());
+        let believed = near && self.is_known(frame) || stands() && !self.carries_known(time_us, frame);
         believed.then_some((time_us, frame))
     }
+
+    /// Whether a frame is of a message of the table, and as long.
+    fn is_known(&self, frame: &[u8]) -> bool {
+        let (Some(&length), Some(&id)) = (frame.get(1), frame.get(HEADER - 1)) else { return false };
+        self.table.get(id.into()).is_some_and(|info| info.len_v1 == length)
+    }
+
+    /// Whether a known record starts inside of the record at this place.
+    fn carries_known(&self, time_us: u64, frame: &[u8]) -> bool {
+        let mut inside = (1..TIME + frame.len()).filter_map(|at| split(self.rest.get(at..)?));
+        inside.any(|(inner_us, inner, _)| is_near(time_us, inner_us) && self.is_known(inner))
+    }
+}
+
+fn is_near(time_us: u64, other_us: u64) -> bool {
+    time_us.abs_diff(other_us) <= DAY_US
+}
+
+/// The time at the start of these bytes, as much of the frame as was written, and what follows.
+fn split(bytes: &[u8]) -> Option<(u64, &[u8], &[u8])> {
+    let (time_us, frame) = start(bytes)?;
+    let written = (usize::from(*frame.get(1)?) + HEADER + 2).checked_sub(MISSING)?;
+    let (frame, behind) = frame.split_at_checked(written)?;
+    (frame.len() >= 2).then_some((time_us, frame, behind))
 }
 
 /// The time at the start of these bytes and what follows it, if it may be a time, and a frame may follow.

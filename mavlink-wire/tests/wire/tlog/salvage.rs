@@ -19,6 +19,9 @@ fn telemetry(number: u8) -> AqEscTelemetry {
     }
 }
 
+/// Bytes of a time.
+const TIME: usize = 8;
+
 /// A frame as QGroundControl wrote it: the time backwards, the frame without its last eight bytes.
 fn cut(second: u64, frame: &[u8]) -> Vec<u8> {
     [&(START_US + second * 1_000_000).to_le_bytes()[..], &frame[..frame.len() - 8]].concat()
@@ -85,6 +88,18 @@ fn garbage_between_records_is_counted() {
     let log = [&cut(0, &frame(0))[..], &garbage, &cut(1, &frame(1)), &garbage].concat();
     let skipped: Vec<usize> = records(&log, Small::TABLE).map(|record| record.skipped).collect();
     assert_eq!(skipped, [0, garbage.len()]);
+}
+
+#[test]
+fn a_damaged_length_takes_no_known_record_along() {
+    let mut log: Vec<u8> = (0..4).flat_map(|number| cut(number, &frame(number as u8))).collect();
+    let record = log.len() / 4;
+    // The first record reaches to the end of the second, of the third, of the log.
+    for records_long in 2..=4 {
+        log[TIME + 1] = (records_long * record - TIME) as u8;
+        let found: Vec<i64> = records(&log, Small::TABLE).map(|record| summary(&record).0).collect();
+        assert_eq!(found, [1, 2, 3]);
+    }
 }
 
 #[test]
