@@ -54,7 +54,7 @@ const MISSING: usize = 8;
 /// Reads such a log. The table says which messages there may be, and how long they are.
 #[must_use]
 pub const fn records<'b, 't>(log: &'b [u8], table: &'t Table<'t>) -> Records<'b, 't> {
-    Records { rest: log, table, time_us: None }
+    Records { rest: log, table, time_us: None, skipped: 0, skipped_before: 0 }
 }
 
 /// What is left of a message, not verified.
@@ -63,7 +63,7 @@ pub struct Record<'b> {
     /// When it was received: Unix time in µs, as the clock of the ground station had it.
     pub time_us: u64,
     /// Bytes between the record before and this one, which belong to none.
-    pub skipped: usize,
+    pub skipped: u64,
     frame: &'b [u8],
 }
 
@@ -74,6 +74,9 @@ pub struct Records<'b, 't> {
     table: &'t Table<'t>,
     /// Of the record before.
     time_us: Option<u64>,
+    /// Bytes skipped since the record before, and before it.
+    skipped: u64,
+    skipped_before: u64,
 }
 
 impl<'b> Record<'b> {
@@ -118,24 +121,34 @@ impl<'b> Iterator for Records<'b, '_> {
     type Item = Record<'b>;
 
     fn next(&mut self) -> Option<Record<'b>> {
-        let mut skipped = 0;
-        loop {
+        while !self.rest.is_empty() {
             // No time and start of a frame, no record.
-            let start = memchr(STX_V1, self.rest.get(TIME..)?);
-            let Some(start) = start else {
-                self.rest = &[];
-                return None;
-            };
-            skipped += start;
-            self.rest = self.rest.get(start..)?;
+            let others = self.rest.get(TIME..).unwrap_or_default();
+            self.skip(memchr(STX_V1, others).unwrap_or(self.rest.len()));
             if let Some((time_us, frame)) = self.record() {
                 self.rest = self.rest.get(TIME + frame.len()..).unwrap_or_default();
                 self.time_us = Some(time_us);
+                let skipped = core::mem::take(&mut self.skipped);
+                self.skipped_before += skipped;
                 return Some(Record { time_us, skipped, frame });
             }
-            skipped += 1;
-            self.rest = self.rest.get(1..)?;
+            self.skip(1);
         }
+        None
+    }
+}
+
+impl Records<'_, '_> {
+    /// Bytes so far that belong to no record.
+    #[must_use]
+    pub fn skipped_bytes(&self) -> u64 {
+        self.skipped_before + self.skipped
+    }
+
+    fn skip(&mut self, count: usize) {
+        let count = count.min(self.rest.len());
+        self.rest = self.rest.get(count..).unwrap_or_default();
+        self.skipped += count as u64;
     }
 }
 
