@@ -46,21 +46,26 @@ impl<B: AsRef<[u8]> + AsMut<[u8]>> Incoming<'_, B> {
 
     /// The next frame; `bad_checksum` is told the message of each frame that is counted as damaged.
     pub(crate) fn find_telling(&mut self, mut bad_checksum: impl FnMut(u32)) -> Option<Found> {
+        let found = self.next_telling(&mut bad_checksum);
+        if found.is_none() && self.ended { self.give_up_telling(bad_checksum) } else { found }
+    }
+
+    /// The next frame in what was read, and then in what waits for bytes that do not come.
+    pub(crate) fn finish(&mut self) -> Option<Found> {
+        self.next_telling(|_| ()).or_else(|| self.give_up_telling(|_| ()))
+    }
+
+    fn next_telling(&mut self, bad_checksum: impl FnMut(u32)) -> Option<Found> {
         let mut input = self.buffer.as_ref().get(self.start..self.end).unwrap_or_default();
         let all = input.as_ptr_range();
         let found =
             |frame: Frame<'_>| Found { outline: Outline::of(&frame), held: !all.contains(&frame.bytes().as_ptr()) };
-        let found = self.parser.next_telling(&mut input, &mut bad_checksum).map(found);
+        let found = self.parser.next_telling(&mut input, bad_checksum).map(found);
         self.start = self.end - input.len();
-        if found.is_none() && self.ended { self.finish_telling(bad_checksum) } else { found }
+        found
     }
 
-    /// The next frame in what waits for bytes that do not come.
-    pub(crate) fn finish(&mut self) -> Option<Found> {
-        self.finish_telling(|_| ())
-    }
-
-    fn finish_telling(&mut self, bad_checksum: impl FnMut(u32)) -> Option<Found> {
+    fn give_up_telling(&mut self, bad_checksum: impl FnMut(u32)) -> Option<Found> {
         self.parser.finish_telling(bad_checksum).map(|frame| Found { outline: Outline::of(&frame), held: true })
     }
 

@@ -54,8 +54,8 @@ impl<'t, R: Read> FrameReader<'t, R> {
         }
     }
 
-    /// Gives up the unfinished frame on a link that pauses, and searches what came behind it, until it gives `None`: see
-    /// [`Parser::finish`](crate::Parser::finish).
+    /// The frames that there are without reading more, for a link that pauses: call it until it gives `None`. An unfinished
+    /// frame is given up, and what came behind it is searched: see [`Parser::finish`](crate::Parser::finish).
     pub fn finish(&mut self) -> Option<Frame<'_>> {
         let found = self.incoming.finish()?;
         Some(self.incoming.frame(&found))

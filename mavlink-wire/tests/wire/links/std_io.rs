@@ -144,6 +144,16 @@ fn a_pausing_link_gives_up_what_does_not_come() {
 }
 
 #[test]
+fn what_was_read_comes_before_what_is_given_up() {
+    let bytes = [&stream(Sender::v1(1, 1), 0..3)[..], &[0xFD, 200, 0]].concat();
+    let mut reader = FrameReader::new(&bytes[..], Small::TABLE);
+    assert_eq!(reader.read().unwrap().map(|frame| read(&frame)), Some(sent(0..3)[0]));
+    let finished: Vec<_> = std::iter::from_fn(|| reader.finish().map(|frame| read(&frame))).collect();
+    assert_eq!(finished, sent(1..3));
+    assert_eq!(reader.statistics().skipped_bytes, 3);
+}
+
+#[test]
 fn a_refused_message_takes_no_number() {
     let steps = [Step::Take(3), Step::Fail(ErrorKind::WouldBlock), Step::Fail(ErrorKind::WouldBlock)];
     let mut writer = FrameWriter::new(Scripted::new(steps, &[]), Sender::v2(1, 1));
