@@ -44,6 +44,7 @@ pub struct FrameReader<'t, R, const N: usize = 64> {
 
 impl<'t, R> FrameReader<'t, R> {
     /// A reader of 64 bytes at once that verifies the messages of this table, and hands over others unverified.
+    #[must_use]
     pub const fn new(inner: R, table: &'t Table<'t>) -> Self {
         Self::with_buffer(inner, table)
     }
@@ -51,11 +52,13 @@ impl<'t, R> FrameReader<'t, R> {
 
 impl<'t, R, const N: usize> FrameReader<'t, R, N> {
     /// A reader of up to `N` bytes at once.
+    #[must_use]
     pub const fn with_buffer(inner: R, table: &'t Table<'t>) -> Self {
         Self { inner, incoming: Incoming::new(table) }
     }
 
     /// What was found so far, and what could not be read.
+    #[must_use]
     pub fn statistics(&self) -> Statistics {
         self.incoming.statistics()
     }
@@ -107,11 +110,13 @@ pub struct FrameWriter<W> {
 
 impl<W> FrameWriter<W> {
     /// A writer of what this sender makes.
+    #[must_use]
     pub const fn new(inner: W, sender: Sender) -> Self {
         Self { inner, outgoing: Outgoing::new(sender) }
     }
 
     /// Whether a part of the last frame is not written yet.
+    #[must_use]
     pub fn is_pending(&self) -> bool {
         !self.outgoing.pending().is_empty()
     }

@@ -37,23 +37,27 @@ pub struct EnumInfo {
 
 impl EnumInfo {
     /// The name in the XML of the entry with this value; the first, if there are two.
+    #[must_use]
     pub fn entry_name(&self, value: u64) -> Option<&'static str> {
         let at = self.entries.partition_point(|&(smaller, _)| smaller < value);
         self.entries.get(at).filter(|&&(found, _)| found == value).map(|&(_, name)| name)
     }
 
     /// The value of the entry with this name in the XML.
+    #[must_use]
     pub fn entry_value(&self, name: &str) -> Option<u64> {
         self.entries.iter().find(|(_, known)| *known == name).map(|&(value, _)| value)
     }
 
     /// The value as text: the name of its entry in the XML, or the number if there is none; for a bitmask `A | B | 0x40`,
     /// and `0` for no bits.
+    #[must_use]
     pub fn display(&self, value: u64) -> impl fmt::Display + use<'_> {
         Shown { info: self, value }
     }
 
     /// All bits that some entry has.
+    #[must_use]
     pub const fn all_bits(&self) -> u64 {
         let (mut bits, mut rest) = (0, self.entries);
         while let [(value, _), tail @ ..] = rest {

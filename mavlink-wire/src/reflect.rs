@@ -98,6 +98,7 @@ impl<'a> Reflected<'a> {
     }
 
     /// The fields in the order of the XML.
+    #[must_use]
     pub fn fields(&self) -> impl ExactSizeIterator<Item = Field<'a>> + Clone + use<'a> {
         let payload = self.payload;
         self.fields.iter().map(move |info| Field::new(info, payload))

@@ -24,11 +24,13 @@ pub struct Sender {
 
 impl Sender {
     /// A sender of MAVLink 1 frames: ids up to 255, no extension fields.
+    #[must_use]
     pub fn v1(system: impl Into<u8>, component: impl Into<u8>) -> Self {
         Self::new(Version::V1, system.into(), component.into())
     }
 
     /// A sender of MAVLink 2 frames.
+    #[must_use]
     pub fn v2(system: impl Into<u8>, component: impl Into<u8>) -> Self {
         Self::new(Version::V2, system.into(), component.into())
     }

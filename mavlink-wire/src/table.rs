@@ -68,6 +68,7 @@ impl<'t> Table<'t> {
     }
 
     /// The messages in the order they were given.
+    #[must_use]
     pub fn iter(&self) -> impl ExactSizeIterator<Item = &'t MessageInfo> + Clone + use<'t> {
         self.infos.iter().copied()
     }

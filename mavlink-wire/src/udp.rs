@@ -160,6 +160,7 @@ impl<'t> Endpoint<'t> {
     }
 
     /// Who was heard, the last one first.
+    #[must_use]
     pub fn peers(&self) -> impl ExactSizeIterator<Item = SocketAddr> {
         self.peers.iter()
     }

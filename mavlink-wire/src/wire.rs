@@ -20,6 +20,7 @@ pub trait Wire: Copy {
 
 /// Reads a value at an offset of a payload; bytes beyond the end read as zero.
 #[inline]
+#[must_use]
 pub fn get<T: Wire>(bytes: &[u8], offset: usize) -> T {
     T::read(bytes, offset)
 }
@@ -34,6 +35,7 @@ pub fn put<T: Wire>(bytes: &mut [u8], offset: usize, value: T) {
 ///
 /// MAVLink 2 drops trailing zeros, so a payload that is shorter than its message is nothing unusual.
 #[inline(never)]
+#[must_use]
 pub fn zero_extended<const N: usize>(payload: &[u8]) -> [u8; N] {
     let mut whole = [0; N];
     copy(payload, &mut whole);

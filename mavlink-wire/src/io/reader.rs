@@ -17,6 +17,7 @@ pub struct FrameReader<'t, R> {
 
 impl<'t, R: Read> FrameReader<'t, R> {
     /// A reader that verifies the messages of this table, and hands over others unverified.
+    #[must_use]
     pub const fn new(inner: R, table: &'t Table<'t>) -> Self {
         Self { inner, incoming: Incoming::new(table) }
     }
@@ -64,11 +65,13 @@ impl<'t, R: Read> FrameReader<'t, R> {
 
 impl<R> FrameReader<'_, R> {
     /// What was found so far, and what could not be read.
+    #[must_use]
     pub fn statistics(&self) -> Statistics {
         self.incoming.statistics()
     }
 
     /// What is read from.
+    #[must_use]
     pub fn get_ref(&self) -> &R {
         &self.inner
     }

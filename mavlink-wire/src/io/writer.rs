@@ -14,6 +14,7 @@ pub struct FrameWriter<W> {
 
 impl<W: Write> FrameWriter<W> {
     /// A writer of what this sender makes.
+    #[must_use]
     pub const fn new(inner: W, sender: Sender) -> Self {
         Self { inner, outgoing: Outgoing::new(sender) }
     }
@@ -77,6 +78,7 @@ impl<W: Write> FrameWriter<W> {
 
 impl<W> FrameWriter<W> {
     /// Whether a part of the last frame is not written yet.
+    #[must_use]
     pub fn is_pending(&self) -> bool {
         !self.outgoing.pending().is_empty()
     }
@@ -87,6 +89,7 @@ impl<W> FrameWriter<W> {
     }
 
     /// What is written to.
+    #[must_use]
     pub fn get_ref(&self) -> &W {
         &self.inner
     }

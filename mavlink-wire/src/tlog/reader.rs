@@ -24,6 +24,7 @@ pub struct Reader<'t, R> {
 
 impl<'t, R: Read> Reader<'t, R> {
     /// A reader that verifies the messages of this table, and hands over others unverified.
+    #[must_use]
     pub const fn new(inner: R, table: &'t Table<'t>) -> Self {
         Self { inner, scan: Scan::new(table), buffer: [0; CHUNK], start: 0, end: 0, ended: false }
     }
@@ -83,6 +84,7 @@ impl<'t, R: Read> Reader<'t, R> {
 
 impl<R> Reader<'_, R> {
     /// Bytes so far that belong to no entry.
+    #[must_use]
     pub fn skipped_bytes(&self) -> u64 {
         self.scan.skipped_bytes()
     }

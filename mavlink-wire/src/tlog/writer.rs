@@ -13,6 +13,7 @@ pub struct Writer<W> {
 
 impl<W: Write> Writer<W> {
     /// A writer to the start or the end of a log.
+    #[must_use]
     pub const fn new(inner: W) -> Self {
         Self { inner }
     }
