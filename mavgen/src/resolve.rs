@@ -52,6 +52,10 @@ pub(crate) use view::getters as view_methods;
 
 /// Resolves the files of a dialect; `None` if there was an error, here or in reading them, or if there is no file.
 pub fn resolve(loaded: &Loaded, sources: &Sources, diagnostics: &mut Diagnostics) -> Option<Dialect> {
+    if loaded.files.is_empty() {
+        diagnostics.arrange();
+        return None;
+    }
     let losses = Losses::behind(diagnostics);
     overlay::check_heads(loaded, sources, diagnostics);
     let mut enums = Enums::merge(loaded, &losses, diagnostics);

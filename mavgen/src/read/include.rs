@@ -38,7 +38,7 @@ pub struct Loaded {
 ///
 /// Include paths are relative to the file that names them; one that leads nowhere is looked for in `include_dirs`, in
 /// order. Paths are compared as absolute paths without `.` and `..`; symbolic links are not resolved. The order is that
-/// of pymavlink: breadth first. Then the `overlays` are read; one that was read before is not read again.
+/// of pymavlink: breadth first. Then the `overlays` are read; one that is named twice is read once.
 ///
 /// Problems go to `diagnostics`; a file that cannot be read is missing in the result.
 pub fn load(
@@ -68,7 +68,7 @@ pub fn load_all(
     for top in tops {
         all.push(load_top(top.as_ref(), include_dirs, &mut read, sources, diagnostics));
     }
-    overlays::load(overlays, &mut all, &read, sources, diagnostics);
+    overlays::load(overlays, &mut all, sources, diagnostics);
     all
 }
 

@@ -3,21 +3,14 @@
 use std::collections::HashSet;
 use std::path::PathBuf;
 
-use super::{Loaded, Read, bytes, paths};
+use super::{Loaded, bytes, paths};
 use crate::diag::{Code, Diagnostic, Diagnostics, nearest};
 use crate::source::Sources;
 use crate::syntax::{Overlay, Text};
 
-/// Reads the overlays at `paths`. They are watched with the first dialect; one that was read before, as an overlay or as a
-/// dialect file, is not read again.
-pub(super) fn load(
-    paths: &[PathBuf],
-    dialects: &mut [Loaded],
-    read: &Read,
-    sources: &mut Sources,
-    diagnostics: &mut Diagnostics,
-) {
-    let mut seen: HashSet<PathBuf> = read.keys().cloned().collect();
+/// Reads the overlays at `paths`, one that is named twice only once. They are watched with the first dialect.
+pub(super) fn load(paths: &[PathBuf], dialects: &mut [Loaded], sources: &mut Sources, diagnostics: &mut Diagnostics) {
+    let mut seen: HashSet<PathBuf> = HashSet::new();
     for path in paths {
         if !seen.insert(paths::absolute(path)) {
             continue;
