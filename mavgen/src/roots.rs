@@ -24,9 +24,11 @@ pub(crate) fn conflict(roots: &[PathBuf], tree: &str) -> Option<String> {
         let name = root.file_stem().unwrap_or_default().to_string_lossy();
         let module = root_module_name(&name, tree);
         let Some(first) = modules.insert(module.clone(), root) else { continue };
+        let same =
+            first == root || first.canonicalize().ok().is_some_and(|path| root.canonicalize().ok() == Some(path));
         let (first, second) = (first.display(), root.display());
-        return Some(if first.to_string() == second.to_string() {
-            format!("`{first}` is given twice: name each dialect once")
+        return Some(if same {
+            format!("`{second}` is given twice: name each dialect once")
         } else {
             format!("`{first}` and `{second}` would both be the module `{module}`: rename one of them")
         });

@@ -62,6 +62,7 @@ fn two_dialects_of_one_name_are_refused_in_one_line() {
             "error: `acme.xml` and `fork/ACME.xml` would both be the module `acme`: rename one of them\n",
         ),
         ("acme.xml", "error: `acme.xml` is given twice: name each dialect once\n"),
+        ("fork/../acme.xml", "error: `fork/../acme.xml` is given twice: name each dialect once\n"),
     ] {
         for command in [&["generate", "acme.xml", second, "--out", "out"][..], &["lint", "acme.xml", second]] {
             let refused = mavgen(folder.path(), command);
