@@ -132,7 +132,7 @@ fn changed<'t>(folder: &Path, files: impl IntoIterator<Item = (&'t Path, &'t str
 /// Compares `folder` with these files; writes nothing.
 ///
 /// # Errors
-/// If the folder cannot be read.
+/// If the folder, or one of the files in it, cannot be read.
 pub fn check(folder: &Path, files: &[GeneratedFile]) -> Result<Differences, OutputError> {
     let folder = named(folder);
     let stale = ours(folder)?.stale(files);
@@ -140,10 +140,11 @@ pub fn check(folder: &Path, files: &[GeneratedFile]) -> Result<Differences, Outp
         Differences { stale: stale.iter().map(|path| folder.join(path)).collect(), ..Differences::default() };
     for file in files {
         let path = folder.join(&file.path);
-        if !path.is_file() {
-            differences.missing.push(path);
-        } else if !is_current(&path, &file.text) {
-            differences.changed.push(path);
+        match fs::read(&path) {
+            Ok(bytes) if bytes == file.text.as_bytes() => {}
+            Ok(_) => differences.changed.push(path),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => differences.missing.push(path),
+            Err(error) => return Err(OutputError::new(&path, error)),
         }
     }
     Ok(differences)

@@ -142,10 +142,22 @@ impl<'f> Staged<'f> {
         for folder in missing.into_iter().rev() {
             let made = fs::create_dir(folder);
             let made = if folder.is_dir() { unless(io::ErrorKind::AlreadyExists, made) } else { made };
-            made.map_err(|error| OutputError::new(folder, error))?;
+            made.map_err(|error| self.not_made(folder, error))?;
             self.made.push(folder.to_owned());
         }
         Ok(())
+    }
+
+    /// Nobody has to know of the staging folder: that it cannot be made is said of the folder that it lies in.
+    fn not_made(&self, folder: &Path, error: io::Error) -> OutputError {
+        let named = if folder.starts_with(&self.staging) { self.folder } else { folder };
+        match error.kind() {
+            io::ErrorKind::AlreadyExists => {
+                let text = "there is something of that name that is no folder: move or delete it";
+                OutputError::new(named, io::Error::other(text))
+            }
+            _ => OutputError::new(named, error),
+        }
     }
 
     fn failed(&self, path: &Path, error: io::Error) -> OutputError {

@@ -49,6 +49,49 @@ fn definitions_that_are_no_text() {
     }
 }
 
+/// What is not there has nothing wrong in it.
+#[test]
+fn a_file_that_cannot_be_read_is_all_that_is_said() {
+    let folder = folder(ACME);
+    for command in ["lint", "dump"] {
+        assert_eq!(
+            stderr(&mavgen(folder.path(), &[command, "."])),
+            "error[M001]: `.` cannot be read: it is a folder\n\n"
+        );
+    }
+}
+
+#[test]
+fn a_definition_for_an_overlay() {
+    let folder = generated();
+    fs::write(folder.path().join("top.xml"), "<mavlink><include>acme.xml</include></mavlink>").unwrap();
+    for dialect in ["acme.xml", "top.xml"] {
+        let said = refused(folder.path(), &["generate", dialect, "--overlay", "acme.xml", "--out", "out"]);
+        assert_eq!(said, "error[M100]: the root element is `<mavlink>`");
+    }
+}
+
+#[test]
+fn what_is_in_the_way() {
+    let folder = generated();
+    let sprayer = folder.path().join("out/messages/sprayer.rs");
+    fs::remove_file(&sprayer).unwrap();
+    fs::create_dir(&sprayer).unwrap();
+    for command in ["generate", "check"] {
+        let said = refused(folder.path(), &[command, "acme.xml", "--out", "out"]);
+        assert!(
+            said.starts_with("error: out/messages/sprayer.rs: "),
+            "{command} must not say that it is missing: {said}"
+        );
+    }
+    #[cfg(unix)]
+    {
+        std::os::unix::fs::symlink("nowhere", folder.path().join("link")).unwrap();
+        let said = stderr(&mavgen(folder.path(), &["generate", "acme.xml", "--out", "link"]));
+        assert_eq!(said, "error: link: there is something of that name that is no folder: move or delete it\n");
+    }
+}
+
 #[test]
 fn folders_that_cannot_be_written() {
     let folder = generated();
