@@ -11,7 +11,7 @@ use mavgen::source::{Sources, Span};
 use serde_json::{Value, json};
 
 use super::input::{Reading, resolve};
-use super::report::{self, Report};
+use super::report::{self, Report, plural};
 
 /// Says what changed between two states of a dialect: on the wire, in its enums, in the generated Rust.
 ///
@@ -91,7 +91,7 @@ impl Diff {
                 }
                 let hidden = group == Group::Metadata && !self.all;
                 let (title, end) = (title(group, breaking), if hidden { " (--all lists them)" } else { ":" });
-                line(&mut text, format_args!("{title}, {}{end}", counted(listed.len())));
+                line(&mut text, format_args!("{title}, {}{end}", plural(listed.len(), "change")));
                 for change in listed.into_iter().filter(|_| !hidden) {
                     line(&mut text, format_args!("  {change}"));
                     line(&mut text, format_args!("    {}", places.of(change)));
@@ -135,10 +135,6 @@ fn title(group: Group, breaking: bool) -> &'static str {
         (Group::Api, false) => "new in Rust, and compatible",
         (Group::Metadata, _) => "neither on the wire nor in Rust",
     }
-}
-
-fn counted(count: usize) -> String {
-    if count == 1 { "1 change".to_owned() } else { format!("{count} changes") }
 }
 
 fn change_json(change: &Change, places: &Places<'_>) -> Value {

@@ -11,7 +11,7 @@ use mavgen::{Failure, Resolved};
 use serde_json::{Value, json};
 
 use super::input::{Input, resolve};
-use super::report::{self, Report};
+use super::report::{self, Report, plural};
 use view::Overlaid;
 
 /// Prints the resolved dialect: wire order, offsets, checksums, merged enums, packed bits.
@@ -119,7 +119,11 @@ fn text(dialect: &Dialect) -> String {
         let Message { id, name, crc_extra, len_v1, len_v2, .. } = message;
         line(
             &mut text,
-            format_args!("{id} {}: {len_v2} bytes ({len_v1} in MAVLink 1), crc_extra {crc_extra}", name.xml),
+            format_args!(
+                "{id} {}: {} ({len_v1} in MAVLink 1), crc_extra {crc_extra}",
+                name.xml,
+                plural(usize::from(*len_v2), "byte")
+            ),
         );
         for field in message.wire_order() {
             field_line(&mut text, dialect, field);

@@ -7,7 +7,7 @@ use clap::Args;
 use mavgen::Failure;
 
 use super::input::{Output, resolve};
-use super::report::Report;
+use super::report::{Report, plural};
 
 /// Writes Rust sources into a folder.
 ///
@@ -37,9 +37,9 @@ impl Generate {
         let (start, builder) = (Instant::now(), self.output.builder());
         let resolved = resolve(&builder, report)?;
         let done = builder.write(&resolved)?;
-        let (written, kept, removed) = (done.written, done.kept, done.removed);
+        let (written, kept, removed) = (plural(done.written, "file"), done.kept, done.removed);
         let (out, elapsed) = (self.output.out.display(), start.elapsed().as_millis());
-        report.note(&format!("{out}: {written} files written, {kept} kept, {removed} removed, in {elapsed} ms"));
+        report.note(&format!("{out}: {written} written, {kept} kept, {removed} removed, in {elapsed} ms"));
         Ok(ExitCode::SUCCESS)
     }
 }

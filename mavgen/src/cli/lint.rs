@@ -8,7 +8,7 @@ use mavgen::source::Sources;
 use mavgen::{Builder, Failure, Problems, Resolved};
 
 use super::input::Input;
-use super::report::Report;
+use super::report::{Report, plural};
 
 /// Says all that there is to say about a dialect, and no (exit status 1) if something is wrong with it.
 ///
@@ -68,10 +68,4 @@ impl Lint {
         }
         if errors > 0 || denied { ExitCode::from(1) } else { ExitCode::SUCCESS }
     }
-}
-
-/// `1 error`, `2 errors`.
-fn plural(count: usize, what: &str) -> String {
-    let s = if count == 1 { "" } else { "s" };
-    format!("{count} {what}{s}")
 }

@@ -95,3 +95,9 @@ fn printed(result: std::io::Result<()>) -> Result<(), Failure> {
         _ => Ok(()),
     }
 }
+
+/// `1 error`, `2 errors`.
+pub(super) fn plural(count: usize, what: &str) -> String {
+    let s = if count == 1 { "" } else { "s" };
+    format!("{count} {what}{s}")
+}

@@ -8,7 +8,7 @@ use mavgen::vendor::{Copy, Prose, Vendored, Written, vendor, write};
 use mavgen::{Builder, Failure};
 
 use super::input::concerning;
-use super::report::Report;
+use super::report::{Report, plural};
 
 /// Copies a dialect and its includes into one folder.
 ///
@@ -56,7 +56,7 @@ impl Vendor {
         let warnings = concerning(&Builder::new(&self.xml), &vendored.diagnostics, &vendored.sources);
         report.diagnostics(&warnings, &vendored.sources);
         let Written { written, kept, others } = write(&self.out, &vendored.files).map_err(Failure::Output)?;
-        report.note(&format!("{}: {written} files written, {kept} kept", self.out.display()));
+        report.note(&format!("{}: {} written, {kept} kept", self.out.display(), plural(written, "file")));
         for other in others {
             report.note(&format!("{}: left alone, not a file of this dialect", other.display()));
         }
