@@ -61,7 +61,7 @@ impl<'t> Parser<'t> {
     /// its end is kept until the next chunk comes.
     #[inline]
     pub fn next<'s, 'i: 's>(&'s mut self, input: &mut &'i [u8]) -> Option<Frame<'s>> {
-        self.next_telling(input, |_| ())
+        self.next_telling(input, &mut not_told)
     }
 
     /// The next frame; `bad_checksum` is told the message of each frame that is counted as damaged.
@@ -69,10 +69,10 @@ impl<'t> Parser<'t> {
     pub(crate) fn next_telling<'s, 'i: 's>(
         &'s mut self,
         input: &mut &'i [u8],
-        mut bad_checksum: impl FnMut(u32),
+        bad_checksum: &mut impl FnMut(u32),
     ) -> Option<Frame<'s>> {
         if !self.held.is_empty() {
-            if let Some((header, facts)) = self.resume(input, false, &mut bad_checksum) {
+            if let Some((header, facts)) = self.resume(input, false, bad_checksum) {
                 return Some(self.held_frame(header, facts));
             }
             if !self.held.is_empty() {
@@ -81,7 +81,7 @@ impl<'t> Parser<'t> {
         }
         loop {
             let bytes = *input;
-            match self.search.look(bytes, false, &mut bad_checksum) {
+            match self.search.look(bytes, false, bad_checksum) {
                 Sight::Frame(header, facts) => {
                     skip(input, header.frame_length());
                     return Some(Frame::with_facts(bytes, header, facts));
@@ -101,11 +101,11 @@ impl<'t> Parser<'t> {
     /// A damaged byte can look like the start of a long frame, which then waits for bytes that do not come. This gives it
     /// up and searches what was waiting with it. What comes afterwards is a new stream.
     pub fn finish(&mut self) -> Option<Frame<'_>> {
-        self.finish_telling(|_| ())
+        self.finish_telling(&mut not_told)
     }
 
     /// The frames behind an unfinished one; `bad_checksum` is told the message of each frame that is counted as damaged.
-    pub(crate) fn finish_telling(&mut self, bad_checksum: impl FnMut(u32)) -> Option<Frame<'_>> {
+    pub(crate) fn finish_telling(&mut self, bad_checksum: &mut impl FnMut(u32)) -> Option<Frame<'_>> {
         let found = self.resume(&mut &[][..], true, bad_checksum);
         if found.is_none() {
             self.search.restart();
@@ -137,7 +137,7 @@ impl<'t> Parser<'t> {
         &mut self,
         input: &mut &[u8],
         at_end: bool,
-        mut bad_checksum: impl FnMut(u32),
+        bad_checksum: &mut impl FnMut(u32),
     ) -> Option<(Header, Facts)> {
         if !at_end && self.held.length() + input.len() < self.needed {
             self.wait(self.needed, input);
@@ -145,7 +145,7 @@ impl<'t> Parser<'t> {
         }
         let mut borrowed = 0;
         while !self.held.is_empty() {
-            match self.search.look(self.held.with_borrowed(borrowed), at_end, &mut bad_checksum) {
+            match self.search.look(self.held.with_borrowed(borrowed), at_end, bad_checksum) {
                 Sight::Frame(header, facts) => {
                     self.held.release(header.frame_length(), input);
                     self.needed = 0;
@@ -173,6 +173,10 @@ impl<'t> Parser<'t> {
         self.needed = needed;
     }
 }
+
+/// For those who need not know of which message a bad checksum was. One function, because each closure would have a parser
+/// compiled for itself.
+pub(crate) fn not_told(_: u32) {}
 
 fn skip(input: &mut &[u8], count: usize) {
     *input = input.get(count..).unwrap_or_default();

@@ -3,6 +3,7 @@
 use std::io::{ErrorKind, Read, Result};
 
 use crate::incoming::Incoming;
+use crate::parser::not_told;
 use crate::{Frame, Statistics, Table};
 
 /// Bytes that are read at once.
@@ -30,7 +31,7 @@ impl<'t, R: Read> FrameReader<'t, R> {
     /// What `R` says, except for [`ErrorKind::Interrupted`]. Nothing is lost: read again if it was a timeout, or
     /// [`ErrorKind::WouldBlock`].
     pub fn read(&mut self) -> Result<Option<Frame<'_>>> {
-        self.read_telling(|_| ())
+        self.read_telling(not_told)
     }
 
     /// The next frame, as [`read`](Self::read) gives it. `bad_checksum` is told the message of each frame that

@@ -42,9 +42,10 @@ impl<'t> Search<'t> {
     }
 
     /// What there is at the start of these bytes. The next look is at the bytes behind that, or at more bytes if it was
-    /// unfinished. `at_end` says that there are no more. `bad_checksum` is told the message of a frame that is counted as damaged.
+    /// unfinished. `at_end` says that there are no more. `bad_checksum` is told the message of a frame that is counted as
+    /// damaged.
     #[inline]
-    pub(super) fn look(&mut self, bytes: &[u8], at_end: bool, bad_checksum: impl FnOnce(u32)) -> Sight {
+    pub(super) fn look(&mut self, bytes: &[u8], at_end: bool, bad_checksum: &mut impl FnMut(u32)) -> Sight {
         match Facts::of(bytes, self.table) {
             Ok((header, facts)) => {
                 if facts.verified {
@@ -78,7 +79,7 @@ impl<'t> Search<'t> {
 
     /// Passes over something that is no frame.
     #[inline(never)]
-    fn give_up(&mut self, bytes: &[u8], error: FrameError, bad_checksum: impl FnOnce(u32)) -> Sight {
+    fn give_up(&mut self, bytes: &[u8], error: FrameError, bad_checksum: &mut impl FnMut(u32)) -> Sight {
         match error {
             // The common case while searching: nothing was found out about the first byte but that it starts nothing.
             FrameError::NotStx { .. } => self.pass(memchr2(STX_V1, STX_V2, bytes).unwrap_or(bytes.len())),
