@@ -65,12 +65,15 @@ pub fn resolve(loaded: &Loaded, sources: &Sources, diagnostics: &mut Diagnostics
     reserved::check(loaded, diagnostics);
     let mut drafts = message::drafts(loaded, &versions, &losses, diagnostics);
     uses::check(loaded, &enums, diagnostics);
+    let lost = message::lost(loaded, &drafts);
+    uses::check_lost(&lost, &enums, diagnostics);
     let uses = uses::collect(&drafts, &enums, diagnostics);
     let carriers = overlay::resolve(loaded, &mut drafts, &enums, &losses, diagnostics);
     let widths = widths(loaded, &enums, &uses, &carriers, diagnostics);
     overlay::check_carriers(&carriers, &enums, &widths, diagnostics);
     uses::link(&mut drafts, &enums, &widths);
     invalid::link(&mut drafts, &enums, diagnostics);
+    invalid::check(&lost, &enums, diagnostics);
 
     let types = naming::types(loaded, &enums, diagnostics);
     naming::check(loaded, &enums, &widths, diagnostics);

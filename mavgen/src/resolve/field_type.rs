@@ -46,13 +46,8 @@ const FOREIGN: [(&str, &str); 14] = [
 
 /// Reads a `type` attribute; `version` is that of the file, as known at this place.
 pub(super) fn resolve(text: &Text, version: u8, diagnostics: &mut Diagnostics) -> Option<FieldType> {
-    let (element, brackets) = match text.value.split_once('[') {
-        Some((element, rest)) => (element, Some(rest)),
-        None => (text.value.as_str(), None),
-    };
-    // pymavlink knows `array[N]` from the days of MAVLink 0.9.
-    let plain = if element == "array" && brackets.is_some() { "int8_t" } else { element };
-    let Some(scalar) = scalar(plain, version) else {
+    let (element, brackets, scalar) = parts(&text.value, version);
+    let Some(scalar) = scalar else {
         let problem = unknown(text, element, diagnostics);
         diagnostics.push(problem);
         return None;
@@ -64,6 +59,25 @@ pub(super) fn resolve(text: &Text, version: u8, diagnostics: &mut Diagnostics) -
     }
     let array = brackets.map(|rest| length(text, scalar, rest)).transpose();
     array.map(|array| FieldType { scalar, array }).map_err(|problem| diagnostics.push(*problem)).ok()
+}
+
+/// The type that a `type` attribute names, if it names one; for what only looks at the type, and reports nothing of it.
+pub(super) fn named(text: &Text) -> Option<FieldType> {
+    let (_, brackets, scalar) = parts(&text.value, 0);
+    let scalar = scalar?;
+    let array = brackets.map(|rest| length(text, scalar, rest)).transpose().ok()?;
+    Some(FieldType { scalar, array })
+}
+
+/// What stands before the bracket, what follows it, and the type of an element.
+fn parts(text: &str, version: u8) -> (&str, Option<&str>, Option<Scalar>) {
+    let (element, brackets) = match text.split_once('[') {
+        Some((element, rest)) => (element, Some(rest)),
+        None => (text, None),
+    };
+    // pymavlink knows `array[N]` from the days of MAVLink 0.9.
+    let plain = if element == "array" && brackets.is_some() { "int8_t" } else { element };
+    (element, brackets, scalar(plain, version))
 }
 
 /// The length of an array of `scalar`; `rest` is what follows the bracket.

@@ -3,11 +3,11 @@
 use std::collections::HashMap;
 
 use super::merge::Enums;
-use super::message::Draft;
+use super::message::{Draft, Lost};
 use super::number;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{FieldType, Invalid, Scalar, Scope, Sentinel};
-use crate::syntax::Text;
+use crate::syntax::{self, Text};
 
 /// The limits that the attribute may name as C does.
 const LIMITS: [(&str, i128); 16] = [
@@ -50,10 +50,22 @@ pub(super) fn link(drafts: &mut [Draft<'_>], enums: &Enums<'_>, diagnostics: &mu
     let entries = Entries::of(enums);
     for draft in drafts {
         for (field, syntax) in draft.message.fields.iter_mut().zip(&draft.syntax.fields) {
-            let attribute = syntax.invalid.as_ref().filter(|text| !text.value.is_empty());
-            field.invalid = attribute.and_then(|text| resolve(text, field.ty, &entries, diagnostics));
+            field.invalid = attribute(syntax).and_then(|text| resolve(text, field.ty, &entries, diagnostics));
         }
     }
+}
+
+/// Checks the sentinels of fields whose messages cannot be read.
+pub(super) fn check(lost: &[Lost<'_>], enums: &Enums<'_>, diagnostics: &mut Diagnostics) {
+    let entries = Entries::of(enums);
+    for Lost { ty, syntax } in lost {
+        attribute(syntax).and_then(|text| resolve(text, *ty, &entries, diagnostics));
+    }
+}
+
+/// The `invalid` attribute; an empty one says nothing.
+fn attribute(field: &syntax::Field) -> Option<&Text> {
+    field.invalid.as_ref().filter(|text| !text.value.is_empty())
 }
 
 fn resolve(text: &Text, ty: FieldType, entries: &Entries<'_>, diagnostics: &mut Diagnostics) -> Option<Invalid> {

@@ -1,15 +1,16 @@
 //! Messages: their fields, lengths and checksum.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
+use std::ptr;
 
 use super::field::{self, Surroundings};
 use super::layout::{self, Lengths};
 use super::losses::Losses;
 use super::origin::Described;
 use super::version::Version;
-use super::{crc, naming, number};
+use super::{crc, field_type, naming, number};
 use crate::diag::{Code, Diagnostic, Diagnostics};
-use crate::ir::{self, Field, FileIndex, Scalar};
+use crate::ir::{self, Field, FieldType, FileIndex, Scalar};
 use crate::read::Loaded;
 use crate::syntax::{self, Message};
 
@@ -54,6 +55,23 @@ pub(super) fn drafts<'a>(
         }
     }
     drafts
+}
+
+/// A field of a message that cannot be read: what is wrong with the field itself is still worth a word.
+pub(super) struct Lost<'a> {
+    /// Its type.
+    pub(super) ty: FieldType,
+    /// Where it was written.
+    pub(super) syntax: &'a syntax::Field,
+}
+
+/// The fields of the messages that are no drafts, those whose type is one.
+pub(super) fn lost<'a>(loaded: &'a Loaded, drafts: &[Draft<'_>]) -> Vec<Lost<'a>> {
+    let drafted: HashSet<*const Message> = drafts.iter().map(|draft| ptr::from_ref(draft.syntax)).collect();
+    let messages = loaded.files.iter().flat_map(|file| &file.messages);
+    let lost = messages.filter(|&message| !drafted.contains(&ptr::from_ref(message)));
+    let fields = lost.flat_map(|message| &message.fields);
+    fields.filter_map(|syntax| Some(Lost { ty: field_type::named(&syntax.ty)?, syntax })).collect()
 }
 
 fn resolve(syntax: &Message, around: Surroundings, whole: bool, diagnostics: &mut Diagnostics) -> Option<ir::Message> {

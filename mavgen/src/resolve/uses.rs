@@ -1,7 +1,7 @@
 //! Uses: which fields carry which enum.
 
 use super::merge::Enums;
-use super::message::Draft;
+use super::message::{Draft, Lost};
 use super::suggest::suggest;
 use super::width::{self, Width};
 use crate::diag::{Code, Diagnostic, Diagnostics};
@@ -33,6 +33,16 @@ pub(super) fn check(loaded: &Loaded, enums: &Enums<'_>, diagnostics: &mut Diagno
             let Some(name) = named(field).filter(|name| enums.id(&name.value).is_none()) else { continue };
             let problem = suggest(unknown(message, field, name), &name.value, enums.names(), diagnostics);
             diagnostics.push(problem);
+        }
+    }
+}
+
+/// Reports fields that cannot carry their enums, in messages that cannot be read.
+pub(super) fn check_lost(lost: &[Lost<'_>], enums: &Enums<'_>, diagnostics: &mut Diagnostics) {
+    for Lost { ty, syntax } in lost {
+        let Some(name) = named(syntax).filter(|name| enums.id(&name.value).is_some()) else { continue };
+        if width::integer(ty.scalar).is_none() {
+            diagnostics.push(unsuitable(syntax, name));
         }
     }
 }
