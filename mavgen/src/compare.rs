@@ -24,8 +24,20 @@ mod tests;
 
 pub use change::{Change, Frame, Group, Kind};
 
+use crate::builder::Failure;
 use crate::ir::Dialect;
+use crate::select::Selection;
 use pairs::Pairs;
+
+/// Both states with only these messages and what they need, as [`Builder::messages`](crate::Builder::messages) cuts one.
+///
+/// # Errors
+/// [`Failure::Usage`] if a name means no message of either state: one that was added or removed is only in one of them.
+pub fn select(old: Dialect, new: Dialect, messages: &[String]) -> Result<(Dialect, Dialect), Failure> {
+    let selection = Selection::new(messages.iter().map(String::as_str)).map_err(Failure::Usage)?;
+    selection.check(&[&old, &new]).map_err(Failure::Usage)?;
+    Ok((selection.apply(old), selection.apply(new)))
+}
 
 /// The changes from `old` to `new`, group by group, in each by message or enum; nothing if they are the same but for their prose.
 ///

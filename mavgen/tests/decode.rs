@@ -222,6 +222,18 @@ fn csv_has_a_column_for_each_value_that_there_can_be() {
     );
 }
 
+/// It need not be named.
+#[test]
+fn the_one_message_of_a_dialect_is_a_table() {
+    let mut bench = Bench::new();
+    let (head, tail) = ACME.split_once("<message id=\"101\"").unwrap();
+    let (_, end) = tail.split_once("</message>").unwrap();
+    fs::write(bench.folder.path().join("one.xml"), format!("{head}{end}")).unwrap();
+    let stream = bench.sprayer();
+    let table = bench.decode(&["one.xml", "--format", "csv"], &stream);
+    assert_eq!((table.status.code(), String::from_utf8(table.stdout).unwrap().lines().count()), (Some(0), 2));
+}
+
 #[test]
 fn every_layout_is_recognised() {
     let mut bench = Bench::new();

@@ -86,7 +86,7 @@ impl Decode {
 
     /// The ids of the messages that were asked for; `None` for all.
     fn wanted(&self) -> Result<Option<Vec<u32>>, Failure> {
-        if !self.reading.selects() {
+        if self.reading.messages.is_none() {
             return Ok(None);
         }
         let chosen = self.reading.builder(&self.xml).resolve()?.dialect;
@@ -111,17 +111,10 @@ enum Style {
 
 impl<'d> Printer<'d> {
     fn new(format: Format, dialect: &'d Dialect, wanted: Option<Vec<u32>>) -> Result<Self, Failure> {
-        let style = match (format, wanted.as_deref()) {
-            (Format::Text, _) => Style::Text,
-            (Format::Json, _) => Style::Json,
-            (Format::Csv, Some(&[id])) => Style::Csv(
-                dialect.messages.iter().find(|message| message.id == id).map(Columns::of).unwrap_or_default(),
-            ),
-            (Format::Csv, ids) => {
-                let count = ids.map_or(dialect.messages.len(), <[u32]>::len);
-                let text = format!("a table has the columns of one message, not of {count}: name it with --messages");
-                return Err(Failure::Usage(text));
-            }
+        let style = match format {
+            Format::Text => Style::Text,
+            Format::Json => Style::Json,
+            Format::Csv => Style::Csv(columns(dialect, wanted.as_deref())?),
         };
         Ok(Self { dialect, tables: Tables::leak(dialect), wanted, style })
     }
@@ -152,6 +145,20 @@ impl<'d> Printer<'d> {
             Style::Text => text::message(received, &reflected, &contents),
             Style::Json => json::message(received, &reflected, &contents),
             Style::Csv(columns) => columns.row(received, &contents),
+        }
+    }
+}
+
+/// The columns of the one message that was asked for, or that there is.
+fn columns(dialect: &Dialect, wanted: Option<&[u32]>) -> Result<Columns, Failure> {
+    let is_wanted = |id| wanted.is_none_or(|wanted| wanted.contains(&id));
+    let mut messages = dialect.messages.iter().filter(|message| is_wanted(message.id));
+    match (messages.next(), messages.count()) {
+        (Some(message), 0) => Ok(Columns::of(message)),
+        (first, others) => {
+            let count = others + usize::from(first.is_some());
+            let text = format!("a table has the columns of one message, not of {count}: name it with --messages");
+            Err(Failure::Usage(text))
         }
     }
 }

@@ -6,7 +6,7 @@ use std::process::ExitCode;
 
 use clap::Args;
 use mavgen::Failure;
-use mavgen::compare::{Change, Group, compare};
+use mavgen::compare::{Change, Group, compare, select};
 use mavgen::source::{Sources, Span};
 use serde_json::{Value, json};
 
@@ -16,10 +16,11 @@ use super::report::{self, Report, plural};
 /// Says what changed between two states of a dialect: on the wire, in its enums, in the generated Rust.
 ///
 /// A change is breaking if what was built for the old state no longer works with the new one: a frame is refused or misread, a
-/// value means something else, Rust code no longer compiles. New messages, entries and constants break nothing. An extension at
+/// value of an enum means something else, Rust code no longer compiles. New messages, entries and constants break nothing. An extension at
 /// the end of a message breaks nothing on the wire, but it is a new field of a struct in Rust, and breaks its literals.
 ///
-/// Units, ranges, sentinels, stages of life and the like are counted, and listed with --all. Descriptions are not compared.
+/// Units, ranges, sentinels, stages of life and the like are counted, and listed with --all: no program notices a change of
+/// them by itself, so look at them. Descriptions are not compared.
 #[derive(Args)]
 #[command(after_help = AFTER_HELP)]
 pub(super) struct Diff {
@@ -61,8 +62,11 @@ impl Diff {
         if !self.old_overlay.is_empty() {
             before.overlay.clone_from(&self.old_overlay);
         }
-        let old = resolve(&before.builder(&self.old), report)?;
-        let new = resolve(&self.reading.builder(&self.new), report)?;
+        let mut old = resolve(&before.whole(&self.old), report)?;
+        let mut new = resolve(&self.reading.whole(&self.new), report)?;
+        if let Some(messages) = &self.reading.messages {
+            (old.dialect, new.dialect) = select(old.dialect, new.dialect, messages)?;
+        }
         let mut changes = compare(&old.dialect, &new.dialect);
         changes.retain(|change| self.asks_for(change.group()));
         let places = Places { old: &old.sources, new: &new.sources };

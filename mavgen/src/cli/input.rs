@@ -30,7 +30,7 @@ pub(super) struct Reading {
     pub(super) overlay: Vec<PathBuf>,
     /// Only these messages and what they need: names separated by commas; in a pattern, a star stands for any characters.
     #[arg(long, visible_alias = "message", value_name = "NAME,PREFIX_*", value_delimiter = ',')]
-    messages: Option<Vec<String>>,
+    pub(super) messages: Option<Vec<String>>,
     /// Warnings are errors: those about the XML file itself and its overlays, not about the files that they include.
     #[arg(long)]
     pub(super) deny_warnings: bool,
@@ -63,11 +63,6 @@ impl Reading {
         let builder = Builder::new(xml).deny_warnings(self.deny_warnings);
         let builder = self.include_dir.iter().fold(builder, |builder, folder| builder.include_dir(folder));
         self.overlay.iter().fold(builder, |builder, file| builder.overlay(file))
-    }
-
-    /// Whether some messages were chosen.
-    pub(super) fn selects(&self) -> bool {
-        self.messages.is_some()
     }
 }
 

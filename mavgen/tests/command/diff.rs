@@ -123,3 +123,18 @@ fn wrong_input_is_2() {
     assert_eq!(mavgen(folder.path(), &["diff", "acme.xml"]).status.code(), Some(2));
     assert_eq!(diff(folder.path(), &["--wire", "--api"]).status.code(), Some(2));
 }
+
+#[test]
+fn a_message_of_one_state_can_be_asked_for() {
+    let bell = "<message id=\"4712\" name=\"BELL\"><field type=\"uint8_t\" name=\"tone\"/></message></messages>";
+    let folder = states(&[("</messages>", bell), WIDER, ("UINT16_MAX", "UINT32_MAX")]);
+    let added = diff(folder.path(), &["--wire", "--messages", "BELL"]);
+    let said = stdout(&added);
+    assert_eq!(added.status.code(), Some(0), "{}", stderr(&added));
+    assert!(said.contains("message BELL is new") && !said.contains("SPRAYER"), "{said}");
+    let removed = mavgen(folder.path(), &["diff", "new.xml", "acme.xml", "--wire", "--messages", "BE*"]);
+    assert_eq!(removed.status.code(), Some(1), "{}", stderr(&removed));
+    let neither = diff(folder.path(), &["--messages", "BELLS"]);
+    let said = "error: no message of acme.xml, new.xml is called `BELLS` (did you mean `BELL`?)\n";
+    assert_eq!((neither.status.code(), &*stderr(&neither)), (Some(2), said));
+}
