@@ -1,5 +1,5 @@
 //! How messages are written by [serde](https://docs.rs/serde) (feature `serde`): everything that is serialized comes back
-//! as it was, to the bit.
+//! as it was, to the bit, where the format can.
 //!
 //! # Human readable formats (JSON, YAML, TOML, RON)
 //!
@@ -27,7 +27,8 @@
 //! # Other formats (postcard, bincode, MessagePack, CBOR)
 //!
 //! A message is a tuple of its fields in the order of the XML, an enum or flags value the number on the wire, a `char` array
-//! its bytes. A dialect's enum is a variant whose index is the message id, so that data survives new messages.
+//! its bytes. A dialect's enum is a variant whose index is the message id, so that data survives new messages; MessagePack and
+//! CBOR write the variant's name, which is the message's. CBOR by `ciborium` makes signalling NaNs of `float`s quiet.
 
 mod chars;
 mod dialect;
