@@ -17,6 +17,7 @@ mod rivals;
 mod token;
 mod view;
 
+use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
@@ -80,7 +81,8 @@ fn generate(context: &Context<'_>, folders: &[Folder<'_>]) -> Vec<GeneratedFile>
     let mut files: Vec<(usize, GeneratedFile)> = thread::scope(|scope| {
         let others: Vec<_> = (1..threads).map(|_| scope.spawn(work)).collect();
         let mut files = work();
-        files.extend(others.into_iter().filter_map(|other| other.join().ok()).flatten());
+        // A file must not be missing without a word.
+        files.extend(others.into_iter().flat_map(|other| other.join().unwrap_or_else(|panic| resume_unwind(panic))));
         files
     });
     files.sort_unstable_by_key(|(index, _)| *index);

@@ -94,9 +94,9 @@ fn index(text: &Text, diagnostics: &mut Diagnostics) -> Option<u8> {
 
 /// A number, or NaN. `COMMAND_INT` and `MISSION_ITEM_INT` carry the params 5 and 6 as integers, which are never NaN.
 fn default(index: u8, text: &Text, diagnostics: &mut Diagnostics) -> Option<f64> {
-    let value = number::float(&text.value);
+    let value = number::float(&text.value).filter(|value| !value.is_infinite());
     if value.is_none() {
-        let message = format!("default `{}` is neither a number nor NaN", text.value);
+        let message = format!("default `{}` is neither a finite number nor NaN", text.value);
         diagnostics.push(Diagnostic::new(Code::BadNumber, text.span, message));
     }
     if value.is_some_and(f64::is_nan) && INTEGER_PARAMS.contains(&index) {

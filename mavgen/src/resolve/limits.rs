@@ -18,11 +18,11 @@ pub(super) fn resolve(attributes: [Option<&Text>; 3], diagnostics: &mut Diagnost
     Limits { min, max, increment }
 }
 
-/// A number that is one: a range has no use for NaN.
+/// A number that is one: a range has no use for NaN, nor for an infinity, which Rust has no literal for.
 fn finite(text: &Text, diagnostics: &mut Diagnostics) -> Option<f64> {
-    let value = number::float(&text.value).filter(|value| !value.is_nan());
+    let value = number::float(&text.value).filter(|value| value.is_finite());
     if value.is_none() {
-        let message = format!("`{}` is not a number", text.value);
+        let message = format!("`{}` is not a finite number", text.value);
         diagnostics.push(Diagnostic::new(Code::BadNumber, text.span, message));
     }
     value
