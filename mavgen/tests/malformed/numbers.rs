@@ -29,7 +29,7 @@ pub(crate) const MUTATIONS: &[Mutation] = &[
     m("M109", "reserved false", "label=\"Pump\"", "label=\"Pump\" reserved=\"‸false\""),
     m("M318", "an empty range of a param", "minValue=\"0\"", "minValue=\"‸9\""),
     m("M318", "an empty range of a field", "maxValue=\"5\"", "maxValue=\"-7\""),
-    m("M318", "a range from infinity", "minValue=\"0\"", "minValue=\"‸inf\""),
+    m("M106", "a range from infinity", "minValue=\"0\"", "minValue=\"‸inf\""),
     m("M321", "a unit in capitals", "units=\"us\"", "units=\"‸US\""),
     m("M321", "a unit of Imperial measure", "units=\"m/s\"", "units=\"‸ft/s\""),
     m("M321", "a unit with a blank", "units=\"us\"", "units=\"‸us \""),
