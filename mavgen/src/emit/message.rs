@@ -97,6 +97,7 @@ fn documentation(context: &Context<'_>, message: &Message) -> Vec<String> {
     let file = context.dialect.file(message.origin.file).map_or("", |file| file.name.as_str());
     let Message { id, name, crc_extra, len_v1, len_v2, .. } = message;
     let length = match (len_v1 == len_v2, *id > 255) {
+        (true, _) if *len_v2 == 1 => "1 byte".to_owned(),
         (true, _) => format!("{len_v2} bytes"),
         (false, true) => format!("{len_v2} bytes, {len_v1} without extensions"),
         (false, false) => format!("{len_v2} bytes, {len_v1} in MAVLink 1"),

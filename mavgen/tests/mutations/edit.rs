@@ -21,7 +21,7 @@ pub(crate) enum Edit {
 }
 
 /// Values that are legal somewhere and wrong elsewhere.
-const VALUES: [&str; 24] = [
+const VALUES: [&str; 26] = [
     "",
     "0",
     "-1",
@@ -33,6 +33,8 @@ const VALUES: [&str; 24] = [
     "2**63",
     "0x",
     "NaN",
+    "-INF",
+    "1e999",
     "true",
     "type",
     "Self",

@@ -4,7 +4,7 @@ use ::mavlink_wire as wire;
 
 /// A counter that changes when the set of flight modes does.
 ///
-/// `AVAILABLE_MODES_MONITOR`, message 437 of `common.xml`: 1 bytes, CRC_EXTRA 30; MAVLink 2 only.
+/// `AVAILABLE_MODES_MONITOR`, message 437 of `common.xml`: 1 byte, CRC_EXTRA 30; MAVLink 2 only.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#AVAILABLE_MODES_MONITOR).
 ///
 /// | offset | field | type      | units |
