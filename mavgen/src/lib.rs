@@ -3,7 +3,8 @@
 //!
 //! # In a build script
 //!
-//! A dialect of one's own needs `mavlink-wire` as a dependency, `mavgen` as a build-dependency, and two lines:
+//! A dialect of one's own needs `mavlink-wire` as a dependency, `mavgen` as a build-dependency, and two lines. The default
+//! feature `cli` is the command, which a build script does without: `default-features = false`.
 //!
 //! ```no_run
 //! // in the `main` of build.rs
@@ -18,8 +19,7 @@
 //! # In a repository
 //!
 //! [`Builder::generate`] writes the same sources into a folder, and [`Builder::check`] says whether they are current, so
-//! that a test can. The `mavgen` command does both without a line of Rust: `cargo install mavgen --features cli`. It is
-//! behind that feature because a build script has no use for what it depends on.
+//! that a test can. The `mavgen` command does both without a line of Rust: `cargo install mavgen`.
 //!
 //! [`Builder::messages`] keeps a large dialect small: only the messages that a program speaks, and what they need.
 //!
