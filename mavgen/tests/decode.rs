@@ -252,6 +252,17 @@ fn every_layout_is_recognised() {
     assert_eq!(bench.printed(&["--input", "raw"], &log), expected, "times are skipped like noise");
 }
 
+/// Behind damage at the beginning of a log.
+#[test]
+fn a_time_that_nobody_knows_is_absent() {
+    let mut bench = Bench::new();
+    let log = [&[1; 9][..], &bench.sprayer()].concat();
+    let printed = |format: &str| bench.printed(&["--input", "tlog", "--format", format, "--message", "SPRAYER"], &log);
+    assert!(printed("text").starts_with("1/2 #0 SPRAYER {"));
+    assert_eq!(serde_json::from_str::<Value>(&printed("json")).unwrap()["time"], Value::Null);
+    assert!(printed("csv").lines().last().unwrap().starts_with(",1,2,0,SPRAY_STATE_ON,"));
+}
+
 #[test]
 fn what_cannot_be_read_is_counted() {
     let mut bench = Bench::new();

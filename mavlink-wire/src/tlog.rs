@@ -21,8 +21,9 @@
 //!
 //! let mut reader = Reader::new(&file[..], &TABLE);
 //! while let Some(entry) = reader.read()? {
-//!     println!("{} s: message {}", entry.time_us as f64 / 1e6, entry.frame.id());
-//! #   assert_eq!((entry.time_us, entry.frame), (1_700_000_000_000_000, frame));
+//!     let time = entry.time_us.map_or_else(|| "?".into(), |us| (us as f64 / 1e6).to_string());
+//!     println!("{time} s: message {}", entry.frame.id());
+//! #   assert_eq!((entry.time_us, entry.frame), (Some(1_700_000_000_000_000), frame));
 //! }
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -31,7 +32,8 @@
 //!
 //! Where there is no entry, readers go on with the next byte. A verified frame is found wherever it is, an unverified one only
 //! behind a plausible time: one that is within a day of the time before. Of a frame behind damage the time may be damaged
-//! as well; if it is not plausible, the time before is given. An entry that is cut off at the end is skipped.
+//! as well; if it is not plausible, the time before is given, or none where there is none before. An entry that is cut off at
+//! the end is skipped.
 //!
 //! A file of frames without times is no log: read it by a [`Parser`](crate::Parser).
 
@@ -63,8 +65,9 @@ pub const MAX_ENTRY: usize = TIME + MAX_FRAME;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Entry<'b> {
-    /// When it was received: Unix time in µs, as the clock of the ground station had it.
-    pub time_us: u64,
+    /// When it was received: Unix time in µs, as the clock of the ground station had it. `None` if that is not known, because
+    /// the log begins with damage.
+    pub time_us: Option<u64>,
     /// What was received.
     pub frame: Frame<'b>,
     /// Bytes between the entry before and this one, which belong to none.

@@ -24,7 +24,10 @@ fn main() -> io::Result<()> {
 fn print_log(input: impl Read) -> io::Result<()> {
     let mut reader = tlog::Reader::new(input, Autoquad::TABLE);
     while let Some(entry) = reader.read()? {
-        print!("{}.{:06} ", entry.time_us / 1_000_000, entry.time_us % 1_000_000);
+        match entry.time_us {
+            Some(us) => print!("{}.{:06} ", us / 1_000_000, us % 1_000_000),
+            None => print!("time unknown "),
+        }
         print(&entry.frame);
     }
     eprintln!("{} bytes belong to no entry", reader.skipped_bytes());

@@ -13,7 +13,7 @@ const CENTURY_US: core::ops::Range<u64> = 946_684_800_000_000..4_102_444_800_000
 #[derive(Clone, Debug)]
 pub(super) struct Scan<'t> {
     table: &'t Table<'t>,
-    /// Of the entry before.
+    /// Of the last entry that had one.
     time_us: Option<u64>,
     /// Bytes skipped since the entry before, and before it.
     skipped: u64,
@@ -33,6 +33,9 @@ pub(super) enum Sight<'b> {
     },
 }
 
+/// A frame that damage may have made.
+struct Unbelievable;
+
 impl<'t> Scan<'t> {
     pub(super) const fn new(table: &'t Table<'t>) -> Self {
         Self { table, time_us: None, skipped: 0, skipped_before: 0, damaged: 0 }
@@ -50,8 +53,8 @@ impl<'t> Scan<'t> {
         };
         match Frame::parse(rest, self.table) {
             Ok(frame) => match self.time_of(&frame, u64::from_be_bytes(*time)) {
-                Some(time_us) => Sight::Entry(self.take(frame, time_us)),
-                None => self.pass(1),
+                Ok(time_us) => Sight::Entry(self.take(frame, time_us)),
+                Err(Unbelievable) => self.pass(1),
             },
             Err(FrameError::Incomplete { .. }) if !at_end => Sight::Unfinished,
             Err(error) => {
@@ -68,24 +71,24 @@ impl<'t> Scan<'t> {
         }
     }
 
-    /// The time to believe of a frame with this time in front of it; `None` if the frame is not to be believed.
-    fn time_of(&self, frame: &Frame<'_>, time_us: u64) -> Option<u64> {
+    /// The time to believe of a frame with this time in front of it, if any, and if the frame is to be believed.
+    fn time_of(&self, frame: &Frame<'_>, time_us: u64) -> Result<Option<u64>, Unbelievable> {
         let plausible = match self.time_us {
             Some(before) => before.abs_diff(time_us) <= DAY_US,
             None => CENTURY_US.contains(&time_us),
         };
         match plausible || self.skipped == 0 {
-            true => Some(time_us),
-            false if frame.is_verified() => Some(self.time_us.unwrap_or(0)),
-            false => None,
+            true => Ok(Some(time_us)),
+            false if frame.is_verified() => Ok(self.time_us),
+            false => Err(Unbelievable),
         }
     }
 
-    fn take<'b>(&mut self, frame: Frame<'b>, time_us: u64) -> Entry<'b> {
+    fn take<'b>(&mut self, frame: Frame<'b>, time_us: Option<u64>) -> Entry<'b> {
         let skipped = core::mem::take(&mut self.skipped);
         self.skipped_before += skipped;
         self.damaged = 0;
-        self.time_us = Some(time_us);
+        self.time_us = time_us.or(self.time_us);
         Entry { time_us, frame, skipped }
     }
 

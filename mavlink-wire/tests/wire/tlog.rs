@@ -29,9 +29,13 @@ fn log(frames: &[Vec<u8>]) -> Vec<u8> {
     frames.iter().zip(0..).flat_map(|(frame, second)| entry(START_US + second * 1_000_000, frame)).collect()
 }
 
-/// Times since the beginning in seconds, and frames.
+fn times(log: &[u8]) -> Vec<Option<u64>> {
+    entries(log, Small::TABLE).map(|entry| entry.time_us).collect()
+}
+
+/// Times since the beginning in seconds, the least number for none, and frames.
 fn found(log: &[u8]) -> Vec<(i64, Vec<u8>)> {
-    let seconds = |time_us: u64| (time_us as i64 - START_US as i64) / 1_000_000;
+    let seconds = |time_us: Option<u64>| time_us.map_or(i64::MIN, |us| (us as i64 - START_US as i64) / 1_000_000);
     let found: Vec<_> =
         entries(log, Small::TABLE).map(|entry| (seconds(entry.time_us), entry.frame.bytes().to_vec())).collect();
     #[cfg(feature = "std")]
@@ -50,8 +54,7 @@ fn times_and_frames_come_back() {
 #[test]
 fn a_gap_of_years_between_entries_is_a_gap() {
     let log = [entry(0, &known(0)), entry(START_US, &unknown(&[1])), entry(7, &known(1))].concat();
-    let times: Vec<u64> = entries(&log, Small::TABLE).map(|entry| entry.time_us).collect();
-    assert_eq!(times, [0, START_US, 7]);
+    assert_eq!(times(&log), [0, START_US, 7].map(Some));
 }
 
 #[test]
@@ -76,7 +79,14 @@ fn behind_damage_the_time_before_stands_for_one_that_cannot_be() {
     log[third] ^= 0xFF;
     assert_eq!(found(&log), [(0, known(0)), (0, known(2))]);
     // Without one before, there is none.
-    assert_eq!(entries(&log[second..], Small::TABLE).map(|entry| entry.time_us).collect::<Vec<_>>(), [0]);
+    assert_eq!(times(&log[second..]), [None]);
+}
+
+#[test]
+fn a_frame_without_a_time_makes_those_behind_it_no_less_plausible() {
+    let damage = [1; 3];
+    let log = [&damage[..], &entry(7, &known(0)), &damage, &entry(START_US, &known(1)), &entry(7, &known(2))].concat();
+    assert_eq!(times(&log), [None, Some(START_US), Some(7)]);
 }
 
 #[test]
@@ -151,7 +161,7 @@ mod files {
         }
     }
 
-    pub(super) fn read(log: &[u8]) -> Vec<(u64, Vec<u8>)> {
+    pub(super) fn read(log: &[u8]) -> Vec<(Option<u64>, Vec<u8>)> {
         let (mut reader, mut found) = (Reader::new(Slow(log, 0), Small::TABLE), vec![]);
         while let Some(entry) = reader.read().unwrap() {
             found.push((entry.time_us, entry.frame.bytes().to_vec()));
@@ -174,7 +184,7 @@ mod files {
         file.rewind().unwrap();
         let (mut reader, mut found) = (Reader::new(&file, Small::TABLE), vec![]);
         while let Some(entry) = reader.read().unwrap() {
-            found.push((entry.time_us - START_US, entry.frame.bytes().to_vec()));
+            found.push((entry.time_us.unwrap() - START_US, entry.frame.bytes().to_vec()));
         }
         assert_eq!(found, (0..).zip(frames).collect::<Vec<_>>());
     }

@@ -2,7 +2,7 @@
 //!
 //! | key | |
 //! |---|---|
-//! | `time` | RFC 3339 in UTC, or null where the input has no times |
+//! | `time` | RFC 3339 in UTC, or null where the input has none |
 //! | `version` | of MAVLink: 1 or 2 |
 //! | `system`, `component`, `sequence`, `id` | of the frame |
 //! | `signed` | whether the frame carries a signature; it is not checked |

@@ -9,7 +9,7 @@ use mavlink_wire::tlog::Entry;
 /// 9999-12-31T23:59:59.999999Z, the last time that RFC 3339 can write, in microseconds.
 const LAST: u64 = 253_402_300_799_999_999;
 
-/// A frame, and when it was received.
+/// A frame, and when it was received, where that is known.
 #[derive(Clone, Copy)]
 pub(super) struct Received<'a> {
     pub(super) time: Option<Time>,
@@ -18,7 +18,7 @@ pub(super) struct Received<'a> {
 
 impl<'a> From<Entry<'a>> for Received<'a> {
     fn from(entry: Entry<'a>) -> Self {
-        Self { time: Some(Time(entry.time_us)), frame: entry.frame }
+        Self { time: entry.time_us.map(Time), frame: entry.frame }
     }
 }
 
