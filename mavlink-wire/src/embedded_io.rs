@@ -26,11 +26,17 @@
 //!     Ok(())
 //! }
 //! ```
+//!
+//! # Timeouts
+//!
+//! [`ErrorKind::TimedOut`] is handed on and loses nothing: read again later. A writer keeps what the link did not take of a
+//! frame, and writes it first the next time, so that no frame is torn. [`ErrorKind::Interrupted`] is tried again at once.
 
-use ::embedded_io::{Read, Write};
+use ::embedded_io::{Error, ErrorKind, Read, Write};
 
 use crate::incoming::Incoming;
 use crate::outgoing::Outgoing;
+use crate::parser::not_told;
 use crate::{Encode, Frame, Sender, Statistics, Table};
 
 pub use crate::error::SendError;
@@ -66,8 +72,20 @@ impl<'t, R, const N: usize> FrameReader<'t, R, N> {
     /// The frames that there are without reading more, for a link that pauses: call it until it gives `None`. An unfinished
     /// frame is given up, and what came behind it is searched: see [`Parser::finish`](crate::Parser::finish).
     pub fn finish(&mut self) -> Option<Frame<'_>> {
-        let found = self.incoming.finish()?;
+        self.finish_telling(not_told)
+    }
+
+    /// The frames that there are without reading more, as [`finish`](Self::finish) gives them. `bad_checksum` is told the
+    /// message of each frame that [`Statistics::bad_checksums`] counts.
+    pub fn finish_telling(&mut self, mut bad_checksum: impl FnMut(u32)) -> Option<Frame<'_>> {
+        let found = self.incoming.finish_telling(&mut bad_checksum)?;
         Some(self.incoming.frame(&found))
+    }
+
+    /// What is read from.
+    #[must_use]
+    pub const fn get_ref(&self) -> &R {
+        &self.inner
     }
 
     /// What is read from. Bytes that are taken out of it are missing here.
@@ -86,17 +104,30 @@ impl<R: Read, const N: usize> FrameReader<'_, R, N> {
     ///
     /// # Errors
     ///
-    /// What `R` says. Nothing is lost: read again.
+    /// What `R` says, except for [`ErrorKind::Interrupted`]. Nothing is lost: read again if it was a timeout.
     pub fn read(&mut self) -> Result<Option<Frame<'_>>, R::Error> {
+        self.read_telling(not_told)
+    }
+
+    /// The next frame, as [`read`](Self::read) gives it. `bad_checksum` is told the message of each frame that
+    /// [`Statistics::bad_checksums`] counts: if it is often the same one, both sides define it otherwise.
+    ///
+    /// # Errors
+    ///
+    /// As [`read`](Self::read).
+    pub fn read_telling(&mut self, mut bad_checksum: impl FnMut(u32)) -> Result<Option<Frame<'_>>, R::Error> {
         loop {
-            if let Some(found) = self.incoming.find() {
+            if let Some(found) = self.incoming.find_telling(&mut bad_checksum) {
                 return Ok(Some(self.incoming.frame(&found)));
             }
             if self.incoming.take_end() {
                 return Ok(None);
             }
-            let count = self.inner.read(self.incoming.space())?;
-            self.incoming.fill(count, count == 0);
+            match self.inner.read(self.incoming.space()) {
+                Ok(count) => self.incoming.fill(count, count == 0),
+                Err(error) if error.kind() == ErrorKind::Interrupted => {}
+                Err(error) => return Err(error),
+            }
         }
     }
 }
@@ -126,6 +157,12 @@ impl<W> FrameWriter<W> {
         &mut self.outgoing.sender
     }
 
+    /// What is written to.
+    #[must_use]
+    pub const fn get_ref(&self) -> &W {
+        &self.inner
+    }
+
     /// What is written to. What else is written to it must not come between the parts of a frame.
     pub fn get_mut(&mut self) -> &mut W {
         &mut self.inner
@@ -138,16 +175,19 @@ impl<W> FrameWriter<W> {
 }
 
 impl<W: Write> FrameWriter<W> {
-    /// Sends a message. It may still lie in a buffer of `W`: see [`flush`](Self::flush).
+    /// Sends a message. It may still lie in a buffer of `W`: see [`flush`](Self::flush). If the link takes only a part of the
+    /// frame before a timeout, the rest is kept and goes out before the next one.
     ///
     /// # Errors
     ///
-    /// The sender cannot carry the message, or the link has failed. What it did not take of a frame is kept, and goes
-    /// out before the next one.
+    /// - [`SendError::Encode`]: the sender cannot carry the message.
+    /// - [`SendError::Link`] with [`ErrorKind::TimedOut`]: the link has not yet taken the frame before. This one was not sent,
+    ///   and has no number: send it again.
+    /// - What else `W` says: the link has failed in the middle of a frame. What is left of it is kept.
     pub fn send(&mut self, message: &(impl Encode + ?Sized)) -> Result<(), SendError<W::Error>> {
         self.write_pending()?;
         self.outgoing.encode(message).map_err(SendError::Encode)?;
-        self.write_pending()
+        self.try_write_pending()
     }
 
     /// Sends a received frame as it came, to the byte. One that is to have a number, or a signature, of this link is made by
@@ -159,24 +199,34 @@ impl<W: Write> FrameWriter<W> {
     pub fn forward(&mut self, frame: &Frame<'_>) -> Result<(), SendError<W::Error>> {
         self.write_pending()?;
         self.outgoing.forward(frame).map_err(SendError::Encode)?;
-        self.write_pending()
+        self.try_write_pending()
     }
 
     /// Writes what is left of the last frame, and waits until `W` has sent everything.
     ///
     /// # Errors
     ///
-    /// The link has failed.
+    /// The link has failed, or has not taken everything in its time.
     pub fn flush(&mut self) -> Result<(), SendError<W::Error>> {
         self.write_pending()?;
         self.inner.flush().map_err(SendError::Link)
     }
 
+    /// Writes what is left of the last frame. A link that takes no more for now is no error: the rest is kept.
+    fn try_write_pending(&mut self) -> Result<(), SendError<W::Error>> {
+        match self.write_pending() {
+            Err(SendError::Link(error)) if error.kind() == ErrorKind::TimedOut => Ok(()),
+            result => result,
+        }
+    }
+
     fn write_pending(&mut self) -> Result<(), SendError<W::Error>> {
         while !self.outgoing.pending().is_empty() {
-            match self.inner.write(self.outgoing.pending()).map_err(SendError::Link)? {
-                0 => return Err(SendError::NothingTaken),
-                count => self.outgoing.advance(count),
+            match self.inner.write(self.outgoing.pending()) {
+                Ok(0) => return Err(SendError::NothingTaken),
+                Ok(count) => self.outgoing.advance(count),
+                Err(error) if error.kind() == ErrorKind::Interrupted => {}
+                Err(error) => return Err(SendError::Link(error)),
             }
         }
         Ok(())

@@ -1,7 +1,6 @@
 //! What the readers share: a parser, and the bytes that it has still to see.
 
 use crate::frame::Outline;
-use crate::parser::not_told;
 use crate::{Frame, Parser, Statistics, Table};
 
 /// A parser and its input, in a buffer `B`.
@@ -40,20 +39,16 @@ impl<'t, B> Incoming<'t, B> {
 }
 
 impl<B: AsRef<[u8]> + AsMut<[u8]>> Incoming<'_, B> {
-    /// The next frame in what was read; `None` when more has to be read, or nothing comes any more.
-    pub(crate) fn find(&mut self) -> Option<Found> {
-        self.find_telling(&mut not_told)
-    }
-
-    /// The next frame; `bad_checksum` is told the message of each frame that is counted as damaged.
+    /// The next frame in what was read; `None` when more has to be read, or nothing comes any more. `bad_checksum` is
+    /// told the message of each frame that is counted as damaged.
     pub(crate) fn find_telling(&mut self, bad_checksum: &mut impl FnMut(u32)) -> Option<Found> {
         let found = self.next_telling(bad_checksum);
         if found.is_none() && self.ended { self.give_up_telling(bad_checksum) } else { found }
     }
 
     /// The next frame in what was read, and then in what waits for bytes that do not come.
-    pub(crate) fn finish(&mut self) -> Option<Found> {
-        self.next_telling(&mut not_told).or_else(|| self.give_up_telling(&mut not_told))
+    pub(crate) fn finish_telling(&mut self, bad_checksum: &mut impl FnMut(u32)) -> Option<Found> {
+        self.next_telling(bad_checksum).or_else(|| self.give_up_telling(bad_checksum))
     }
 
     fn next_telling(&mut self, bad_checksum: &mut impl FnMut(u32)) -> Option<Found> {

@@ -35,11 +35,13 @@
 //! # }
 //! ```
 
+use core::fmt;
 use std::io::{Error, ErrorKind, Result};
 
 use bytes::{Buf, BufMut, BytesMut};
 use tokio_util::codec::{Decoder, Encoder};
 
+use crate::parser::not_told;
 use crate::{Encode, EncodeError, FrameBuf, MAX_FRAME, Parser, Sender, Statistics, Table};
 
 /// Frames out of bytes, messages and frames into bytes.
@@ -47,17 +49,27 @@ use crate::{Encode, EncodeError, FrameBuf, MAX_FRAME, Parser, Sender, Statistics
 /// Frames come as [`FrameBuf`], which own their bytes. Sent are references to messages, dialect enums or
 /// `dyn Encode`, which get the numbers of the codec's [`Sender`], and `FrameBuf`, which go as they came. Damage is no error: what
 /// was skipped is in [`statistics`](Self::statistics).
-#[derive(Clone, Debug)]
-pub struct Codec<'t> {
+#[derive(Clone)]
+pub struct Codec<'t, F = fn(u32)> {
     parser: Parser<'t>,
     sender: Sender,
+    bad_checksum: F,
 }
 
 impl<'t> Codec<'t> {
     /// A codec that verifies the messages of this table, and sends what this sender makes.
     #[must_use]
     pub const fn new(table: &'t Table<'t>, sender: Sender) -> Self {
-        Self { parser: Parser::new(table), sender }
+        Self { parser: Parser::new(table), sender, bad_checksum: not_told }
+    }
+}
+
+impl<'t, F> Codec<'t, F> {
+    /// The same codec, which tells `bad_checksum` the message of each frame that [`Statistics::bad_checksums`] counts: if it
+    /// is often the same one, both sides define it otherwise.
+    #[must_use]
+    pub fn telling<G: FnMut(u32)>(self, bad_checksum: G) -> Codec<'t, G> {
+        Codec { parser: self.parser, sender: self.sender, bad_checksum }
     }
 
     /// What was found so far, and what could not be read.
@@ -72,13 +84,19 @@ impl<'t> Codec<'t> {
     }
 }
 
-impl Decoder for Codec<'_> {
+impl<F> fmt::Debug for Codec<'_, F> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Codec").field("parser", &self.parser).field("sender", &self.sender).finish_non_exhaustive()
+    }
+}
+
+impl<F: FnMut(u32)> Decoder for Codec<'_, F> {
     type Item = FrameBuf;
     type Error = Error;
 
     fn decode(&mut self, bytes: &mut BytesMut) -> Result<Option<FrameBuf>> {
         let mut input = &bytes[..];
-        let frame = self.parser.next(&mut input).map(FrameBuf::from);
+        let frame = self.parser.next_telling(&mut input, &mut self.bad_checksum).map(FrameBuf::from);
         let left = input.len();
         bytes.advance(bytes.len() - left);
         Ok(frame)
@@ -86,11 +104,11 @@ impl Decoder for Codec<'_> {
 
     fn decode_eof(&mut self, bytes: &mut BytesMut) -> Result<Option<FrameBuf>> {
         let frame = self.decode(bytes)?;
-        Ok(frame.or_else(|| self.parser.finish().map(FrameBuf::from)))
+        Ok(frame.or_else(|| self.parser.finish_telling(&mut self.bad_checksum).map(FrameBuf::from)))
     }
 }
 
-impl<M: Encode + ?Sized> Encoder<&M> for Codec<'_> {
+impl<M: Encode + ?Sized, F> Encoder<&M> for Codec<'_, F> {
     type Error = Error;
 
     /// An error of kind [`ErrorKind::InvalidInput`] around an [`EncodeError`]: the sender cannot carry
@@ -103,7 +121,7 @@ impl<M: Encode + ?Sized> Encoder<&M> for Codec<'_> {
     }
 }
 
-impl Encoder<FrameBuf> for Codec<'_> {
+impl<F> Encoder<FrameBuf> for Codec<'_, F> {
     type Error = Error;
 
     /// The same, where the frame carries a [key](crate::Frame::carries_key).

@@ -40,6 +40,7 @@ use std::time::Instant;
 use std::vec;
 
 use crate::incoming::Incoming;
+use crate::parser::not_told;
 use crate::{Encode, EncodeError, Frame, MAX_FRAME, Sender, Statistics, Table};
 use peers::Peers;
 
@@ -88,10 +89,20 @@ impl<'t> Endpoint<'t> {
     /// What the socket says: a timeout or [`ErrorKind::WouldBlock`] where one was asked for. Interruptions are not among
     /// them, and neither is the news that a datagram of ours reached nobody (Windows gives that to the receiver).
     pub fn receive(&mut self) -> Result<(Frame<'_>, SocketAddr)> {
+        self.receive_telling(not_told)
+    }
+
+    /// The next frame, as [`receive`](Self::receive) gives it. `bad_checksum` is told the message of each frame that
+    /// [`Statistics::bad_checksums`] counts: if it is often the same one, both sides define it otherwise.
+    ///
+    /// # Errors
+    ///
+    /// As [`receive`](Self::receive).
+    pub fn receive_telling(&mut self, mut bad_checksum: impl FnMut(u32)) -> Result<(Frame<'_>, SocketAddr)> {
         let mut began: Option<Instant> = None;
         loop {
             if let Some(from) = self.from {
-                if let Some(found) = self.incoming.find() {
+                if let Some(found) = self.incoming.find_telling(&mut bad_checksum) {
                     let frame = self.incoming.frame(&found);
                     if frame.is_verified() {
                         self.peers.hear(from);

@@ -59,7 +59,13 @@ impl<'t, R: Read> FrameReader<'t, R> {
     /// The frames that there are without reading more, for a link that pauses: call it until it gives `None`. An unfinished
     /// frame is given up, and what came behind it is searched: see [`Parser::finish`](crate::Parser::finish).
     pub fn finish(&mut self) -> Option<Frame<'_>> {
-        let found = self.incoming.finish()?;
+        self.finish_telling(not_told)
+    }
+
+    /// The frames that there are without reading more, as [`finish`](Self::finish) gives them. `bad_checksum` is told the
+    /// message of each frame that [`Statistics::bad_checksums`] counts.
+    pub fn finish_telling(&mut self, mut bad_checksum: impl FnMut(u32)) -> Option<Frame<'_>> {
+        let found = self.incoming.finish_telling(&mut bad_checksum)?;
         Some(self.incoming.frame(&found))
     }
 }

@@ -2,6 +2,7 @@
 
 mod scripted;
 mod std_io;
+mod telling;
 mod udp;
 
 #[cfg(feature = "embedded-io")]

@@ -3,8 +3,6 @@
 use mavlink_wire::{Dialect, Message, Parser, Sender, Statistics};
 use proptest::prelude::*;
 
-#[cfg(feature = "std")]
-use crate::small::AqEscTelemetry;
 use crate::small::{Heartbeat, Small};
 use crate::streams::pieces::{Piece, encoded, pieces};
 use crate::streams::reference::scanned;
@@ -38,31 +36,6 @@ fn damaged_frames_in_a_row_count_each() {
     let mut damaged = encoded(Sender::v1(1, 1), 0, &Heartbeat::DEFAULT.into());
     damaged[7] ^= 1;
     assert_eq!(counted([&damaged.repeat(3)[..]]).bad_checksums, 3);
-}
-
-/// Which messages readers are told of, by a link and by a log of the same frames.
-#[cfg(feature = "std")]
-#[test]
-fn readers_tell_the_message_of_each_damaged_frame() {
-    use mavlink_wire::{io::FrameReader, tlog};
-
-    let telemetry = |number| encoded(Sender::v2(1, 1), number, &AqEscTelemetry::DEFAULT.into());
-    let beat = |number| encoded(Sender::v1(1, 1), number, &Heartbeat::DEFAULT.into());
-    let mut frames = [telemetry(0), beat(1), beat(2), telemetry(3), beat(4), telemetry(5)];
-    for damaged in [1, 2, 3, 5] {
-        // What looks like a start in a damaged frame is not told.
-        frames[damaged][10..13].copy_from_slice(&[0xFE, 1, 1]);
-    }
-    let (stream, mut told) = (frames.concat(), vec![]);
-    let mut reader = FrameReader::new(&stream[..], Small::TABLE);
-    while reader.read_telling(|id| told.push(id)).unwrap().is_some() {}
-    assert_eq!(told, [0, 0, 152, 152]);
-    assert_eq!(reader.statistics().bad_checksums, 4);
-    let log: Vec<u8> =
-        frames.iter().flat_map(|frame| [&1_700_000_000_000_000_u64.to_be_bytes()[..], frame].concat()).collect();
-    let (mut reader, mut told_of_log) = (tlog::Reader::new(&log[..], Small::TABLE), vec![]);
-    while reader.read_telling(|id| told_of_log.push(id)).unwrap().is_some() {}
-    assert_eq!(told_of_log, told);
 }
 
 proptest! {

@@ -1,5 +1,6 @@
 //! `embedded-io`.
 
+use std::io::ErrorKind;
 use std::net::{Shutdown, TcpListener, TcpStream};
 use std::thread;
 
@@ -45,7 +46,7 @@ fn an_unfinished_frame_is_given_up_at_the_end_or_when_asked() {
     assert_eq!(reader.read().unwrap().map(|frame| read(&frame)), sent(0..1).pop());
     assert_eq!(reader.read().unwrap(), None);
 
-    let steps = [Step::Take(1000), Step::Fail(std::io::ErrorKind::TimedOut)];
+    let steps = [Step::Take(1000), Step::Fail(ErrorKind::TimedOut)];
     let link = FromStd::new(Scripted::new(steps, &bytes));
     let mut reader = FrameReader::<_, 200>::with_buffer(link, Small::TABLE);
     assert!(reader.read().is_err());
@@ -54,12 +55,43 @@ fn an_unfinished_frame_is_given_up_at_the_end_or_when_asked() {
 
 #[test]
 fn what_the_link_did_not_take_goes_out_before_the_next_frame() {
-    let steps = [Step::Take(4), Step::Fail(std::io::ErrorKind::BrokenPipe)];
+    let steps = [Step::Take(4), Step::Fail(ErrorKind::BrokenPipe)];
     let mut writer = FrameWriter::new(FromStd::new(Scripted::new(steps, &[])), Sender::v2(1, 1));
     assert!(matches!(writer.send(&message(0)), Err(SendError::Link(_))));
     assert!(writer.is_pending());
     writer.send(&message(1)).unwrap();
     assert_eq!(writer.into_inner().into_inner().output, stream(Sender::v2(1, 1), 0..2));
+}
+
+#[test]
+fn interruptions_are_tried_again_and_other_errors_lose_nothing() {
+    let bytes = stream(Sender::v2(1, 1), 0..2);
+    let steps = [Step::Fail(ErrorKind::Interrupted), Step::Take(5), Step::Fail(ErrorKind::BrokenPipe)];
+    let mut reader = FrameReader::new(FromStd::new(Scripted::new(steps, &bytes)), Small::TABLE);
+    assert_eq!(reader.read().unwrap_err().kind(), ErrorKind::BrokenPipe);
+    for expected in sent(0..2) {
+        assert_eq!(reader.read().unwrap().map(|frame| read(&frame)), Some(expected));
+    }
+    assert_eq!(reader.read().unwrap(), None);
+    reader.get_mut().inner_mut().input.extend(&bytes);
+    assert_eq!(reader.read().unwrap().map(|frame| read(&frame)), sent(0..1).pop(), "it has grown");
+
+    let steps = [Step::Fail(ErrorKind::Interrupted), Step::Take(5), Step::Fail(ErrorKind::Interrupted)];
+    let mut writer = FrameWriter::new(FromStd::new(Scripted::new(steps, &[])), Sender::v2(1, 1));
+    writer.send(&message(0)).unwrap();
+    writer.send(&message(1)).unwrap();
+    assert_eq!(writer.into_inner().into_inner().output, bytes);
+}
+
+#[test]
+fn a_message_refused_by_a_timeout_takes_no_number() {
+    let steps = [Step::Take(3), Step::Fail(ErrorKind::TimedOut), Step::Fail(ErrorKind::TimedOut)];
+    let mut writer = FrameWriter::new(FromStd::new(Scripted::new(steps, &[])), Sender::v2(1, 1));
+    writer.send(&message(0)).unwrap();
+    assert!(writer.is_pending());
+    assert!(matches!(writer.send(&message(1)), Err(SendError::Link(error)) if error.kind() == ErrorKind::TimedOut));
+    writer.send(&message(1)).unwrap();
+    assert_eq!(writer.get_ref().inner().output, stream(Sender::v2(1, 1), 0..2));
 }
 
 /// A link that takes nothing, against the rules.

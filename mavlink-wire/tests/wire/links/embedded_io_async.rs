@@ -1,5 +1,7 @@
 //! `embedded-io-async`.
 
+use std::io::{ErrorKind, Read, Write};
+
 use embedded_io_adapters::tokio_1::FromTokio;
 use futures_util::FutureExt;
 use mavlink_wire::embedded_io_async::{FrameReader, FrameWriter, SendError};
@@ -7,6 +9,7 @@ use mavlink_wire::{Dialect, Sender};
 use tokio::io::duplex;
 use tokio::net::{TcpListener, TcpStream};
 
+use super::scripted::{Scripted, Step};
 use super::{TooLarge, message, read, sent, stream};
 use crate::small::Small;
 
@@ -66,6 +69,82 @@ async fn a_dropped_future_loses_no_byte() {
     for expected in sent(0..2) {
         assert_eq!(read(&reader.read().await.unwrap().unwrap()), expected);
     }
+}
+
+/// The adapter of a link that does what it is told.
+struct Told(Scripted);
+
+impl embedded_io_async::ErrorType for Told {
+    type Error = std::io::Error;
+}
+
+impl embedded_io_async::Read for Told {
+    async fn read(&mut self, buffer: &mut [u8]) -> std::io::Result<usize> {
+        self.0.read(buffer)
+    }
+}
+
+impl embedded_io_async::Write for Told {
+    async fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        self.0.write(bytes)
+    }
+
+    async fn flush(&mut self) -> std::io::Result<()> {
+        Ok(())
+    }
+}
+
+#[tokio::test]
+async fn interruptions_are_tried_again_and_other_errors_lose_nothing() {
+    let bytes = stream(Sender::v2(1, 1), 0..2);
+    let steps = [Step::Fail(ErrorKind::Interrupted), Step::Take(5), Step::Fail(ErrorKind::BrokenPipe)];
+    let mut reader = FrameReader::new(Told(Scripted::new(steps, &bytes)), Small::TABLE);
+    assert_eq!(reader.read().await.unwrap_err().kind(), ErrorKind::BrokenPipe);
+    for expected in sent(0..2) {
+        assert_eq!(reader.read().await.unwrap().map(|frame| read(&frame)), Some(expected));
+    }
+    assert_eq!(reader.read().await.unwrap(), None);
+    reader.get_mut().0.input.extend(&bytes);
+    assert_eq!(reader.read().await.unwrap().map(|frame| read(&frame)), sent(0..1).pop(), "it has grown");
+
+    let steps = [Step::Fail(ErrorKind::Interrupted), Step::Take(5), Step::Fail(ErrorKind::Interrupted)];
+    let mut writer = FrameWriter::new(Told(Scripted::new(steps, &[])), Sender::v2(1, 1));
+    writer.send(&message(0)).await.unwrap();
+    writer.send(&message(1)).await.unwrap();
+    assert_eq!(writer.into_inner().0.output, bytes);
+}
+
+#[tokio::test]
+async fn a_message_refused_by_a_timeout_takes_no_number() {
+    let steps = [Step::Take(3), Step::Fail(ErrorKind::TimedOut), Step::Fail(ErrorKind::TimedOut)];
+    let mut writer = FrameWriter::new(Told(Scripted::new(steps, &[])), Sender::v2(1, 1));
+    writer.send(&message(0)).await.unwrap();
+    assert!(writer.is_pending());
+    assert!(
+        matches!(writer.send(&message(1)).await, Err(SendError::Link(error)) if error.kind() == ErrorKind::TimedOut)
+    );
+    writer.send(&message(1)).await.unwrap();
+    assert_eq!(writer.get_ref().0.output, stream(Sender::v2(1, 1), 0..2));
+}
+
+#[tokio::test]
+async fn an_unfinished_frame_is_given_up_at_the_end_or_when_asked() {
+    let bytes = [&[0xFD, 255, 0, 0][..], &stream(Sender::v1(1, 1), 0..1)].concat();
+    let mut reader = FrameReader::new(&bytes[..], Small::TABLE);
+    assert_eq!(reader.read().await.unwrap().map(|frame| read(&frame)), sent(0..1).pop());
+    assert_eq!(reader.read().await.unwrap(), None);
+
+    let steps = [Step::Take(1000), Step::Fail(ErrorKind::TimedOut)];
+    let mut reader = FrameReader::<_, 200>::with_buffer(Told(Scripted::new(steps, &bytes)), Small::TABLE);
+    assert!(reader.read().await.is_err());
+    assert_eq!(reader.finish().map(|frame| read(&frame)), sent(0..1).pop());
+}
+
+#[tokio::test]
+async fn a_link_that_takes_nothing_keeps_nobody_waiting() {
+    let mut writer = FrameWriter::new(Told(Scripted::new([Step::Take(0)], &[])), Sender::v1(1, 1));
+    assert!(matches!(writer.send(&message(0)).await, Err(SendError::NothingTaken)));
+    assert!(writer.is_pending());
 }
 
 #[tokio::test]
