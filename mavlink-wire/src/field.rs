@@ -1,5 +1,7 @@
 //! Metadata of message fields.
 
+use core::fmt;
+
 use crate::EnumInfo;
 
 /// A field of a message. Messages list theirs in the order of the XML; [`offset`](Self::offset) says where each lies.
@@ -132,6 +134,16 @@ impl Kind {
     }
 }
 
+/// The type's name in the XML: `uint16_t`, `uint8_t_mavlink_version`.
+impl fmt::Display for Kind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::Version => "uint8_t_mavlink_version",
+            other => other.wire_name(),
+        })
+    }
+}
+
 /// A value that stands for "not known".
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Sentinel {
@@ -145,6 +157,18 @@ pub enum Sentinel {
     NotANumber,
 }
 
+/// The value, or `NaN`.
+impl fmt::Display for Sentinel {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Unsigned(value) => value.fmt(f),
+            Self::Signed(value) => value.fmt(f),
+            Self::Float(value) => value.fmt(f),
+            Self::NotANumber => f.pad("NaN"),
+        }
+    }
+}
+
 /// Which elements an `invalid` attribute speaks about.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Invalid {
@@ -154,4 +178,15 @@ pub enum Invalid {
     All(Sentinel),
     /// `[V,]`: only the first element can be unknown.
     First(Sentinel),
+}
+
+/// As in the XML: `65535`, `[65535:]`, `[65535,]`.
+impl fmt::Display for Invalid {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Each(sentinel) => sentinel.fmt(f),
+            Self::All(sentinel) => write!(f, "[{sentinel}:]"),
+            Self::First(sentinel) => write!(f, "[{sentinel},]"),
+        }
+    }
 }

@@ -136,6 +136,7 @@ pub mod tlog;
 pub mod tokio_codec;
 #[cfg(feature = "std")]
 pub mod udp;
+mod version;
 mod wire;
 
 #[cfg(feature = "bitflags")]
@@ -156,6 +157,7 @@ pub use sender::Sender;
 pub use statistics::Statistics;
 pub use table::{Table, index};
 pub use timestamp::Timestamp;
+pub use version::Version;
 pub use wire::{Wire, get, put, zero_extended};
 
 /// Bytes of the longest frame: MAVLink 2, signed.
@@ -163,12 +165,3 @@ pub const MAX_FRAME: usize = 280;
 
 /// Bytes of the longest payload.
 pub const MAX_PAYLOAD: usize = 255;
-
-/// MAVLink 1 or 2.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Version {
-    /// MAVLink 1: ids up to 255, no extension fields, no signature.
-    V1,
-    /// MAVLink 2.
-    V2,
-}

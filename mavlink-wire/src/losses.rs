@@ -1,5 +1,7 @@
 //! Which frames never arrived, as far as their numbers tell.
 
+use core::fmt;
+
 use crate::Frame;
 
 /// So far back a number is a late frame, not a gap that goes almost all the way round.
@@ -88,6 +90,21 @@ pub enum Arrival {
     Restart,
     /// Not counted: a SiK radio's, or an unverified frame of a component that no verified one introduced.
     Ignored,
+}
+
+/// `next`, `gap of 3`, `duplicate`.
+impl fmt::Display for Arrival {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::First => "first",
+            Self::Next => "next",
+            Self::Gap(lost) => return write!(f, "gap of {lost}"),
+            Self::Duplicate => "duplicate",
+            Self::Late => "late",
+            Self::Restart => "restart",
+            Self::Ignored => "ignored",
+        })
+    }
 }
 
 /// The numbers of one component.

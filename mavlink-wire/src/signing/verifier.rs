@@ -1,5 +1,7 @@
 //! Says which frames to trust.
 
+use core::fmt;
+
 use super::{Key, SigningError};
 use crate::{Frame, Timestamp};
 
@@ -18,6 +20,17 @@ pub enum Trust {
     Allowed,
     /// There is no key: anybody may have made it.
     Unchecked,
+}
+
+/// `signed`, `allowed` or `unchecked`.
+impl fmt::Display for Trust {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::Signed => "signed",
+            Self::Allowed => "allowed",
+            Self::Unchecked => "unchecked",
+        })
+    }
 }
 
 /// The frames of one component over one of its links, and the timestamp of the last one.

@@ -3,6 +3,7 @@
 #![expect(clippy::indexing_slicing, clippy::unwrap_used, reason = "a failing test panics")]
 
 mod checksum;
+mod errors;
 mod flags_interface;
 mod forwarding;
 mod hygiene;
