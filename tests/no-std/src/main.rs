@@ -1,7 +1,4 @@
 //! A firmware's main loop on the host: reads frames from standard input, knows two messages, and exits with what it saw.
-//!
-//! No std, no alloc, and no way to panic: the panic handler calls a function that does not exist, so that a single reachable
-//! panic fails to link. That takes an optimised build: `cargo build --release`.
 
 #![no_std]
 #![no_main]
@@ -9,24 +6,12 @@
 #[cfg(feature = "signing")]
 mod signing;
 
-use core::panic::PanicInfo;
-
 use mavlink_autoquad::autoquad::{AqEscTelemetry, Heartbeat, MavAutopilot};
 use mavlink_autoquad::esc::{Conversion, EscTable};
 use mavlink_autoquad::wire::{Frame, Message, Parser, Table};
+use mavlink_no_std::receive;
 
 static RECEIVED: Table<'static> = Table::of(&[Heartbeat::INFO, AqEscTelemetry::INFO]);
-
-#[link(name = "c")]
-unsafe extern "C" {
-    fn read(descriptor: i32, buffer: *mut u8, length: usize) -> isize;
-    safe fn a_panic_is_reachable() -> !;
-}
-
-#[panic_handler]
-fn panic(_: &PanicInfo<'_>) -> ! {
-    a_panic_is_reachable()
-}
 
 #[unsafe(no_mangle)]
 extern "C" fn main() -> i32 {
@@ -41,14 +26,6 @@ extern "C" fn main() -> i32 {
         seen += firmware.worth(&frame);
     }
     i32::from(seen)
-}
-
-/// What came in; `None` at the end.
-fn receive(buffer: &mut [u8; 64]) -> Option<&[u8]> {
-    // SAFETY: the buffer is valid for its length.
-    let received = unsafe { read(0, buffer.as_mut_ptr(), buffer.len()) };
-    let received = usize::try_from(received).ok()?;
-    buffer.get(..received).filter(|chunk| !chunk.is_empty())
 }
 
 /// What lasts from frame to frame.
