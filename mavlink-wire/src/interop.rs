@@ -1,30 +1,35 @@
 //! A dialect over the connections of [`mavlink-core`](https://docs.rs/mavlink-core/0.21), the runtime of rust-mavlink
 //! (feature `mavlink-core`): TCP, UDP, serial ports, files, blocking or not.
 //!
-//! Depend on `mavlink-core` 0.21 for the transports that you need, and connect with [`CoreDialect`]:
+//! Depend on `mavlink-core` 0.21 for the transports that you need:
 //!
 //! ```toml
 //! mavlink-autoquad = { version = "0.1", features = ["mavlink-core"] }
 //! mavlink-core = { version = "0.21", default-features = false, features = ["std", "transport-udp"] }
 //! ```
 //! ```ignore
-//! let connection = mavlink_core::connect_with_dialect("udpin:0.0.0.0:14550", CoreDialect::<Autoquad>::new())?;
+//! let connection = interop::connect::<Autoquad>("udpin:0.0.0.0:14550")?;
 //! loop {
 //!     let (header, message) = connection.recv()?; // message: Autoquad, whatever the values of its enums
 //!     connection.send(&MavHeader::default(), &Heartbeat::DEFAULT.into())?;
 //! }
 //! ```
 //!
-//! A dialect's enum also implements `mavlink_core::Message`, for `connect::<Autoquad>` and for code that is generic over
-//! it. Prefer `connect_with_dialect` where MAVLink 1 is sent: that trait has no way to refuse a message, so `mavlink-core`
-//! panics over an id over 255, and the connection is lost. With [`CoreDialect`] it is an error.
+//! [`connect`] is `mavlink_core::connect_with_dialect` with a [`CoreDialect`], which also does for its configurations of a
+//! single transport and for its asynchronous connections.
+//!
+//! A dialect's enum also implements `mavlink_core::Message`, for code that is generic over it and for
+//! `mavlink_core::connect`. Where MAVLink 1 is sent, prefer the [`connect`] of this module: the connection of that one panics
+//! over a message whose id is over 255, since the trait has no way to refuse it. Here it is an error, and the connection goes
+//! on. Both give a connection that is a `MavConnection<Autoquad>`.
 //!
 //! The trait has one method more when something in the program turns on the feature `arbitrary` of `mavlink-core`. If the
 //! compiler misses `random_message_from_id`, turn on `arbitrary` of the dialect's crate.
 
 use core::marker::PhantomData;
+use std::io;
 
-use ::mavlink_core::MavlinkVersion;
+use ::mavlink_core::{DialectConnection, MavlinkVersion};
 use ::mavlink_core::error::{EncoderError, ParserError};
 
 #[doc(hidden)]
@@ -34,6 +39,18 @@ pub use ::mavlink_core;
 pub use ::rand_core;
 
 use crate::{Dialect, Encode, MAX_PAYLOAD, MessageInfo, Version};
+
+/// Connects to the address, like `mavlink_core::connect`: `udpin:0.0.0.0:14550`, `tcpout:host:5760`, `serial:/dev/ttyUSB0:57600`,
+/// `file:flight.tlog` …, as far as the features of `mavlink-core` go.
+///
+/// Messages that MAVLink 1 cannot carry are refused by `send` with `MessageWriteError::Encode`, where the connection of
+/// `mavlink_core::connect` panics.
+///
+/// # Errors
+/// Those of the address, of kind `AddrNotAvailable`, and those of the system.
+pub fn connect<D: Dialect>(address: &str) -> io::Result<DialectConnection<CoreDialect<D>>> {
+    ::mavlink_core::connect_with_dialect(address, CoreDialect::new())
+}
 
 /// A dialect for `mavlink_core::connect_with_dialect`, whose messages are `D`.
 #[derive(Clone, Copy, Debug)]
