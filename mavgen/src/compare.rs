@@ -16,7 +16,9 @@ mod enums;
 mod metadata;
 mod order;
 mod pairs;
+mod renamed;
 mod surface;
+mod surfaces;
 mod wire;
 
 #[cfg(test)]

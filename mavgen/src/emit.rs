@@ -14,12 +14,9 @@ mod message;
 mod modules;
 mod place;
 mod rivals;
+pub(crate) mod threads;
 mod token;
 mod view;
-
-use std::panic::resume_unwind;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::thread;
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -67,31 +64,24 @@ pub(crate) fn emit_union(union: &Union, options: &Options) -> Vec<GeneratedFile>
     generate(&context, &Folder::of_several(union))
 }
 
-fn generate(context: &Context<'_>, folders: &[Folder<'_>]) -> Vec<GeneratedFile> {
-    let jobs: Vec<Job<'_>> = folders.iter().flat_map(jobs).collect();
-    let next = AtomicUsize::new(0);
-    let work = || {
-        let mut done = Vec::new();
-        while let Some((index, job)) = take(&jobs, &next) {
-            done.push((index, job.generate(context)));
-        }
-        done
-    };
-    let threads = thread::available_parallelism().map_or(1, usize::from);
-    let mut files: Vec<(usize, GeneratedFile)> = thread::scope(|scope| {
-        let others: Vec<_> = (1..threads).map(|_| scope.spawn(work)).collect();
-        let mut files = work();
-        // A file must not be missing without a word.
-        files.extend(others.into_iter().flat_map(|other| other.join().unwrap_or_else(|panic| resume_unwind(panic))));
-        files
-    });
-    files.sort_unstable_by_key(|(index, _)| *index);
-    files.into_iter().map(|(_, file)| file).collect()
+/// The items of a message's file and of its views', as they are in a tree of one dialect: for who needs no text.
+#[cfg(feature = "compare")]
+pub(crate) fn items_of_message(dialect: &Dialect, options: &Options, message: &Message) -> TokenStream {
+    let context = Context { dialect, union: None, home: Home::Shared, options };
+    let mut items = message::message(&context, message);
+    items.extend(message.views.iter().map(|view| view::view(&context, message, view)));
+    items
 }
 
-fn take<'j, 'a>(jobs: &'j [Job<'a>], next: &AtomicUsize) -> Option<(usize, &'j Job<'a>)> {
-    let index = next.fetch_add(1, Ordering::Relaxed);
-    jobs.get(index).map(|job| (index, job))
+/// The items of an enum's file, as they are in a tree of one dialect.
+#[cfg(feature = "compare")]
+pub(crate) fn items_of_enum(dialect: &Dialect, options: &Options, values: &Enum) -> TokenStream {
+    enums::enum_(&Context { dialect, union: None, home: Home::Shared, options }, values)
+}
+
+fn generate(context: &Context<'_>, folders: &[Folder<'_>]) -> Vec<GeneratedFile> {
+    let jobs: Vec<Job<'_>> = folders.iter().flat_map(jobs).collect();
+    threads::in_order(&jobs, |job| job.generate(context))
 }
 
 /// What every emitter may look at.

@@ -3,16 +3,18 @@
 use std::collections::{BTreeMap, HashMap};
 
 use super::pairs::Pairs;
-use super::surface::{Member, Name, Shape, Surface, surface};
+use super::renamed::Renamed;
+use super::surface::{Member, Name, Shape, Surface};
+use super::surfaces::surfaces;
 use super::{Change, Kind};
-use crate::emit::{self, emit};
 use crate::ir::Dialect;
 use crate::source::Span;
 
 /// The changes of all types.
 pub(super) fn changes(old: &Dialect, new: &Dialect, pairs: &Pairs<'_>) -> Vec<Change> {
     let names = Renamed::of(pairs);
-    let (before, after) = (Side::of(old), Side::of(new));
+    let (before, after) = surfaces(old, new, &names);
+    let (before, after) = (Side::of(old, before), Side::of(new, after));
     let mut changes = Vec::new();
     let mut matched: BTreeMap<&str, &str> = BTreeMap::new();
     for (name, shape) in &before.surface {
@@ -32,75 +34,6 @@ pub(super) fn changes(old: &Dialect, new: &Dialect, pairs: &Pairs<'_>) -> Vec<Ch
     changes
 }
 
-/// What generated items are called now.
-struct Renamed<'a> {
-    types: HashMap<&'a str, &'a str>,
-    /// By old type: fields and constants.
-    members: HashMap<(&'a str, &'a str), &'a str>,
-}
-
-impl<'a> Renamed<'a> {
-    fn of(pairs: &Pairs<'a>) -> Self {
-        let (mut types, mut members) = (HashMap::new(), HashMap::new());
-        for pair in &pairs.messages.both {
-            types.insert(pair.old.name.rust.as_str(), pair.new.name.rust.as_str());
-            let fields = pair.fields.both.iter().map(|(old, new)| (&old.name, &new.name));
-            members
-                .extend(fields.map(|(old, new)| ((pair.old.name.rust.as_str(), old.rust.as_str()), new.rust.as_str())));
-        }
-        for pair in &pairs.enums.both {
-            types.insert(pair.old.name.rust.as_str(), pair.new.name.rust.as_str());
-            let entries = pair.entries.both.iter().map(|(old, new)| (&old.name, &new.name));
-            members.extend(
-                entries.map(|(old, new)| ((pair.old.name.rust.as_str(), old.rust.as_str()), new.rust.as_str())),
-            );
-        }
-        Self { types, members }
-    }
-
-    /// What an old type is called now; nothing if another type has taken its name.
-    fn ty<'n>(&self, name: &'n str) -> Option<&'n str>
-    where
-        'a: 'n,
-    {
-        match self.types.get(name) {
-            Some(now) => Some(now),
-            None => (!self.types.values().any(|now| *now == name)).then_some(name),
-        }
-    }
-
-    /// What a member of an old type is called now.
-    fn member(&self, of: &str, name: &Name) -> Name {
-        let now = |name: &str| self.members.get(&(of, name)).map(|now| (*now).to_owned());
-        match name {
-            Name::Field(field) => Name::Field(now(field).unwrap_or_else(|| field.clone())),
-            Name::Constant(constant) => Name::Constant(now(constant).unwrap_or_else(|| constant.clone())),
-            Name::Method(method) => {
-                let setter = || method.strip_prefix("set_").and_then(now).map(|field| format!("set_{field}"));
-                Name::Method(now(method).or_else(setter).unwrap_or_else(|| method.clone()))
-            }
-            Name::Trait(of) => Name::Trait(self.signature(of)),
-        }
-    }
-
-    /// A signature with types called as they are now.
-    fn signature(&self, signature: &str) -> String {
-        let mut text = String::new();
-        let mut rest = signature;
-        while !rest.is_empty() {
-            let is_word = |character: char| character.is_alphanumeric() || character == '_';
-            let end = rest.find(|character| !is_word(character)).unwrap_or(rest.len());
-            let (word, after) = rest.split_at_checked(end).unwrap_or((rest, ""));
-            text.push_str(self.types.get(word).copied().unwrap_or(word));
-            let gap = after.find(is_word).unwrap_or(after.len());
-            let (gap, after) = after.split_at_checked(gap).unwrap_or((after, ""));
-            text.push_str(gap);
-            rest = after;
-        }
-        text
-    }
-}
-
 /// One state.
 struct Side {
     surface: Surface,
@@ -109,8 +42,7 @@ struct Side {
 }
 
 impl Side {
-    fn of(dialect: &Dialect) -> Self {
-        let options = emit::Options { runtime: "::mavlink_wire".to_owned(), deprecated: true, sources: String::new() };
+    fn of(dialect: &Dialect, surface: Surface) -> Self {
         let mut places = HashMap::new();
         for message in &dialect.messages {
             let name = &message.name.rust;
@@ -125,7 +57,7 @@ impl Side {
             let entries = values.entries.iter().map(|entry| (entry.name.rust.clone(), entry.origin.span));
             places.extend(entries.map(|(entry, span)| ((name.clone(), Some(entry)), span)));
         }
-        Self { surface: surface(&emit(dialect, &options)), places }
+        Self { surface, places }
     }
 
     /// Where a type, or a member of it, comes from; at least where the type does.

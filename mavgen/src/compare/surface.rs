@@ -1,14 +1,12 @@
 //! The generated Rust as its users see it: public types and their public members.
 //!
-//! It is read from the generated files themselves, so that whatever the generator makes public is compared.
+//! It is read from the generated items themselves, so that whatever the generator makes public is compared.
 
 use std::collections::BTreeMap;
 
-use proc_macro2::TokenTree;
+use proc_macro2::{TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::{Attribute, Expr, Fields, ImplItem, Item, ItemImpl, Type, Visibility};
-
-use crate::emit::GeneratedFile;
 
 /// Public types by name.
 pub(super) type Surface = BTreeMap<String, Shape>;
@@ -47,13 +45,12 @@ pub(super) struct Member {
     pub(super) default: Option<String>,
 }
 
-/// The public types in generated files, but for the dialect's own: it has a variant for each message.
-pub(super) fn surface(files: &[GeneratedFile]) -> Surface {
+/// The public types that some generated items declare.
+pub(super) fn surface(items: TokenStream) -> Surface {
     let mut surface = Surface::new();
-    for file in files.iter().filter(|file| file.path.contains('/')) {
-        let items = syn::parse_file(&file.text).map(|file| file.items).unwrap_or_default();
-        items.into_iter().for_each(|item| add(&mut surface, item));
-    }
+    // The emitters write whole items, so there is nothing that cannot be read.
+    let items = syn::parse2(items).map_or_else(|_| Vec::new(), |file: syn::File| file.items);
+    items.into_iter().for_each(|item| add(&mut surface, item));
     surface.retain(|_, shape| shape != &Shape::default());
     surface
 }
@@ -152,7 +149,7 @@ fn is_deprecated(attributes: &[Attribute]) -> bool {
 }
 
 /// An identifier, without the mark of a raw one.
-fn plain(ident: &proc_macro2::Ident) -> String {
+pub(super) fn plain(ident: &proc_macro2::Ident) -> String {
     let text = ident.to_string();
     text.strip_prefix("r#").unwrap_or(&text).to_owned()
 }

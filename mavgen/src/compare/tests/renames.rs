@@ -71,3 +71,16 @@ fn messages_that_swap_their_names() {
     let api: Vec<&str> = moved.iter().filter(|change| change.starts_with("api")).map(String::as_str).collect();
     assert_eq!(api, ["api! A is gone", "api! B.x is u8, was f32", "api C is new"]);
 }
+
+/// The code of the message is the same to the letter, and its type is another.
+#[test]
+fn a_field_whose_type_left_its_name_to_another() {
+    let old = "<mavlink><enums><enum name='FOO_BAR'><entry name='FOO_BAR_A' value='1'/></enum></enums><messages>\
+               <message id='1' name='WHEELS'><description>.</description><field type='uint8_t' name='x' enum='FOO_BAR'/>\
+               </message></messages></mavlink>";
+    let new = old.replace("name='FOO_BAR'>", "name='BAR'>").replace("enum='FOO_BAR'", "enum='FOO__BAR'");
+    let new = new.replace("</enums>", "<enum name='FOO__BAR'><entry name='C' value='2'/></enum></enums>");
+    let told = changes(old, &new);
+    assert!(told.contains(&"api! FooBar is called Bar now".to_owned()), "{told:#?}");
+    assert!(told.contains(&"api! Wheels.x is FooBar, was FooBar".to_owned()), "{told:#?}");
+}

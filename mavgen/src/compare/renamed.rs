@@ -1,0 +1,85 @@
+//! What generated types and their members are called in the new state.
+
+use std::collections::{HashMap, HashSet};
+
+use super::pairs::Pairs;
+use super::surface::Name;
+
+/// What generated items are called now.
+pub(super) struct Renamed<'a> {
+    types: HashMap<&'a str, &'a str>,
+    /// By old type: fields and constants.
+    members: HashMap<(&'a str, &'a str), &'a str>,
+}
+
+impl<'a> Renamed<'a> {
+    pub(super) fn of(pairs: &Pairs<'a>) -> Self {
+        let (mut types, mut members) = (HashMap::new(), HashMap::new());
+        for pair in &pairs.messages.both {
+            types.insert(pair.old.name.rust.as_str(), pair.new.name.rust.as_str());
+            let fields = pair.fields.both.iter().map(|(old, new)| (&old.name, &new.name));
+            members
+                .extend(fields.map(|(old, new)| ((pair.old.name.rust.as_str(), old.rust.as_str()), new.rust.as_str())));
+        }
+        for pair in &pairs.enums.both {
+            types.insert(pair.old.name.rust.as_str(), pair.new.name.rust.as_str());
+            let entries = pair.entries.both.iter().map(|(old, new)| (&old.name, &new.name));
+            members.extend(
+                entries.map(|(old, new)| ((pair.old.name.rust.as_str(), old.rust.as_str()), new.rust.as_str())),
+            );
+        }
+        Self { types, members }
+    }
+
+    /// What an old type is called now; nothing if another type has taken its name.
+    pub(super) fn ty<'n>(&self, name: &'n str) -> Option<&'n str>
+    where
+        'a: 'n,
+    {
+        match self.types.get(name) {
+            Some(now) => Some(now),
+            None => (!self.types.values().any(|now| *now == name)).then_some(name),
+        }
+    }
+
+    /// What a member of an old type is called now.
+    pub(super) fn member(&self, of: &str, name: &Name) -> Name {
+        let now = |name: &str| self.members.get(&(of, name)).map(|now| (*now).to_owned());
+        match name {
+            Name::Field(field) => Name::Field(now(field).unwrap_or_else(|| field.clone())),
+            Name::Constant(constant) => Name::Constant(now(constant).unwrap_or_else(|| constant.clone())),
+            Name::Method(method) => {
+                let setter = || method.strip_prefix("set_").and_then(now).map(|field| format!("set_{field}"));
+                Name::Method(now(method).or_else(setter).unwrap_or_else(|| method.clone()))
+            }
+            Name::Trait(of) => Name::Trait(self.signature(of)),
+        }
+    }
+
+    /// A signature with types called as they are now.
+    pub(super) fn signature(&self, signature: &str) -> String {
+        let mut text = String::new();
+        let mut rest = signature;
+        while let Some((gap, word, after)) = next_word(rest) {
+            text.push_str(gap);
+            text.push_str(self.types.get(word).copied().unwrap_or(word));
+            rest = after;
+        }
+        text + rest
+    }
+
+    /// Every name that something else had, or has lost.
+    pub(super) fn changed(&self) -> HashSet<&'a str> {
+        let types = self.types.iter().map(|(&old, &new)| (old, new));
+        let members = self.members.iter().map(|(&(_, old), &new)| (old, new));
+        types.chain(members).filter(|(old, new)| old != new).flat_map(|(old, new)| [old, new]).collect()
+    }
+}
+
+/// What stands before the first word, the word, and what stands behind it.
+fn next_word(text: &str) -> Option<(&str, &str, &str)> {
+    let is_word = |character: char| character.is_alphanumeric() || character == '_';
+    let (gap, rest) = text.split_at_checked(text.find(is_word)?)?;
+    let (word, after) = rest.split_at_checked(rest.find(|character| !is_word(character)).unwrap_or(rest.len()))?;
+    Some((gap, word, after))
+}
