@@ -13,6 +13,7 @@ mod input;
 mod lint;
 mod man;
 mod report;
+mod usage;
 mod vendor;
 
 use std::process::ExitCode;
@@ -74,7 +75,10 @@ enum Action {
 
 /// Runs the command that the arguments name.
 pub(crate) fn run() -> ExitCode {
-    let Command { action, color, report } = Command::parse();
+    let Command { action, color, report } = match usage::parse() {
+        Ok(command) => command,
+        Err(status) => return status,
+    };
     color.write_global();
     let outcome = match action {
         Action::Generate(generate) => generate.run(&report),

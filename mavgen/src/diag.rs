@@ -10,7 +10,7 @@ mod render;
 
 pub use code::{Code, Severity};
 #[cfg(feature = "cli")]
-pub use json::{json, json_message};
+pub use json::{json, json_message, json_usage};
 pub use nearest::nearest;
 pub use render::{Style, one_line, render};
 

@@ -53,7 +53,9 @@ impl Selection {
         if unmatched.is_empty() {
             return Ok(());
         }
-        let files: Vec<&str> = dialects.iter().filter_map(|dialect| dialect.files.first()).map(|f| &*f.name).collect();
+        let mut files: Vec<&str> = dialects.iter().filter_map(|dialect| Some(&*dialect.files.first()?.name)).collect();
+        // Two states of a dialect are mostly called the same.
+        files.dedup();
         Err(format!("no message of {} is called {}", files.join(", "), unmatched.join(", ")))
     }
 

@@ -28,7 +28,8 @@ pub(super) struct Reading {
     /// A file that says what the XML cannot, like the meaning of packed bits; may be given several times.
     #[arg(long, value_name = "FILE")]
     pub(super) overlay: Vec<PathBuf>,
-    /// Only these messages and what they need: names separated by commas; in a pattern, a star stands for any characters.
+    /// Only these messages and what they need: names separated by commas; in a pattern, a star stands for any characters. A
+    /// name that means no message is an error.
     #[arg(long, visible_alias = "message", value_name = "NAME,PREFIX_*", value_delimiter = ',')]
     pub(super) messages: Option<Vec<String>>,
     /// Warnings are errors: those about the XML file itself and its overlays, not about the files that they include.

@@ -13,9 +13,9 @@ use super::report::{Report, plural};
 /// Says all that there is to say about a dialect, and no (exit status 1) if something is wrong with it.
 ///
 /// Warnings and notes about included files are shown as well, which other commands do not. A warning is no reason to say no,
-/// unless warnings are denied. `--messages` has no say in it: a file is right or wrong as a whole.
+/// unless warnings are denied.
 #[derive(Args)]
-#[command(after_help = AFTER_HELP)]
+#[command(after_help = AFTER_HELP, mut_arg("messages", |messages| messages.help(MESSAGES)))]
 pub(super) struct Lint {
     #[command(flatten)]
     input: Input,
@@ -27,7 +27,11 @@ Examples:
   mavgen lint xml/acme.xml --overlay xml/acme.overlay.xml --deny-warnings
   mavgen lint xml/acme.xml --message-format json 2>&1 | jq .message
 
-Exit status: 0 fine, 1 errors (or denied warnings), 2 the file cannot be read.";
+Exit status: 0 fine, 1 errors (or denied warnings), 2 a file cannot be read or the usage is wrong.";
+
+/// What `--messages` means here: the arguments of `generate` are those of `lint`, and a slip in one is found in the other.
+const MESSAGES: &str = "The messages that the sources are generated for. A file is right or wrong as a whole: all of it is judged, \
+but of several dialects only these messages are held against each other. A name that means no message is an error";
 
 /// Problems that leave nothing to judge.
 const UNREADABLE: [Code; 3] = [Code::Unreadable, Code::NotUtf8, Code::TooLarge];

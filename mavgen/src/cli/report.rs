@@ -9,7 +9,7 @@ use mavgen::source::Sources;
 use mavgen::{Failure, Problems};
 
 /// How commands speak of problems.
-#[derive(Args)]
+#[derive(Args, Default)]
 pub(super) struct Report {
     /// What diagnostics look like on standard error.
     #[arg(long, value_name = "FORMAT", value_enum, default_value_t = Format::Human, global = true)]
@@ -17,9 +17,10 @@ pub(super) struct Report {
 }
 
 /// What a diagnostic looks like.
-#[derive(Clone, Copy, ValueEnum)]
+#[derive(Clone, Copy, Default, ValueEnum)]
 enum Format {
     /// Drawn, with the line of the source, for people.
+    #[default]
     Human,
     /// One JSON object on one line each, for programs.
     Json,

@@ -9,7 +9,7 @@ use crate::source::{Sources, Span};
 ///
 /// | key | value |
 /// |---|---|
-/// | `code` | the stable number, as in `"M304"`; `mavgen explain M304` says more; `null` in a [`json_message`] |
+/// | `code` | the stable number, as in `"M304"`; `mavgen explain M304` says more; `null` in a [`json_message`] or [`json_usage`] |
 /// | `severity` | `"error"`, `"warning"` or `"note"` |
 /// | `message` | what is wrong, in one line |
 /// | `label` | what is said of the place; may be empty |
@@ -44,15 +44,25 @@ pub fn json(diagnostic: &Diagnostic, sources: &Sources) -> String {
 /// A message that is none of the catalogue, like a folder that cannot be written, in the schema of [`json`]: its `code` is
 /// `null`, and it has no place.
 pub fn json_message(severity: Severity, message: &str) -> String {
+    without_place(severity, message, None, &format!("{severity}: {message}"))
+}
+
+/// An error in how a program was called, in the schema of [`json`]: its `code` is `null`, and it has no place. `rendered` is what a
+/// person would have been shown.
+pub fn json_usage(message: &str, help: &str, rendered: &str) -> String {
+    without_place(Severity::Error, message, Some(help), rendered)
+}
+
+fn without_place(severity: Severity, message: &str, help: Option<&str>, rendered: &str) -> String {
     let mut object = Map::new();
     object.insert("code".to_owned(), Value::Null);
     object.insert("severity".to_owned(), value!(severity.to_string()));
     object.insert("message".to_owned(), value!(message));
     object.insert("label".to_owned(), value!(""));
-    object.insert("help".to_owned(), Value::Null);
+    object.insert("help".to_owned(), value!(help));
     object.append(&mut place(None, &Sources::default()));
     object.insert("related".to_owned(), value!([]));
-    object.insert("rendered".to_owned(), value!(format!("{severity}: {message}")));
+    object.insert("rendered".to_owned(), value!(rendered));
     Value::Object(object).to_string()
 }
 

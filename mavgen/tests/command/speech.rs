@@ -59,6 +59,48 @@ fn all_else_as_json_has_no_code() {
     assert_eq!((&refused["code"], &refused["severity"]), (&Value::Null, &"error".into()));
 }
 
+/// Who asked for JSON gets it even where not everything that was asked was understood.
+#[test]
+fn mistakes_in_the_usage_as_json() {
+    let folder = folder(ACME);
+    for (arguments, message, help) in [
+        (
+            &["--message-format", "json", "lnt", "acme.xml"][..],
+            "unrecognized subcommand 'lnt'",
+            "a similar subcommand exists: 'lint'",
+        ),
+        (
+            &["lint", "acme.xml", "--overlays", "x", "--message-format=json"],
+            "unexpected argument '--overlays' found",
+            "a similar argument exists: '--overlay'",
+        ),
+        (
+            &["generate", "acme.xml", "--message-format", "json"],
+            "the following required arguments were not provided: --out <DIR>",
+            "Usage: mavgen generate --out <DIR> --message-format <FORMAT> <XML>...",
+        ),
+        (
+            &["--message-format=json", "lint", "acme.xml", "--color", "some"],
+            "invalid value 'some' for '--color <WHEN>' [possible values: auto, always, never]",
+            "`mavgen --help` says more",
+        ),
+        (&["man", "lnt", "--message-format=json"], "there is no command `lnt`; did you mean `lint`?", ""),
+    ] {
+        let output = mavgen(folder.path(), arguments);
+        assert_eq!((output.status.code(), &*output.stdout), (Some(2), &b""[..]), "{arguments:?}");
+        let [said] = <[Value; 1]>::try_from(objects(&stderr(&output))).unwrap();
+        assert_eq!((&said["code"], &said["severity"], &said["file"]), (&Value::Null, &"error".into(), &Value::Null));
+        assert_eq!(said["message"], message);
+        assert_eq!(said["help"].as_str().unwrap_or_default(), help);
+        assert!(said["rendered"].as_str().unwrap().starts_with("error: "), "{said}");
+    }
+    for arguments in [&["--message-format=json", "--version"][..], &["lint", "--message-format", "json", "--help"]] {
+        let output = mavgen(folder.path(), arguments);
+        assert_eq!((output.status.code(), &*output.stderr), (Some(0), &b""[..]), "{arguments:?}");
+        assert!(stdout(&output).contains("mavgen"));
+    }
+}
+
 /// What cannot be said is no reason to panic.
 #[cfg(target_os = "linux")]
 #[test]
@@ -76,4 +118,7 @@ fn nobody_listens() {
     let dumped = mavgen(&["dump", "acme.xml"]).stdout(full()).output().unwrap();
     assert_eq!(dumped.status.code(), Some(2));
     assert!(stderr(&dumped).starts_with("error: standard output: "), "{}", stderr(&dumped));
+    let helped = mavgen(&["--help"]).stdout(full()).output().unwrap();
+    assert_eq!(helped.status.code(), Some(2));
+    assert!(stderr(&helped).starts_with("error: standard output: "), "{}", stderr(&helped));
 }
