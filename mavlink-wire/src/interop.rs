@@ -29,8 +29,8 @@
 use core::marker::PhantomData;
 use std::io;
 
-use ::mavlink_core::{DialectConnection, MavlinkVersion};
 use ::mavlink_core::error::{EncoderError, ParserError};
+use ::mavlink_core::{DialectConnection, MavlinkVersion};
 
 #[doc(hidden)]
 pub use ::mavlink_core;
