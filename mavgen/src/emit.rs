@@ -14,6 +14,7 @@ mod message;
 mod modules;
 mod place;
 mod rivals;
+mod secret;
 pub(crate) mod threads;
 mod token;
 mod view;

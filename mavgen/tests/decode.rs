@@ -47,6 +47,17 @@ const ACME: &str = r#"<mavlink>
 </mavlink>
 "#;
 
+const SIGNING: &str = r#"<mavlink>
+  <messages>
+    <message id="256" name="SETUP_SIGNING">
+      <description/>
+      <field type="uint8_t[32]" name="secret_key"/>
+      <field type="uint8_t" name="target_system"/>
+    </message>
+  </messages>
+</mavlink>
+"#;
+
 const OVERLAY: &str = r#"<mavlink-overlay version="1" for="acme.xml">
   <message name="SPRAYER">
     <bind name="mode" field="level" enum="SPRAY_LEVEL" if="state" is="SPRAY_STATE_ON"/>
@@ -92,9 +103,14 @@ struct Bench {
 
 impl Bench {
     fn new() -> Self {
+        let bench = Self::of(ACME);
+        fs::write(bench.folder.path().join("acme.overlay.xml"), OVERLAY).unwrap();
+        bench
+    }
+
+    fn of(xml: &str) -> Self {
         let folder = tempfile::tempdir().unwrap();
-        fs::write(folder.path().join("acme.xml"), ACME).unwrap();
-        fs::write(folder.path().join("acme.overlay.xml"), OVERLAY).unwrap();
+        fs::write(folder.path().join("acme.xml"), xml).unwrap();
         let dialect = Builder::new(folder.path().join("acme.xml")).resolve().unwrap().dialect;
         Self { folder, tables: Tables::leak(&dialect), sender: Sender::v2(1, 2) }
     }
@@ -127,7 +143,11 @@ impl Bench {
 
     /// What is printed with the overlay, from standard input.
     fn printed(&self, arguments: &[&str], input: &[u8]) -> String {
-        let output = self.decode(&[&["acme.xml", "--overlay", "acme.overlay.xml"], arguments].concat(), input);
+        self.printed_without(&[&["--overlay", "acme.overlay.xml"], arguments].concat(), input)
+    }
+
+    fn printed_without(&self, arguments: &[&str], input: &[u8]) -> String {
+        let output = self.decode(&[&["acme.xml"], arguments].concat(), input);
         assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
         String::from_utf8(output.stdout).unwrap()
     }
@@ -188,6 +208,20 @@ fn json_is_an_object_on_each_line() {
     assert_eq!(lines[2]["views"], json!({}), "the condition does not hold");
     assert_eq!(lines[2]["fields"]["flags"], "0");
     assert_eq!(lines.len(), 3);
+}
+
+#[test]
+fn a_key_is_not_shown() {
+    let mut bench = Bench::of(SIGNING);
+    let frame = bench.frame(256, &[&[0xa7; 32][..], &[9]].concat());
+    assert_eq!(bench.printed_without(&[], &frame), "1/2 #0 SETUP_SIGNING { secret_key: secret, target_system: 9 }\n");
+    let json: Value = serde_json::from_str(&bench.printed_without(&["--format", "json"], &frame)).unwrap();
+    assert_eq!(json["fields"], json!({"secret_key": "secret", "target_system": 9}));
+    let csv = bench.printed_without(&["--format", "csv"], &frame);
+    assert_eq!(
+        csv.lines().collect::<Vec<_>>(),
+        ["time,system,component,sequence,secret_key,target_system", ",1,2,0,secret,9"]
+    );
 }
 
 #[test]

@@ -60,6 +60,9 @@ impl Format for Reflected<'_> {
 
 impl Format for Field<'_> {
     fn format(&self, f: Formatter<'_>) {
+        if self.info().secret {
+            return write!(f, "secret");
+        }
         if self.is_invalid() {
             return write!(f, "unknown");
         }
@@ -84,6 +87,7 @@ impl Format for Field<'_> {
 impl Format for Element<'_> {
     fn format(&self, f: Formatter<'_>) {
         match self.entry() {
+            _ if self.info().secret => write!(f, "secret"),
             _ if self.is_invalid() => write!(f, "unknown"),
             Some((info, value)) => entry(info, value, f),
             None => self.number().format(f),

@@ -24,13 +24,26 @@ pub struct FieldInfo {
     pub values: Option<&'static EnumInfo>,
     /// The value that means "not known".
     pub invalid: Option<Invalid>,
+    /// Holds a secret key. `Debug` of the message, [`reflect`](crate::reflect) and `defmt` do not show it; serde, which loses
+    /// nothing, carries it.
+    pub secret: bool,
 }
 
 impl FieldInfo {
     /// A single value at this offset of the payload.
     #[must_use]
     pub const fn new(name: &'static str, kind: Kind, offset: u8) -> Self {
-        Self { name, kind, array: None, offset, extension: false, units: None, values: None, invalid: None }
+        Self {
+            name,
+            kind,
+            array: None,
+            offset,
+            extension: false,
+            units: None,
+            values: None,
+            invalid: None,
+            secret: false,
+        }
     }
 
     /// An array of `length` elements at this offset of the payload.
@@ -61,6 +74,12 @@ impl FieldInfo {
     #[must_use]
     pub const fn invalid(self, invalid: Invalid) -> Self {
         Self { invalid: Some(invalid), ..self }
+    }
+
+    /// Marks a secret key.
+    #[must_use]
+    pub const fn secret(self) -> Self {
+        Self { secret: true, ..self }
     }
 
     /// Bytes that the field takes in the payload, all elements together.

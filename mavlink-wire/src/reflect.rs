@@ -51,6 +51,7 @@
 //! | an array | `voltages: [4100, 4080, unknown] mV` |
 //! | text | `text: "ready"`; `b"\xff"` where it is not UTF-8 |
 //! | the value that means so | `eph: unknown` |
+//! | a [key](FieldInfo::secret) | `secret_key: secret` |
 //! | a float | always with a point or an exponent: `yaw: 1.0 rad`; `NaN`, `inf` |
 //!
 //! `{:#}` puts each field on a line of its own.

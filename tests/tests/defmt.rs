@@ -1,7 +1,8 @@
 //! Messages in the log of a small device: what is sent over the wire contains what the message says.
 
 use mavlink_autoquad::autoquad::{
-    AqEscTelemetry, Autoquad, GpsRawInt, Heartbeat, MavAutopilot, MavModeFlag, MavState, MavType, Statustext,
+    AqEscTelemetry, Autoquad, GpsRawInt, Heartbeat, MavAutopilot, MavModeFlag, MavState, MavType, SetupSigning,
+    Statustext,
 };
 use mavlink_conformance::payload::Fill;
 use mavlink_conformance::random::Random;
@@ -54,6 +55,15 @@ fn a_message_names_its_fields_and_their_values() {
     assert!(has(&log(&beat), &parts), "{:?}", log(&beat));
     assert!(has(&log(&Autoquad::Heartbeat(beat)), &parts));
     assert!(!has(&log(&Heartbeat::DEFAULT), &parts));
+}
+
+#[test]
+fn a_key_is_not_logged() {
+    let setup = SetupSigning { secret_key: [0xa7; 32], ..SetupSigning::DEFAULT };
+    for log in [log(&setup), log(&Autoquad::from(setup))] {
+        assert!(has(&log, &[&sent("secret_key"), &sent("initial_timestamp")]));
+        assert!(!log.contains(&0xa7), "{log:?}");
+    }
 }
 
 #[test]

@@ -89,3 +89,30 @@ fn a_setup_is_the_setup_signing_of_the_dialect() {
         assert_eq!(Setup::read(&Frame::parse(frame, Autoquad::TABLE).unwrap()), Some(setup));
     }
 }
+
+/// Of a message that carries a key, whichever way it is printed: no byte of it, in decimal or hexadecimal.
+#[test]
+fn a_key_is_never_printed() {
+    let setup = SetupSigning { secret_key: [0xa7; 32], initial_timestamp: 5, ..SetupSigning::DEFAULT };
+    let message = Autoquad::from(setup);
+    let (mut sender, mut buffer) = (Sender::v2(255, 190), [0; MAX_FRAME]);
+    let frame = Frame::parse(sender.encode(&setup, &mut buffer).unwrap(), Autoquad::TABLE).unwrap();
+    let reflected = frame.reflect::<Autoquad>().unwrap();
+    let elements: Vec<String> =
+        reflected.fields().flat_map(|field| field.elements()).map(|element| element.to_string()).collect();
+    let texts = [
+        format!("{setup:?}"),
+        format!("{setup:#?}"),
+        format!("{message:?}"),
+        format!("{frame:?}"),
+        reflected.to_string(),
+        elements.join(" "),
+    ];
+    for text in texts {
+        assert!(text.contains("secret"), "{text}");
+        for digits in ["167", "a7", "A7"] {
+            assert!(!text.contains(digits), "{text}");
+        }
+    }
+    assert_eq!(frame.message::<Autoquad>(), Some(message), "and it is there");
+}

@@ -23,7 +23,8 @@ impl Tables {
         let enums: Vec<&'static EnumInfo> = dialect.enums.iter().map(enum_info).collect();
         let infos: Vec<&'static MessageInfo> = dialect.messages.iter().map(message_info).collect();
         let fields = dialect.messages.iter().map(|message| {
-            let fields = message.fields.iter().map(|field| field_info(field, &enums));
+            let secret = message.secret().map(|field| field.offset);
+            let fields = message.fields.iter().map(|field| field_info(field, secret, &enums));
             &*fields.collect::<Vec<FieldInfo>>().leak()
         });
         let fields = fields.collect();
@@ -78,7 +79,7 @@ fn enum_info(values: &Enum) -> &'static EnumInfo {
     Box::leak(Box::new(EnumInfo { name, bitmask, entries: entries.leak() }))
 }
 
-fn field_info(field: &Field, enums: &[&'static EnumInfo]) -> FieldInfo {
+fn field_info(field: &Field, secret: Option<u8>, enums: &[&'static EnumInfo]) -> FieldInfo {
     let (name, kind) = (leaked(&field.name.xml), kind(field.ty.scalar));
     let mut info = match field.ty.array {
         Some(length) => FieldInfo::array(name, kind, length.get(), field.offset),
@@ -87,6 +88,7 @@ fn field_info(field: &Field, enums: &[&'static EnumInfo]) -> FieldInfo {
     info.extension = field.extension;
     info.units = field.units.as_deref().map(leaked);
     info.values = field.values.and_then(|values| enums.get(values.id().0).copied());
+    info.secret = secret == Some(field.offset);
     info.invalid = field.invalid.as_ref().and_then(|invalid| self::invalid(invalid, field.ty.scalar));
     info
 }

@@ -21,6 +21,8 @@ pub struct Entry {
 pub enum Node {
     /// The sender does not know it.
     Unknown,
+    /// A secret key, which is not shown.
+    Secret,
     /// A whole number that is not negative.
     Unsigned(u128),
     /// A whole number of a signed type.
@@ -70,6 +72,7 @@ pub fn contents(dialect: &Dialect, tables: &Tables, reflected: &Reflected<'_>) -
 
 fn field(field: Field<'_>) -> Entry {
     let node = match field.value() {
+        _ if field.info().secret => Node::Secret,
         _ if field.is_invalid() => Node::Unknown,
         FieldValue::Text(bytes) => Node::Text(bytes.to_vec()),
         FieldValue::One(one) => element(one),

@@ -6,7 +6,7 @@ use quote::{ToTokens, quote};
 use crate::docs::prose_with;
 use crate::emit::token::{decimal, float, ident, integer, scalar};
 use crate::emit::{Context, doc};
-use crate::ir::{Enum, Field, FieldType, Invalid, Scalar, Scope, Sentinel, Values};
+use crate::ir::{Enum, Field, FieldType, Invalid, Message, Scalar, Scope, Sentinel, Values};
 
 /// The tokens of one field, by where they go.
 pub(crate) struct FieldTokens {
@@ -25,19 +25,20 @@ pub(crate) struct FieldTokens {
 }
 
 /// Everything that one field contributes to its message.
-pub(crate) fn field(context: &Context<'_>, field: &Field) -> FieldTokens {
+pub(crate) fn field(context: &Context<'_>, message: &Message, field: &Field) -> FieldTokens {
     let name = ident(&field.name.rust);
+    let secret = message.secret().is_some_and(|secret| secret.offset == field.offset);
     let typed = typed_enum(context, field);
     let (ty, zero) = (rust_type(field, typed), zero(field, typed));
     let offset = decimal(field.offset);
-    let docs = doc::attributes(&documentation(context, field));
+    let docs = doc::attributes(&documentation(context, field, secret));
     FieldTokens {
         offset: field.offset,
         declaration: quote!(#docs pub #name: #ty,),
         default: quote!(#name: #zero,),
         decode: quote!(#name: wire::get(p, #offset),),
         encode: quote!(wire::put(p, #offset, self.#name);),
-        info: info(context, field),
+        info: info(context, field, secret),
     }
 }
 
@@ -111,8 +112,8 @@ pub(crate) fn xml_type(field: &Field) -> String {
     field.ty.array.map_or_else(|| scalar.to_owned(), |n| format!("{scalar}[{n}]"))
 }
 
-/// The description; then units, range, enum, sentinel, and whether MAVLink 1 has it.
-fn documentation(context: &Context<'_>, field: &Field) -> Vec<String> {
+/// The description; then units, range, enum, sentinel, whether MAVLink 1 has it and whether it is a secret.
+fn documentation(context: &Context<'_>, field: &Field, secret: bool) -> Vec<String> {
     let mut facts = doc::quantity(field.units.as_deref(), field.multiplier.as_deref(), &field.limits);
     facts.extend(field.invalid.as_ref().map(|invalid| sentinel_sentence(invalid, field)));
     let mut sentences = Vec::new();
@@ -127,6 +128,9 @@ fn documentation(context: &Context<'_>, field: &Field) -> Vec<String> {
     }
     if field.instance {
         sentences.push("Tells apart the instances that one sender reports.".to_owned());
+    }
+    if secret {
+        sentences.push("Secret: shown neither by `Debug` nor in a log.".to_owned());
     }
     if field.origin.description.trim().is_empty() && sentences.is_empty() {
         sentences.push(format!("`{}`, a `{}`.", field.name.xml, xml_type(field)));
@@ -155,7 +159,7 @@ fn sentinel_sentence(invalid: &Invalid, field: &Field) -> String {
 }
 
 /// `wire::FieldInfo::array("voltages", wire::Kind::U16, 10, 10).units("mV").invalid(…),`
-fn info(context: &Context<'_>, field: &Field) -> TokenStream {
+fn info(context: &Context<'_>, field: &Field, secret: bool) -> TokenStream {
     let (name, kind, offset) = (&field.name.xml, kind(field.ty.scalar), decimal(field.offset));
     let mut info = match field.ty.array {
         None => quote!(wire::FieldInfo::new(#name, wire::Kind::#kind, #offset)),
@@ -177,6 +181,9 @@ fn info(context: &Context<'_>, field: &Field) -> TokenStream {
     if let Some(invalid) = &field.invalid {
         let invalid = invalid_info(invalid, field.ty.scalar);
         info.extend(quote!(.invalid(#invalid)));
+    }
+    if secret {
+        info.extend(quote!(.secret()));
     }
     quote!(#info,)
 }

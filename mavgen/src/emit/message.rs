@@ -44,13 +44,13 @@ use quote::quote;
 use crate::docs::line;
 use crate::emit::field::{FieldTokens, field, xml_type};
 use crate::emit::token::{decimal, ident};
-use crate::emit::{Context, accessor, doc, rivals, view};
+use crate::emit::{Context, accessor, doc, rivals, secret, view};
 use crate::ir::{Field, Message};
 
 /// The items of a message's file.
 pub(crate) fn message(context: &Context<'_>, message: &Message) -> TokenStream {
     let imports = imports(context, message);
-    let fields: Vec<FieldTokens> = message.fields.iter().map(|one| field(context, one)).collect();
+    let fields: Vec<FieldTokens> = message.fields.iter().map(|one| field(context, message, one)).collect();
     let declaration = declaration(context, message, &fields);
     let message_impl = message_impl(message, &fields);
     let encode_impl = encode_impl(message, &fields);
@@ -83,12 +83,15 @@ fn declaration(context: &Context<'_>, message: &Message, fields: &[FieldTokens])
     let deprecated = doc::deprecated(context, &message.origin);
     let (name, alias) = (ident(&message.name.rust), doc::alias(&message.name));
     let fields = fields.iter().map(|field| &field.declaration);
+    let secretive = secret::debug(message);
+    let debug = if secretive.is_some() { None } else { Some(quote!(Debug,)) };
     quote! {
         #docs
         #alias
         #deprecated
-        #[derive(Clone, Copy, Debug, PartialEq)]
+        #[derive(Clone, Copy, #debug PartialEq)]
         pub struct #name { #(#fields)* }
+        #secretive
     }
 }
 

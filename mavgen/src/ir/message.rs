@@ -48,6 +48,12 @@ impl Message {
         self.plain_u8("target_component")
     }
 
+    /// The field that holds a secret key, which no text may show: `secret_key` of message 256, `SETUP_SIGNING` (MAVLink guide,
+    /// "Message Signing").
+    pub fn secret(&self) -> Option<&Field> {
+        self.fields.iter().find(|field| self.id == 256 && field.name.xml == "secret_key")
+    }
+
     fn plain_u8(&self, name: &str) -> Option<&Field> {
         let plain = FieldType { scalar: Scalar::U8, array: None };
         self.fields.iter().find(|field| field.name.xml == name && field.ty == plain)

@@ -9,6 +9,8 @@ use crate::{EnumInfo, FieldInfo, Invalid, Kind, chars};
 
 /// The text for what the sender does not know.
 const UNKNOWN: &str = "unknown";
+/// The text for a secret key.
+const SECRET: &str = "secret";
 
 /// A field of a message, with its value.
 #[derive(Clone, Copy, Debug)]
@@ -39,7 +41,7 @@ impl<'a> Field<'a> {
         self.info
     }
 
-    /// What the field holds.
+    /// What the field holds, be it [secret](FieldInfo::secret).
     #[must_use]
     pub fn value(&self) -> Value<'a> {
         match (self.info.kind, self.info.array) {
@@ -92,6 +94,9 @@ impl<'a> Field<'a> {
 /// The value as [a message's text](super#the-text) has it.
 impl fmt::Display for Field<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.info.secret {
+            return f.write_str(SECRET);
+        }
         if self.is_invalid() {
             return f.write_str(UNKNOWN);
         }
@@ -168,10 +173,11 @@ impl<'a> Element<'a> {
     }
 }
 
-/// The number, the name of the entry, or the names of the flags; `unknown` where it is.
+/// The number, the name of the entry, or the names of the flags; `unknown` or `secret` where it is.
 impl fmt::Display for Element<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.entry() {
+            _ if self.info().secret => f.write_str(SECRET),
             _ if self.is_invalid() => f.write_str(UNKNOWN),
             Some((values, value)) => values.display(value).fmt(f),
             None => self.number().fmt(f),

@@ -1,7 +1,8 @@
 //! One message as a table: a row for each frame, a column for each value that it can hold.
 //!
 //! A column is named by the way to its value in JSON, `voltages[0]` or `escs[1].status.rpm`, with the unit behind it in
-//! parentheses. What the sender does not know, and what a frame does not have, is empty.
+//! parentheses. What the sender does not know, and what a frame does not have, is empty; a secret key is one column, that
+//! says `secret`.
 
 use std::collections::HashMap;
 
@@ -40,7 +41,9 @@ impl Columns {
         let mut columns = Self::default();
         for field in &message.fields {
             let units = if field.values.is_some() { None } else { field.units.as_deref() };
-            let length = if field.ty.scalar == Scalar::Char { None } else { field.ty.array.map(|length| length.get()) };
+            let secret = message.secret().is_some_and(|secret| secret.offset == field.offset);
+            let one = secret || field.ty.scalar == Scalar::Char;
+            let length = if one { None } else { field.ty.array.map(|length| length.get()) };
             columns.push(Part::Field, &field.name.xml, length, units);
         }
         for binding in &message.bindings {
@@ -125,6 +128,7 @@ fn fill(cells: &mut HashMap<Path, String>, part: Part, path: String, node: &Node
                 .iter()
                 .for_each(|Entry { name, node, .. }| fill(cells, part, format!("{path}.{name}"), node));
         }
+        Node::Secret => "secret".to_owned(),
         Node::Unsigned(value) => value.to_string(),
         Node::Signed(value) => value.to_string(),
         Node::Float(value) => format!("{value:?}"),

@@ -12,7 +12,7 @@
 //! | `units` | of those fields that have one |
 //! | `views` | what overlays see in the fields |
 //!
-//! A value that the sender does not know is null. An enum is the name of its entry, or the number where no entry has it;
+//! A value that the sender does not know is null, a secret key the text `"secret"`. An enum is the name of its entry, or the number where no entry has it;
 //! flags are `"A | B | 0x40"`. Floats that JSON cannot write are the texts `"NaN"`, `"Infinity"` and `"-Infinity"`, numbers
 //! over 64 bits are texts as well.
 
@@ -71,6 +71,7 @@ fn record(entries: &[Entry]) -> Value {
 fn value(node: &Node) -> Value {
     match node {
         Node::Unknown => Value::Null,
+        Node::Secret => "secret".into(),
         Node::Unsigned(value) => u64::try_from(*value).map_or_else(|_| value.to_string().into(), Value::from),
         Node::Signed(value) => i64::try_from(*value).map_or_else(|_| value.to_string().into(), Value::from),
         // The double that is written like the float: 0.1, not 0.10000000149011612, and the same float again.

@@ -44,6 +44,7 @@ fn lines(text: &mut String, view: &Entry) {
 fn value(node: &Node, units: Option<&str>) -> String {
     let text = match node {
         Node::Unknown => return "unknown".to_owned(),
+        Node::Secret => return "secret".to_owned(),
         Node::Unsigned(value) => value.to_string(),
         Node::Signed(value) => value.to_string(),
         Node::Float(value) => format!("{value:?}"),

@@ -15,16 +15,27 @@ use ::mavlink_wire as wire;
 /// |      9 | `target_component`  | `uint8_t`     |  |
 /// |     10 | `secret_key`        | `uint8_t[32]` |  |
 #[doc(alias = "SETUP_SIGNING")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct SetupSigning {
     /// Id of the system this is meant for; 0 is every system.
     pub target_system: u8,
     /// Id of the component this is meant for; 0 is every component.
     pub target_component: u8,
-    /// The shared key; 32 zero bytes switch signing off.
+    /// The shared key; 32 zero bytes switch signing off. Secret: shown neither by `Debug` nor in a log.
     pub secret_key: [u8; 32],
     /// Where signing time starts: units of 10 microseconds since 2015-01-01 UTC.
     pub initial_timestamp: u64,
+}
+
+impl core::fmt::Debug for SetupSigning {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("SetupSigning")
+            .field("target_system", &self.target_system)
+            .field("target_component", &self.target_component)
+            .field("secret_key", &"secret")
+            .field("initial_timestamp", &self.initial_timestamp)
+            .finish()
+    }
 }
 
 impl wire::Message for SetupSigning {
@@ -43,7 +54,7 @@ impl wire::Message for SetupSigning {
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 8),
         wire::FieldInfo::new("target_component", wire::Kind::U8, 9),
-        wire::FieldInfo::array("secret_key", wire::Kind::U8, 32, 10),
+        wire::FieldInfo::array("secret_key", wire::Kind::U8, 32, 10).secret(),
         wire::FieldInfo::new("initial_timestamp", wire::Kind::U64, 0),
     ];
 
