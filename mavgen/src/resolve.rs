@@ -56,8 +56,8 @@ pub fn resolve(loaded: &Loaded, sources: &Sources, diagnostics: &mut Diagnostics
         diagnostics.arrange();
         return None;
     }
-    let losses = Losses::behind(diagnostics);
-    overlay::check_heads(loaded, sources, diagnostics);
+    let mut losses = Losses::behind(diagnostics);
+    let loaded = &*overlay::check_heads(loaded, sources, &mut losses, diagnostics);
     let mut enums = Enums::merge(loaded, &losses, diagnostics);
     overlay::refine(loaded, &mut enums, diagnostics);
     let versions: Vec<Version> = loaded.files.iter().map(|file| Version::of(file, diagnostics)).collect();

@@ -34,6 +34,14 @@ pub struct Loaded {
     pub watched: Vec<PathBuf>,
 }
 
+impl Loaded {
+    /// Whether a file of that name is included: if it is not among the files, it could not be read, which was said.
+    pub(crate) fn has_include(&self, name: &str) -> bool {
+        let mut includes = self.files.iter().flat_map(|file| &file.includes);
+        includes.any(|include| Path::new(&include.value).file_name().is_some_and(|file| file == name))
+    }
+}
+
 /// Reads a dialect file and all that it includes.
 ///
 /// Include paths are relative to the file that names them; one that leads nowhere is looked for in `include_dirs`, in

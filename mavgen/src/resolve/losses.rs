@@ -16,6 +16,11 @@ impl Losses {
         Self { files: diagnostics.broken_files().collect() }
     }
 
+    /// A file whose definitions are not taken in.
+    pub(super) fn add(&mut self, file: FileId) {
+        self.files.insert(Some(file));
+    }
+
     /// Whether anything was lost: a name without a definition may then be no mistake.
     pub(super) fn any(&self) -> bool {
         !self.files.is_empty()

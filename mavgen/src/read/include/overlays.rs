@@ -40,7 +40,7 @@ fn give(overlay: Overlay, dialects: &mut [Loaded], sources: &Sources, diagnostic
             homeless = false;
         }
     }
-    if homeless {
+    if homeless && !dialects.iter().any(|dialect| dialect.has_include(&base.value)) {
         diagnostics.push(foreign(base, &names));
     }
 }

@@ -1,27 +1,45 @@
 //! The root element of an overlay: its version, and the file that it belongs to.
 
+use std::borrow::Cow;
+
+use super::super::losses::Losses;
 use crate::diag::{Code, Diagnostic, Diagnostics, nearest};
 use crate::read::Loaded;
 use crate::source::Sources;
-use crate::syntax::Text;
+use crate::syntax::{Overlay, Text};
 
 /// The version of the grammar that is understood.
 const VERSION: &str = "1";
 
-/// Checks the root elements of all overlays.
-pub(in crate::resolve) fn check(loaded: &Loaded, sources: &Sources, diagnostics: &mut Diagnostics) {
+/// Checks the root elements of all overlays. Returns what is left to resolve: an overlay for another dialect is not judged by this one.
+pub(in crate::resolve) fn check<'l>(
+    loaded: &'l Loaded,
+    sources: &Sources,
+    losses: &mut Losses,
+    diagnostics: &mut Diagnostics,
+) -> Cow<'l, Loaded> {
     let files = loaded.files.iter().filter_map(|file| sources.get(file.id));
     let names: Vec<String> = files.map(|source| source.name()).collect();
+    let is_foreign = |overlay: &Overlay| overlay.base.as_ref().is_some_and(|base| !names.contains(&base.value));
     for overlay in &loaded.overlays {
         if let Some(version) = overlay.version.as_ref().filter(|version| version.value.trim() != VERSION) {
             let message = format!("overlays of version `{}` are not known", version.value);
             let problem = Diagnostic::new(Code::OverlayVersion, version.span, message);
             diagnostics.push(problem.help(format!("this mavgen reads version {VERSION}")));
         }
-        if let Some(base) = overlay.base.as_ref().filter(|base| !names.contains(&base.value)) {
-            diagnostics.extend(foreign(base, &names));
+        if let Some(base) = overlay.base.as_ref().filter(|_| is_foreign(overlay)) {
+            diagnostics.extend(foreign(base, &names).filter(|_| !loaded.has_include(&base.value)));
+            if !overlay.enums.is_empty() {
+                losses.add(overlay.id);
+            }
         }
     }
+    if !loaded.overlays.iter().any(is_foreign) {
+        return Cow::Borrowed(loaded);
+    }
+    let mut own = loaded.clone();
+    own.overlays.retain(|overlay| !is_foreign(overlay));
+    Cow::Owned(own)
 }
 
 /// Says that no file of the dialect has that name; nothing if there is no dialect, which was said before.
