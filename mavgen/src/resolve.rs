@@ -78,9 +78,9 @@ pub fn resolve(loaded: &Loaded, sources: &Sources, diagnostics: &mut Diagnostics
     let types = naming::types(loaded, &enums, diagnostics);
     naming::check(loaded, &enums, &widths, diagnostics);
     accessors::check(loaded, &drafts, diagnostics);
-    check::check_entry_names(&enums.list, diagnostics);
+    check::check_entry_names(loaded, &enums.list, diagnostics);
     for ((merged, &width), uses) in enums.list.iter().zip(&widths).zip(&uses) {
-        check::check(merged, width, uses, diagnostics);
+        check::check(loaded, merged, width, uses, diagnostics);
     }
 
     let named = enums.list.iter().zip(widths).zip(types.enums);

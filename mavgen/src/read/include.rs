@@ -35,6 +35,13 @@ pub struct Loaded {
 }
 
 impl Loaded {
+    /// Orders the files by age: what is included comes before what includes it, overlays come last. Of two definitions that cannot
+    /// stand together the younger one is wrong: its author knew of the other, and can mend it.
+    pub(crate) fn age(&self, file: FileIndex) -> usize {
+        let files = self.files.len();
+        if file.0 < files { files - 1 - file.0 } else { file.0 }
+    }
+
     /// Whether a file of that name is included: if it is not among the files, it could not be read, which was said.
     pub(crate) fn has_include(&self, name: &str) -> bool {
         let mut includes = self.files.iter().flat_map(|file| &file.includes);

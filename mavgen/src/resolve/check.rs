@@ -1,6 +1,6 @@
 //! Checks across enums: what is legal, and still likely to be a mistake.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use super::enums::Entry;
 use super::merge::Merged;
@@ -8,6 +8,7 @@ use super::uses::Use;
 use super::width::Width;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{FileIndex, Repr};
+use crate::read::Loaded;
 use crate::source::Span;
 
 /// The fewest flags beyond 1 and 2 that make an enum look like a bitmask: small enums count 0, 1, 2 as well.
@@ -17,10 +18,16 @@ const FEWEST_FLAGS: usize = 3;
 const NAMED_VALUES: usize = 3;
 
 /// Looks at one enum and the fields that carry it.
-pub(super) fn check(merged: &Merged<'_>, width: Width, uses: &[Use<'_>], diagnostics: &mut Diagnostics) {
+pub(super) fn check(
+    loaded: &Loaded,
+    merged: &Merged<'_>,
+    width: Width,
+    uses: &[Use<'_>],
+    diagnostics: &mut Diagnostics,
+) {
     check_bitmask(merged, width.owner, diagnostics);
-    let (kinds, name) = (kinds(uses), merged.name.value.as_str());
-    check_widths(merged.owner_span(width.owner), name, &kinds, diagnostics);
+    let (kinds, name) = (kinds(loaded, uses), merged.name.value.as_str());
+    check_widths(loaded, (merged.owner_span(width.owner), width.owner), name, &kinds, diagnostics);
     for kind in kinds {
         let Some(beyond) = beyond(merged, width, kind.repr) else { continue };
         for one in uses.iter().filter(|one| one.repr == kind.repr) {
@@ -66,28 +73,36 @@ fn looks_like_bitmask(merged: &Merged<'_>) -> bool {
     flags >= FEWEST_FLAGS && values.all(|value| value == 0 || value.is_power_of_two())
 }
 
-/// The first use with each integer, in the order of the uses.
-fn kinds<'u, 'a>(uses: &'u [Use<'a>]) -> Vec<&'u Use<'a>> {
-    let mut kinds: Vec<&Use<'a>> = Vec::new();
-    for one in uses {
-        if kinds.iter().all(|kind| kind.repr != one.repr) {
-            kinds.push(one);
-        }
-    }
-    kinds
+/// The first use with each integer, those of older files first.
+fn kinds<'u, 'a>(loaded: &Loaded, uses: &'u [Use<'a>]) -> Vec<&'u Use<'a>> {
+    let mut uses: Vec<&Use<'a>> = uses.iter().collect();
+    uses.sort_by_key(|one| loaded.age(one.file));
+    let mut seen = HashSet::new();
+    uses.retain(|one| seen.insert(one.repr));
+    uses
 }
 
-/// One enum should have one integer: says once which fields differ.
-fn check_widths(place: Span, name: &str, kinds: &[&Use<'_>], diagnostics: &mut Diagnostics) {
-    if kinds.len() < 2 {
-        return;
-    }
+/// One enum should have one integer: says once which fields differ. If the last of them is of a file that came after the enum, it
+/// is the one to mend.
+fn check_widths(
+    loaded: &Loaded,
+    (enum_, owner): (Span, FileIndex),
+    name: &str,
+    kinds: &[&Use<'_>],
+    diagnostics: &mut Diagnostics,
+) {
+    let (Some((last, others)), 2..) = (kinds.split_last(), kinds.len()) else { return };
     let message = format!("enum `{name}` is carried by fields of {} types", kinds.len());
-    let problem = Diagnostic::new(Code::EnumWidths, place, message);
-    diagnostics.push(kinds.iter().fold(problem, |problem, one| {
-        let (message, field, ty) = (&one.message.name.value, &one.field.name.value, &one.field.ty);
-        problem.related(ty.span, format!("`{message}.{field}` is `{}`", ty.value))
-    }));
+    let is =
+        |one: &Use<'_>| format!("`{}.{}` is `{}`", one.message.name.value, one.field.name.value, one.field.ty.value);
+    let related = |problem: Diagnostic, one: &&Use<'_>| problem.related(one.field.ty.span, is(one));
+    let problem = |place| Diagnostic::new(Code::EnumWidths, place, message);
+    diagnostics.push(if loaded.age(last.file) > loaded.age(owner) {
+        let problem = problem(last.field.ty.span).label(is(last)).related(enum_, "the enum");
+        others.iter().fold(problem, related)
+    } else {
+        kinds.iter().fold(problem(enum_), related)
+    });
 }
 
 /// The values that do not fit an integer, as a label; those that made the enum wider have been spoken of.
@@ -112,17 +127,19 @@ fn check_values(name: &str, beyond: &str, one: &Use<'_>, diagnostics: &mut Diagn
 }
 
 /// Entry names are global in C, and entries of two enums that share one are most likely the same thing twice.
-pub(super) fn check_entry_names(enums: &[Merged<'_>], diagnostics: &mut Diagnostics) {
+pub(super) fn check_entry_names(loaded: &Loaded, enums: &[Merged<'_>], diagnostics: &mut Diagnostics) {
     let mut seen: HashMap<&str, (usize, Span)> = HashMap::new();
-    for (index, merged) in enums.iter().enumerate() {
-        for entry in &merged.entries {
-            let name = &entry.syntax.name;
-            let (first, span) = *seen.entry(&name.value).or_insert((index, name.span));
-            if first != index {
-                let message = format!("`{}` is an entry of two enums", name.value);
-                let problem = Diagnostic::new(Code::SameEntryName, name.span, message);
-                diagnostics.push(problem.related(span, "the other one"));
-            }
+    let entries =
+        enums.iter().enumerate().flat_map(|(index, merged)| merged.entries.iter().map(move |entry| (index, entry)));
+    let mut entries: Vec<_> = entries.collect();
+    entries.sort_by_key(|(_, entry)| loaded.age(entry.file));
+    for (index, entry) in entries {
+        let name = &entry.syntax.name;
+        let (first, span) = *seen.entry(&name.value).or_insert((index, name.span));
+        if first != index {
+            let message = format!("`{}` is an entry of two enums", name.value);
+            let problem = Diagnostic::new(Code::SameEntryName, name.span, message);
+            diagnostics.push(problem.related(span, "the other one"));
         }
     }
 }

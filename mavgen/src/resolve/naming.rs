@@ -2,9 +2,9 @@
 //!
 //! The spelling is [`crate::names`]'s; here is what depends on other names.
 
-use std::collections::hash_map::Entry;
-use std::collections::{HashMap, HashSet};
+use std::collections::{HashMap, HashSet, hash_map};
 
+use super::enums::Entry;
 use super::merge::{Enums, Merged};
 use super::width::Width;
 use crate::diag::{Code, Diagnostic, Diagnostics};
@@ -41,12 +41,14 @@ pub(super) struct Types {
 }
 
 /// Names the types and reports those that share a name.
-pub(super) fn types(loaded: &Loaded, enums: &Enums<'_>, diagnostics: &mut Diagnostics) -> Types {
-    let mut scope = Scope::default();
-    for message in all_messages(loaded) {
-        scope.claim(names::type_name(&message.name.value), &message.name, "messages", diagnostics);
+pub(super) fn types<'a>(loaded: &'a Loaded, enums: &Enums<'a>, diagnostics: &mut Diagnostics) -> Types {
+    let mut claims: Vec<Claim<'_>> = Vec::new();
+    for (index, file) in loaded.files.iter().enumerate() {
+        let (age, what) = (loaded.age(FileIndex(index)), "messages");
+        let claim = |name: &'a Text| Claim { age, rust: names::type_name(&name.value), name, what };
+        claims.extend(file.messages.iter().map(|message| claim(&message.name)));
     }
-    let messages: HashSet<String> = scope.taken.keys().cloned().collect();
+    let messages: HashSet<String> = claims.iter().map(|claim| claim.rust.clone()).collect();
     let suffixed = |rust: String, taken: bool, suffix: &str| {
         // `Option_` is spelled so only to differ from `Option`, which `OptionEnum` does anyway.
         if taken { rust.trim_end_matches('_').to_owned() + suffix } else { rust }
@@ -56,9 +58,13 @@ pub(super) fn types(loaded: &Loaded, enums: &Enums<'_>, diagnostics: &mut Diagno
         let rust = names::type_name(&merged.name.value);
         let taken = messages.contains(&rust);
         let rust = suffixed(rust, taken, "Enum");
-        scope.claim(rust.clone(), merged.name, "types", diagnostics);
+        let oldest = merged.blocks.iter().map(|block| (loaded.age(block.file), &block.syntax.name));
+        let oldest = oldest.min_by_key(|(age, _)| *age);
+        claims.extend(oldest.map(|(age, name)| Claim { age, rust: rust.clone(), name, what: "types" }));
         types.enums.push(rust);
     }
+    let mut scope = Scope::default();
+    scope.claim_all(claims, diagnostics);
     for name in view_types(loaded) {
         scope.claim_new(names::type_name(&name.value), name, diagnostics);
     }
@@ -80,7 +86,7 @@ fn view_types(loaded: &Loaded) -> impl Iterator<Item = &Text> {
 
 /// The dialect's type is named after its file, which can be called anything.
 fn check_dialect(name: &str, rust: &str, scope: &Scope<'_>, diagnostics: &mut Diagnostics) {
-    if let Some(other) = scope.taken.get(rust) {
+    if let Some((other, _)) = scope.taken.get(rust) {
         let message = format!("the dialect `{name}` and `{}` are both `{rust}` in Rust", other.value);
         diagnostics.push(
             Diagnostic::new(Code::NameCollision, other.span, message)
@@ -96,7 +102,7 @@ fn check_dialect(name: &str, rust: &str, scope: &Scope<'_>, diagnostics: &mut Di
 }
 
 /// Reports names that are none, wherever they stand, and fields and constants that share a name.
-pub(super) fn check(loaded: &Loaded, enums: &Enums<'_>, widths: &[Width], diagnostics: &mut Diagnostics) {
+pub(super) fn check<'a>(loaded: &'a Loaded, enums: &Enums<'a>, widths: &[Width], diagnostics: &mut Diagnostics) {
     let overlaid = loaded.overlays.iter().flat_map(|overlay| &overlay.enums);
     for element in loaded.files.iter().flat_map(|file| &file.enums).chain(overlaid) {
         check_spelling(&element.name, "an enum", diagnostics);
@@ -107,14 +113,19 @@ pub(super) fn check(loaded: &Loaded, enums: &Enums<'_>, widths: &[Width], diagno
         let mut scope = Scope::default();
         for field in &message.fields {
             check_spelling(&field.name, "a field", diagnostics);
-            scope.claim(names::field_name(&field.name.value), &field.name, "fields", diagnostics);
+            let rust = names::field_name(&field.name.value);
+            scope.claim(Claim { age: 0, rust, name: &field.name, what: "fields" }, diagnostics);
         }
     }
     for (merged, width) in enums.list.iter().zip(widths) {
-        let mut scope = Scope::default();
-        for (entry, rust) in merged.entries.iter().zip(constants(merged, width.owner)) {
-            scope.claim(rust, &entry.syntax.name, "entries", diagnostics);
-        }
+        let entries = merged.entries.iter().zip(constants(merged, width.owner));
+        let claim = |(entry, rust): (&Entry<'a>, String)| Claim {
+            age: loaded.age(entry.file),
+            rust,
+            name: &entry.syntax.name,
+            what: "entries",
+        };
+        Scope::default().claim_all(entries.map(claim).collect(), diagnostics);
     }
 }
 
@@ -152,36 +163,52 @@ fn is_name(text: &str) -> bool {
     fault(text).is_none()
 }
 
+/// A name that something would like to have in Rust.
+struct Claim<'a> {
+    /// The age of its file: see [`Loaded::age`].
+    age: usize,
+    rust: String,
+    name: &'a Text,
+    /// What has such names.
+    what: &'static str,
+}
+
 /// Names that have to differ from each other.
 #[derive(Default)]
 struct Scope<'a> {
-    taken: HashMap<String, &'a Text>,
+    taken: HashMap<String, (&'a Text, &'static str)>,
 }
 
 impl<'a> Scope<'a> {
+    /// Takes names, those of older files first.
+    fn claim_all(&mut self, mut claims: Vec<Claim<'a>>, diagnostics: &mut Diagnostics) {
+        claims.sort_by_key(|claim| claim.age);
+        claims.into_iter().for_each(|claim| self.claim(claim, diagnostics));
+    }
+
     /// Takes a name, or reports who has it. Equal spellings are duplicates, and what is no name is none: both are reported
     /// elsewhere.
-    fn claim(&mut self, rust: String, name: &'a Text, what: &str, diagnostics: &mut Diagnostics) {
-        let (first, rust) = match self.taken.entry(rust) {
-            Entry::Occupied(taken) => (*taken.get(), taken.key().clone()),
-            Entry::Vacant(free) => {
-                free.insert(name);
+    fn claim(&mut self, Claim { rust, name, what, .. }: Claim<'a>, diagnostics: &mut Diagnostics) {
+        let ((first, other), rust) = match self.taken.entry(rust) {
+            hash_map::Entry::Occupied(taken) => (*taken.get(), taken.key().clone()),
+            hash_map::Entry::Vacant(free) => {
+                free.insert((name, what));
                 return;
             }
         };
         if first.value == name.value || !is_name(&name.value) || !is_name(&first.value) {
             return;
         }
-        diagnostics.push(collision(first, name, &rust, what));
+        diagnostics.push(collision(first, name, &rust, if what == other { what } else { "types" }));
     }
 
     /// Takes a name that has to be new, even if it is spelled like another.
     fn claim_new(&mut self, rust: String, name: &'a Text, diagnostics: &mut Diagnostics) {
         match self.taken.get(&rust) {
-            Some(first) if is_name(&name.value) => diagnostics.push(collision(first, name, &rust, "types")),
+            Some((first, _)) if is_name(&name.value) => diagnostics.push(collision(first, name, &rust, "types")),
             Some(_) => {}
             None => {
-                self.taken.insert(rust, name);
+                self.taken.insert(rust, (name, "types"));
             }
         }
     }
