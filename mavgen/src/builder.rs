@@ -28,10 +28,10 @@ use crate::source::Sources;
 /// ```
 #[derive(Clone, Debug)]
 pub struct Builder {
-    roots: Vec<PathBuf>,
+    pub(crate) roots: Vec<PathBuf>,
     name: Option<String>,
-    include_dirs: Vec<PathBuf>,
-    overlays: Vec<PathBuf>,
+    pub(crate) include_dirs: Vec<PathBuf>,
+    pub(crate) overlays: Vec<PathBuf>,
     messages: Option<Vec<String>>,
     pub(crate) out_dir: Option<PathBuf>,
     runtime: String,
@@ -210,10 +210,7 @@ impl Builder {
         let Some(dialect) = dialects.next().filter(|_| !diagnostics.has_errors()) else {
             return Err(Failure::Definitions(Box::new(Problems { diagnostics, sources, watched })));
         };
-        let denied = self.denied(&diagnostics, &sources);
-        if !denied.is_empty() {
-            return Err(Failure::Denied(Box::new(Problems { diagnostics: denied, sources, watched })));
-        }
+        self.check_denied(&diagnostics, &sources, &watched)?;
         Ok(Resolved { dialect, others: dialects.collect(), union, diagnostics, sources, watched })
     }
 
@@ -269,7 +266,7 @@ impl Builder {
         })
     }
 
-    fn selection(&self) -> Result<Option<Selection>, Failure> {
+    pub(crate) fn selection(&self) -> Result<Option<Selection>, Failure> {
         let names = self.messages.as_ref().map(|names| Selection::new(names.iter().map(String::as_str)));
         names.transpose().map_err(Failure::Usage)
     }
@@ -281,14 +278,23 @@ impl Builder {
         file.is_none_or(|file| self.roots.iter().chain(&self.overlays).any(|named| named == file.path()))
     }
 
-    /// The warnings that are not let pass.
-    fn denied(&self, diagnostics: &Diagnostics, sources: &Sources) -> Diagnostics {
+    /// Fails if there are warnings that are not let pass, with them.
+    pub(crate) fn check_denied(
+        &self,
+        diagnostics: &Diagnostics,
+        sources: &Sources,
+        watched: &[PathBuf],
+    ) -> Result<(), Failure> {
         let is_denied = |diagnostic: &&Diagnostic| {
             self.deny_warnings && diagnostic.severity() == Severity::Warning && self.concerns(diagnostic, sources)
         };
         let mut denied = Diagnostics::default();
         denied.extend(diagnostics.iter().filter(is_denied).cloned());
-        denied
+        if denied.is_empty() {
+            return Ok(());
+        }
+        let (sources, watched) = (sources.clone(), watched.to_owned());
+        Err(Failure::Denied(Box::new(Problems { diagnostics: denied, sources, watched })))
     }
 
     fn folder(&self) -> Result<&Path, Failure> {

@@ -21,7 +21,7 @@ mod tests;
 
 use std::path::{Path, PathBuf};
 
-use crate::builder::{Failure, Problems};
+use crate::builder::{Builder, Failure, Problems};
 use crate::diag::Diagnostics;
 use crate::read::{self, Loaded, load};
 use crate::resolve::resolve;
@@ -94,18 +94,30 @@ pub struct Homeless {
     pub words: String,
 }
 
-/// Reads and resolves the dialect in the file `xml`, and copies its files; writes nothing: see [`write()`].
+/// Reads and resolves the dialect of a builder, and copies its files; writes nothing: see [`write()`].
+///
+/// ```no_run
+/// use mavgen::vendor::{Prose, vendor, write};
+///
+/// let upstream = mavgen::Builder::new("mavlink/message_definitions/v1.0/ardupilotmega.xml").deny_warnings(true);
+/// write("xml".as_ref(), &vendor(&upstream, &Prose::Keep).unwrap().files).unwrap();
+/// ```
 ///
 /// # Errors
-/// [`Failure::Definitions`] if the definitions, or the files that descriptions are taken from, are wrong; [`Failure::Usage`] if
-/// two files of different folders have the same name, or names that some file systems take for the same.
-pub fn vendor(xml: &Path, include_dirs: &[PathBuf], prose: &Prose) -> Result<Vendored, Failure> {
+/// [`Failure::Definitions`] if the definitions, or the files that descriptions are taken from, are wrong, and
+/// [`Failure::Denied`] as in [`Builder::resolve`]. [`Failure::Usage`] if two files of different folders have the same name, or
+/// names that some file systems take for the same; or if the builder has several dialects, or an overlay: those are not copied.
+pub fn vendor(builder: &Builder, prose: &Prose) -> Result<Vendored, Failure> {
+    let ([xml], []) = (&*builder.roots, &*builder.overlays) else {
+        return Err(Failure::Usage("definitions are copied one dialect at a time, and without overlays".into()));
+    };
     let (mut sources, mut diagnostics) = (Sources::default(), Diagnostics::default());
-    let loaded = load(xml, include_dirs, &[], &mut sources, &mut diagnostics);
+    let loaded = load(xml, &builder.include_dirs, &[], &mut sources, &mut diagnostics);
     if resolve(&loaded, &sources, &mut diagnostics).is_none() {
         let watched = loaded.watched;
         return Err(Failure::Definitions(Box::new(Problems { diagnostics, sources, watched })));
     }
+    builder.check_denied(&diagnostics, &sources, &loaded.watched)?;
     let originals = originals(&loaded, &sources)?;
     let (files, homeless) = match prose {
         Prose::Keep => (originals.iter().map(Original::whole).collect(), Vec::new()),

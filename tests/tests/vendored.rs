@@ -29,8 +29,8 @@ fn below_header(text: &str) -> Vec<&str> {
 #[test]
 fn the_definitions_are_made_of_facts_and_their_descriptions() {
     let bare = tempfile::tempdir().unwrap();
-    write(bare.path(), &vendor(&xml().join("autoquad.xml"), &[], &Prose::Drop).unwrap().files).unwrap();
-    let again = vendor(&bare.path().join("autoquad.xml"), &[], &Prose::From(xml())).unwrap();
+    write(bare.path(), &vendor(&Builder::new(xml().join("autoquad.xml")), &Prose::Drop).unwrap().files).unwrap();
+    let again = vendor(&Builder::new(bare.path().join("autoquad.xml")), &Prose::From(xml())).unwrap();
     assert_eq!((again.files.len(), again.homeless.len()), (4, 0));
     for copy in &again.files {
         let file = fs::read_to_string(xml().join(&copy.name)).unwrap();
@@ -43,7 +43,7 @@ fn the_definitions_are_made_of_facts_and_their_descriptions() {
 fn the_facts_are_the_definitions() {
     for xml in [xml().join("autoquad.xml"), Path::new(env!("CARGO_MANIFEST_DIR")).join("hostile/hostile.xml")] {
         let folder = tempfile::tempdir().unwrap();
-        write(folder.path(), &vendor(&xml, &[], &Prose::Drop).unwrap().files).unwrap();
+        write(folder.path(), &vendor(&Builder::new(&xml), &Prose::Drop).unwrap().files).unwrap();
         let copy = folder.path().join(xml.file_name().unwrap());
         assert_eq!(compare(&resolved(&xml), &resolved(&copy)), []);
     }

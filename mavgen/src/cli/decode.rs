@@ -86,7 +86,7 @@ impl Decode {
 
     /// The ids of the messages that were asked for; `None` for all.
     fn wanted(&self) -> Result<Option<Vec<u32>>, Failure> {
-        if self.reading.messages.is_none() {
+        if self.reading.definitions.messages.is_none() {
             return Ok(None);
         }
         let chosen = self.reading.builder(&self.xml).resolve()?.dialect;

@@ -64,7 +64,7 @@ impl Diff {
         }
         let mut old = resolve(&before.whole(&self.old), report)?;
         let mut new = resolve(&self.reading.whole(&self.new), report)?;
-        if let Some(messages) = &self.reading.messages {
+        if let Some(messages) = &self.reading.definitions.messages {
             (old.dialect, new.dialect) = select(old.dialect, new.dialect, messages)?;
         }
         let mut changes = compare(&old.dialect, &new.dialect);

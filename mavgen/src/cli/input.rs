@@ -19,20 +19,27 @@ pub(super) struct Input {
     pub(super) reading: Reading,
 }
 
-/// How definitions are read.
+/// How definitions are read, and what overlays add to them.
 #[derive(Args, Clone)]
 pub(super) struct Reading {
-    /// Where to look for includes that do not lie beside the file that names them; may be given several times.
-    #[arg(long, value_name = "DIR")]
-    include_dir: Vec<PathBuf>,
+    #[command(flatten)]
+    pub(super) definitions: Definitions,
     /// A file that says what the XML cannot, like the meaning of packed bits; may be given several times.
     #[arg(long, value_name = "FILE")]
     pub(super) overlay: Vec<PathBuf>,
+}
+
+/// How definitions are read: what every command has.
+#[derive(Args, Clone)]
+pub(super) struct Definitions {
+    /// Where to look for includes that do not lie beside the file that names them; may be given several times.
+    #[arg(long, value_name = "DIR")]
+    include_dir: Vec<PathBuf>,
     /// Only these messages and what they need: names separated by commas; in a pattern, a star stands for any characters. A
     /// name that means no message is an error.
     #[arg(long, visible_alias = "message", value_name = "NAME,PREFIX_*", value_delimiter = ',')]
     pub(super) messages: Option<Vec<String>>,
-    /// Warnings are errors: those about the XML file itself and its overlays, not about the files that they include.
+    /// Warnings are errors: those about the files that are named here, not about files that they include.
     #[arg(long)]
     pub(super) deny_warnings: bool,
 }
@@ -56,14 +63,27 @@ impl Input {
 
 impl Reading {
     pub(super) fn builder(&self, xml: &Path) -> Builder {
-        self.messages.iter().fold(self.whole(xml), |builder, names| builder.messages(names))
+        self.overlaid(self.definitions.builder(xml))
     }
 
     /// The builder of all messages.
     pub(super) fn whole(&self, xml: &Path) -> Builder {
-        let builder = Builder::new(xml).deny_warnings(self.deny_warnings);
-        let builder = self.include_dir.iter().fold(builder, |builder, folder| builder.include_dir(folder));
+        self.overlaid(self.definitions.whole(xml))
+    }
+
+    fn overlaid(&self, builder: Builder) -> Builder {
         self.overlay.iter().fold(builder, |builder, file| builder.overlay(file))
+    }
+}
+
+impl Definitions {
+    pub(super) fn builder(&self, xml: &Path) -> Builder {
+        self.messages.iter().fold(self.whole(xml), |builder, names| builder.messages(names))
+    }
+
+    fn whole(&self, xml: &Path) -> Builder {
+        let builder = Builder::new(xml).deny_warnings(self.deny_warnings);
+        self.include_dir.iter().fold(builder, |builder, folder| builder.include_dir(folder))
     }
 }
 
@@ -71,16 +91,19 @@ impl Reading {
 ///
 /// Warnings about included files and notes are for `mavgen lint`: they would be in the way of everything else.
 pub(super) fn resolve(builder: &Builder, report: &Report) -> Result<Resolved, Failure> {
-    match builder.resolve() {
-        Ok(resolved) => {
-            report.diagnostics(&concerning(builder, &resolved.diagnostics, &resolved.sources), &resolved.sources);
-            Ok(resolved)
-        }
-        Err(Failure::Definitions(mut problems)) => {
+    let resolved = builder.resolve().map_err(|failure| concerning_failure(builder, failure))?;
+    report.diagnostics(&concerning(builder, &resolved.diagnostics, &resolved.sources), &resolved.sources);
+    Ok(resolved)
+}
+
+/// A failure without what does not concern the user.
+pub(super) fn concerning_failure(builder: &Builder, failure: Failure) -> Failure {
+    match failure {
+        Failure::Definitions(mut problems) => {
             problems.diagnostics = concerning(builder, &problems.diagnostics, &problems.sources);
-            Err(Failure::Definitions(problems))
+            Failure::Definitions(problems)
         }
-        Err(other) => Err(other),
+        other => other,
     }
 }
 

@@ -65,7 +65,7 @@ impl Lint {
             plural(warnings, "warning"),
             plural(notes, "note")
         ));
-        let denied = self.input.reading.deny_warnings
+        let denied = self.input.reading.definitions.deny_warnings
             && found.iter().any(|one| one.severity() == Severity::Warning && builder.concerns(one, sources));
         if denied {
             report.denied();

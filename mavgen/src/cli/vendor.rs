@@ -4,10 +4,10 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Args;
+use mavgen::Failure;
 use mavgen::vendor::{Copy, Prose, Vendored, Written, vendor, write};
-use mavgen::{Builder, Failure};
 
-use super::input::concerning;
+use super::input::{Definitions, concerning, concerning_failure};
 use super::report::{Report, plural};
 
 /// Copies a dialect and its includes into one folder.
@@ -24,16 +24,16 @@ use super::report::{Report, plural};
 #[command(after_help = "\
 Examples:
   mavgen vendor mavlink/message_definitions/v1.0/ardupilotmega.xml --out xml
-  mavgen vendor upstream/common.xml --out xml --prose-from xml   take over new facts, keep our descriptions")]
+  mavgen vendor upstream/common.xml --out xml --prose-from xml   take over new facts, keep our descriptions
+  mavgen vendor acme.xml --include-dir upstream --out xml --deny-warnings")]
 pub(super) struct Vendor {
     /// The dialect's XML file.
     xml: PathBuf,
     /// The folder for the copies.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
-    /// Where to look for includes that do not lie beside the file that names them; may be given several times.
-    #[arg(long, value_name = "DIR")]
-    include_dir: Vec<PathBuf>,
+    #[command(flatten)]
+    definitions: Definitions,
     /// Leave descriptions and comments behind.
     #[arg(long)]
     no_prose: bool,
@@ -52,8 +52,9 @@ impl Vendor {
             None if self.no_prose => Prose::Drop,
             None => Prose::Keep,
         };
-        let vendored = vendor(&self.xml, &self.include_dir, &prose)?;
-        let warnings = concerning(&Builder::new(&self.xml), &vendored.diagnostics, &vendored.sources);
+        let builder = self.definitions.builder(&self.xml);
+        let vendored = vendor(&builder, &prose).map_err(|failure| concerning_failure(&builder, failure))?;
+        let warnings = concerning(&builder, &vendored.diagnostics, &vendored.sources);
         report.diagnostics(&warnings, &vendored.sources);
         let Written { written, kept, others } = write(&self.out, &vendored.files).map_err(Failure::Output)?;
         report.note(&format!("{}: {} written, {kept} kept", self.out.display(), plural(written, "file")));

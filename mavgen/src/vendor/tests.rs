@@ -8,6 +8,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use super::{Prose, Vendored, vendor};
+use crate::builder::Builder;
 
 /// A folder with these files.
 fn folder(files: &[(&str, &str)]) -> tempfile::TempDir {
@@ -25,7 +26,7 @@ fn put(path: &Path, text: &str) {
 
 /// Copies of the dialect in `a.xml` of a folder.
 fn copies(folder: &Path, prose: &Prose) -> Vendored {
-    vendor(&folder.join("a.xml"), &[], prose).unwrap_or_else(|failure| panic!("{failure}"))
+    vendor(&Builder::new(folder.join("a.xml")), prose).unwrap_or_else(|failure| panic!("{failure}"))
 }
 
 /// The text of a copy.

@@ -102,3 +102,23 @@ fn refusals_are_2_and_cost_nothing() {
     assert!(stderr(&refused).contains("acme.xml:7:20"), "{}", stderr(&refused));
     assert_eq!(fs::read_dir(folder.path().join("xml")).unwrap().count(), 0);
 }
+
+/// Nobody can mend what is included; what is one's own can be, and is not copied before that.
+#[test]
+fn denied_warnings_write_nothing() {
+    let folder = folder();
+    let warned = |text: &str| text.replace("<messages", "<!-- --><odd/><messages");
+    fs::write(folder.path().join("parts/base.xml"), warned(BASE)).unwrap();
+    let theirs = vendor(folder.path(), &["--deny-warnings"]);
+    assert_eq!((theirs.status.code(), stderr(&theirs).as_str()), (Some(0), "xml: 2 files written, 0 kept\n"));
+    let before = tree(&folder.path().join("xml"));
+
+    fs::write(folder.path().join("acme.xml"), warned(ACME)).unwrap();
+    let ours = vendor(folder.path(), &["--deny-warnings"]);
+    let said = stderr(&ours);
+    assert_eq!(ours.status.code(), Some(2));
+    assert!(said.contains("acme.xml:3") && said.contains("are denied") && !said.contains("base.xml"), "{said}");
+    assert_eq!(tree(&folder.path().join("xml")), before);
+    let warned = vendor(folder.path(), &[]);
+    assert!(warned.status.success() && stderr(&warned).starts_with("warning"), "{}", stderr(&warned));
+}

@@ -127,8 +127,10 @@ fn again_is_the_same() {
 fn a_broken_file_of_descriptions_is_an_error() {
     let folder = both();
     put(&folder.path().join("old/common.xml"), "<mavlink><enums></mavlink>");
-    let failure = vendor(&folder.path().join("a.xml"), &[], &Prose::From(folder.path().join("old"))).unwrap_err();
+    let failure =
+        vendor(&Builder::new(folder.path().join("a.xml")), &Prose::From(folder.path().join("old"))).unwrap_err();
     assert!(failure.to_string().contains("common.xml:1"), "{failure}");
-    let failure = vendor(&folder.path().join("a.xml"), &[], &Prose::From(folder.path().join("none"))).unwrap_err();
+    let failure =
+        vendor(&Builder::new(folder.path().join("a.xml")), &Prose::From(folder.path().join("none"))).unwrap_err();
     assert!(failure.to_string().contains("no such folder"), "{failure}");
 }

@@ -93,7 +93,7 @@ fn two_files_of_one_name_are_an_error() {
             (&format!("x/{first}"), B),
             (&format!("y/{second}"), "<mavlink><messages/></mavlink>"),
         ]);
-        let failure = vendor(&folder.path().join("a.xml"), &[], &Prose::Keep).unwrap_err().to_string();
+        let failure = vendor(&Builder::new(folder.path().join("a.xml")), &Prose::Keep).unwrap_err().to_string();
         assert!(failure.contains("one file in one folder") && failure.contains(&format!("y/{second}")), "{failure}");
     }
 }
@@ -101,6 +101,6 @@ fn two_files_of_one_name_are_an_error() {
 #[test]
 fn wrong_definitions_are_not_copied() {
     let folder = folder(&[("a.xml", "<mavlink><include>missing.xml</include><messages/></mavlink>")]);
-    let failure = vendor(&folder.path().join("a.xml"), &[], &Prose::Keep).unwrap_err();
+    let failure = vendor(&Builder::new(folder.path().join("a.xml")), &Prose::Keep).unwrap_err();
     assert!(failure.to_string().contains("missing.xml"), "{failure}");
 }

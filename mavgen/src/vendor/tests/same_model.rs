@@ -1,7 +1,6 @@
 use std::path::Path;
 
 use super::*;
-use crate::builder::Builder;
 use crate::ir::{Dialect, Lifecycle, Origin};
 use crate::source::{Sources, Span};
 
