@@ -49,6 +49,8 @@ use version::Version;
 use width::Width;
 
 pub(crate) use view::getters as view_methods;
+#[cfg(feature = "vendor")]
+pub(crate) use width::integer;
 
 /// Resolves the files of a dialect; `None` if there was an error, here or in reading them, or if there is no file.
 pub fn resolve(loaded: &Loaded, sources: &Sources, diagnostics: &mut Diagnostics) -> Option<Dialect> {

@@ -9,7 +9,7 @@ mod pattern;
 mod tests;
 
 use crate::diag::nearest;
-use crate::ir::Dialect;
+use crate::ir::{Dialect, Enum, Message};
 
 use pattern::Pattern;
 
@@ -62,11 +62,25 @@ impl Selection {
     /// The dialect with the selected messages, their views and bindings, and the enums that those need.
     ///
     /// Files stay, also those that nothing is kept of: they were read.
-    pub(crate) fn apply(&self, mut dialect: Dialect) -> Dialect {
-        dialect.messages.retain(|message| self.patterns.iter().any(|pattern| pattern.matches(&message.name.xml)));
-        needs::keep_needed(&mut dialect);
-        dialect
+    pub(crate) fn apply(&self, dialect: Dialect) -> Dialect {
+        keep(dialect, |message| self.means(message), |_| false)
     }
+
+    /// Whether the message is one of them.
+    pub(crate) fn means(&self, message: &Message) -> bool {
+        self.patterns.iter().any(|pattern| pattern.matches(&message.name.xml))
+    }
+}
+
+/// The dialect with the wanted messages, the wanted enums, and what those need.
+pub(crate) fn keep(
+    mut dialect: Dialect,
+    wants_message: impl Fn(&Message) -> bool,
+    wants_enum: impl Fn(&Enum) -> bool,
+) -> Dialect {
+    dialect.messages.retain(wants_message);
+    needs::keep_needed(&mut dialect, wants_enum);
+    dialect
 }
 
 /// The list as one would write it: by name, separated by commas.

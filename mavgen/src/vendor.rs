@@ -7,30 +7,58 @@
 //!
 //! Includes lead to the flat folder. A copy begins with a header that names the source and its SHA-256, by which a later run
 //! knows it as its own.
+//!
+//! # A part
+//!
+//! With [`Builder::messages`], the copies have only those messages and what they need. All files stay, also those that nothing
+//! is left of, because versions and who includes whom are facts as well. An element that goes takes its comments along: those
+//! right above it, up to a blank line, and the one behind it on its line.
+//!
+//! What stays is what it is in the whole dialect, to the types and names of the generated Rust. Where a dropped message
+//! decides on that, it stays, and [`Vendored::besides`] says so: an enum is as wide as the widest field of its file that carries
+//! it, so that `COMMAND_LONG`, which needs all commands and the enums of their params, takes along messages that have fields of
+//! those enums. Generated with the same selection, the part and the whole are the same.
+//!
+//! # Nothing that a person wrote is lost
+//!
+//! [`write()`] refuses, before it writes anything, if something would be lost. In a copy of the source's text every edit
+//! counts. In a copy of facts people may write descriptions and comments, which `Prose::From` of that very folder keeps; all
+//! else in it counts as an edit. The header has a digest to tell by; line ends do not count.
+//!
+//! Descriptions of what is no longer in the definitions have no place to be kept in: [`Vendored::homeless`] has them. Those of
+//! what a selection leaves out are [`Vendored::left_out`], and no copy of a part takes the place of a file with such.
 
+mod cut;
+mod digest;
 mod facts;
 mod flat;
 mod grammar;
 mod header;
+mod original;
 mod output;
+mod part;
 mod prose;
 mod tree;
 
 #[cfg(test)]
 mod tests;
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use crate::builder::{Builder, Failure, Problems};
 use crate::diag::Diagnostics;
-use crate::read::{self, Loaded, load};
+use crate::read::{self, load};
 use crate::resolve::resolve;
 use crate::source::{FileId, Sources};
 
-use header::{Kind, header, split_declaration};
+use original::{Original, originals};
+use part::Part;
+use prose::{Key, Library};
 use tree::Element;
 
 pub use output::{Written, write};
+pub use part::Besides;
 
 /// What becomes of descriptions and comments.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -49,12 +77,18 @@ pub enum Prose {
 pub struct Vendored {
     /// The copies, the dialect's own file first.
     pub files: Vec<Copy>,
+    /// With [`Builder::messages`]: what is in the copies although it was neither asked for nor needed.
+    pub besides: Vec<Besides>,
     /// With [`Prose::From`]: what the folder has words about that the definitions no longer have.
     pub homeless: Vec<Homeless>,
+    /// With [`Prose::From`] and [`Builder::messages`]: what the folder has words about that is left out.
+    pub left_out: Vec<Homeless>,
     /// Warnings about the definitions.
     pub diagnostics: Diagnostics,
     /// The texts that the warnings point into.
     pub sources: Sources,
+    /// The folder of the descriptions.
+    words_from: Option<PathBuf>,
 }
 
 /// The copy of one file.
@@ -68,8 +102,6 @@ pub struct Copy {
     pub source: PathBuf,
     /// Its messages, fields, enums, entries and params; nothing with [`Prose::Keep`].
     pub items: Vec<Item>,
-    /// Whether its descriptions are from [`Prose::From`].
-    described_here: bool,
 }
 
 /// Something that should have a description.
@@ -83,7 +115,7 @@ pub struct Item {
     pub new: bool,
 }
 
-/// Words about something that is no longer there.
+/// Words about something that is not there.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Homeless {
     /// The file they stood in.
@@ -100,97 +132,69 @@ pub struct Homeless {
 /// use mavgen::vendor::{Prose, vendor, write};
 ///
 /// let upstream = mavgen::Builder::new("mavlink/message_definitions/v1.0/ardupilotmega.xml").deny_warnings(true);
-/// write("xml".as_ref(), &vendor(&upstream, &Prose::Keep).unwrap().files).unwrap();
+/// write("xml".as_ref(), &vendor(&upstream, &Prose::Keep).unwrap()).unwrap();
 /// ```
 ///
 /// # Errors
 /// [`Failure::Definitions`] if the definitions, or the files that descriptions are taken from, are wrong, and
 /// [`Failure::Denied`] as in [`Builder::resolve`]. [`Failure::Usage`] if two files of different folders have the same name, or
-/// names that some file systems take for the same; or if the builder has several dialects, or an overlay: those are not copied.
+/// names that some file systems take for the same; if [`Builder::messages`] names what there is not; or if the builder has
+/// several dialects, or an overlay: those are not copied.
 pub fn vendor(builder: &Builder, prose: &Prose) -> Result<Vendored, Failure> {
     let ([xml], []) = (&*builder.roots, &*builder.overlays) else {
         return Err(Failure::Usage("definitions are copied one dialect at a time, and without overlays".into()));
     };
+    let selection = builder.selection()?;
     let (mut sources, mut diagnostics) = (Sources::default(), Diagnostics::default());
     let loaded = load(xml, &builder.include_dirs, &[], &mut sources, &mut diagnostics);
-    if resolve(&loaded, &sources, &mut diagnostics).is_none() {
+    let Some(whole) = resolve(&loaded, &sources, &mut diagnostics) else {
         let watched = loaded.watched;
         return Err(Failure::Definitions(Box::new(Problems { diagnostics, sources, watched })));
-    }
-    builder.check_denied(&diagnostics, &sources, &loaded.watched)?;
-    let originals = originals(&loaded, &sources)?;
-    let (files, homeless) = match prose {
-        Prose::Keep => (originals.iter().map(Original::whole).collect(), Vec::new()),
-        Prose::Drop => (originals.iter().map(|original| original.facts(None)).collect(), Vec::new()),
-        Prose::From(folder) => described(&originals, folder)?,
     };
-    Ok(Vendored { files, homeless, diagnostics, sources })
+    builder.check_denied(&diagnostics, &sources, &loaded.watched)?;
+    let part = selection.map(|selection| Part::of(&selection, &whole, &loaded, &sources)).transpose()?;
+    let originals = originals(&loaded, &sources)?;
+    let copies = Copies::of(&originals, part.as_ref(), prose)?;
+    let words_from = if let Prose::From(folder) = prose { Some(folder.clone()) } else { None };
+    let (Copies { files, homeless, left_out }, besides) = (copies, part.map(|part| part.besides).unwrap_or_default());
+    Ok(Vendored { files, besides, homeless, left_out, diagnostics, sources, words_from })
 }
 
-/// A file to copy.
-struct Original<'t> {
-    name: String,
-    path: &'t Path,
-    text: &'t str,
-    /// The places of its includes, and what they are called in the folder.
-    includes: Vec<flat::Include>,
-    root: Element<'t>,
+/// Copies, and words that are not in them.
+#[derive(Default)]
+struct Copies {
+    files: Vec<Copy>,
+    homeless: Vec<Homeless>,
+    left_out: Vec<Homeless>,
 }
 
-fn originals<'t>(loaded: &Loaded, sources: &'t Sources) -> Result<Vec<Original<'t>>, Failure> {
-    let names = flat::names(loaded, sources)?;
-    let mut originals = Vec::new();
-    for (at, file) in loaded.files.iter().enumerate() {
-        let Some((source, name)) = sources.get(file.id).zip(names.get(at)) else { continue };
-        let unread = || Failure::Usage(format!("{}: no XML to copy", source.path().display()));
-        let root = Element::root(source.text()).ok_or_else(unread)?;
-        let includes = flat::includes(loaded, at, &names);
-        originals.push(Original { name: name.clone(), path: source.path(), text: source.text(), includes, root });
-    }
-    Ok(originals)
-}
-
-impl Original<'_> {
-    /// The text below a header.
-    fn whole(&self) -> Copy {
-        let (text, changed) = flat::rewrite(self.text, &self.includes);
-        let header = header(&self.name, self.text, Kind::Whole { includes: changed });
-        let line_end = if self.text.contains("\r\n") { "\r\n" } else { "\n" };
-        let text = match split_declaration(&text) {
-            ("", rest) => format!("{header}{line_end}{rest}"),
-            (declaration, rest) => format!("{declaration}{line_end}{header}{rest}"),
-        };
-        self.copy(text, Vec::new(), false)
+impl Copies {
+    fn of(originals: &[Original<'_>], part: Option<&Part>, prose: &Prose) -> Result<Self, Failure> {
+        let bare = |files| Self { files, ..Self::default() };
+        match prose {
+            Prose::Keep => Ok(bare(originals.iter().map(|original| original.whole(part)).collect())),
+            Prose::Drop => Ok(bare(originals.iter().map(|original| original.facts(part, None)).collect())),
+            Prose::From(folder) => Self::described(originals, part, folder),
+        }
     }
 
-    /// The facts below a header, with the words of a library if there is one.
-    fn facts(&self, library: Option<&mut prose::Library>) -> Copy {
-        let includes: Vec<String> = self.includes.iter().map(|include| include.name.clone()).collect();
-        let kind = if library.is_some() { Kind::Described } else { Kind::Facts };
-        let (facts, known) = match library {
-            Some(library) => {
-                let facts = facts::write(&self.root, &includes, &mut |key| library.take(&self.name, key));
-                (facts, Some(library))
-            }
-            None => (facts::write(&self.root, &includes, &mut |_| None), None),
-        };
-        let item = |(name, described): (String, bool)| {
-            let new = known.as_ref().is_some_and(|library| !library.knows(&name));
-            Item { name, described, new }
-        };
-        let items = facts.described.into_iter().map(item).collect();
-        let header = header(&self.name, self.text, kind);
-        let text = format!("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n{header}\n{}", facts.text);
-        self.copy(text, items, kind == Kind::Described)
-    }
-
-    fn copy(&self, text: String, items: Vec<Item>, described_here: bool) -> Copy {
-        Copy { name: self.name.clone(), text, source: self.path.to_owned(), items, described_here }
+    /// Copies with the words of the files in a folder, and what is left of those.
+    fn described(originals: &[Original<'_>], part: Option<&Part>, folder: &Path) -> Result<Self, Failure> {
+        let mut library = library(originals, folder)?;
+        originals.iter().for_each(|original| library.claim(&original.name, original.keys(part)));
+        let files = originals.iter().map(|original| original.facts(part, Some(&mut library))).collect();
+        let gone: BTreeSet<Key> = originals.iter().flat_map(|original| original.left_out_keys(part)).collect();
+        let (mut homeless, mut left_out) = (Vec::new(), Vec::new());
+        for (file, name, words) in library.rest() {
+            let list = if gone.contains(prose::item(&name)) { &mut left_out } else { &mut homeless };
+            list.push(Homeless { file: folder.join(file), name, words });
+        }
+        Ok(Self { files, homeless, left_out })
     }
 }
 
-/// Copies with the words of the files in a folder, and what is left of those.
-fn described(originals: &[Original<'_>], folder: &Path) -> Result<(Vec<Copy>, Vec<Homeless>), Failure> {
+/// The words of the files in a folder.
+fn library(originals: &[Original<'_>], folder: &Path) -> Result<Library, Failure> {
     if !folder.is_dir() {
         return Err(Failure::Usage(format!("{}: there is no such folder to take descriptions from", folder.display())));
     }
@@ -208,14 +212,11 @@ fn described(originals: &[Original<'_>], folder: &Path) -> Result<(Vec<Copy>, Ve
     if diagnostics.has_errors() {
         return Err(Failure::Definitions(Box::new(Problems { diagnostics, sources, watched: Vec::new() })));
     }
-    let mut library = prose::Library::default();
+    let mut library = Library::default();
     for (name, id) in read_files {
         if let Some(root) = sources.get(id).and_then(|source| Element::root(source.text())) {
             library.add(name, &root);
         }
     }
-    originals.iter().for_each(|original| library.claim(&original.name, facts::keys(&original.root)));
-    let copies = originals.iter().map(|original| original.facts(Some(&mut library))).collect();
-    let rest = library.rest().map(|(file, name, words)| Homeless { file: folder.join(file), name, words });
-    Ok((copies, rest.collect()))
+    Ok(library)
 }

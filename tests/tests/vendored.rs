@@ -29,7 +29,7 @@ fn below_header(text: &str) -> Vec<&str> {
 #[test]
 fn the_definitions_are_made_of_facts_and_their_descriptions() {
     let bare = tempfile::tempdir().unwrap();
-    write(bare.path(), &vendor(&Builder::new(xml().join("autoquad.xml")), &Prose::Drop).unwrap().files).unwrap();
+    write(bare.path(), &vendor(&Builder::new(xml().join("autoquad.xml")), &Prose::Drop).unwrap()).unwrap();
     let again = vendor(&Builder::new(bare.path().join("autoquad.xml")), &Prose::From(xml())).unwrap();
     assert_eq!((again.files.len(), again.homeless.len()), (4, 0));
     for copy in &again.files {
@@ -38,12 +38,26 @@ fn the_definitions_are_made_of_facts_and_their_descriptions() {
     }
 }
 
+/// What `mavgen vendor` notices as an edit is not in the definitions: they can be made anew at any time.
+#[test]
+fn the_definitions_have_no_facts_of_their_own() {
+    let (bare, copy) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
+    write(bare.path(), &vendor(&Builder::new(xml().join("autoquad.xml")), &Prose::Drop).unwrap()).unwrap();
+    for name in ["autoquad.xml", "common.xml", "standard.xml", "minimal.xml"] {
+        fs::copy(xml().join(name), copy.path().join(name)).unwrap();
+    }
+    let again = vendor(&Builder::new(bare.path().join("autoquad.xml")), &Prose::From(copy.path().into())).unwrap();
+    let done = write(copy.path(), &again).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(done.written, 4, "they now say that they are from the facts");
+    assert_eq!(write(copy.path(), &again).unwrap().kept, 4);
+}
+
 /// All that can be compared, and so all but the prose, is in the facts alone.
 #[test]
 fn the_facts_are_the_definitions() {
     for xml in [xml().join("autoquad.xml"), Path::new(env!("CARGO_MANIFEST_DIR")).join("hostile/hostile.xml")] {
         let folder = tempfile::tempdir().unwrap();
-        write(folder.path(), &vendor(&Builder::new(&xml), &Prose::Drop).unwrap().files).unwrap();
+        write(folder.path(), &vendor(&Builder::new(&xml), &Prose::Drop).unwrap()).unwrap();
         let copy = folder.path().join(xml.file_name().unwrap());
         assert_eq!(compare(&resolved(&xml), &resolved(&copy)), []);
     }

@@ -5,7 +5,7 @@ use std::process::ExitCode;
 
 use clap::Args;
 use mavgen::Failure;
-use mavgen::vendor::{Copy, Prose, Vendored, Written, vendor, write};
+use mavgen::vendor::{Besides, Copy, Prose, Vendored, Written, vendor, write};
 
 use super::input::{Definitions, concerning, concerning_failure};
 use super::report::{Report, plural};
@@ -19,11 +19,17 @@ use super::report::{Report, plural};
 /// of life. With --prose-from they also carry descriptions and comments, those of the files in another folder or, to take
 /// over a new state of the definitions, of the very files that are written anew.
 ///
-/// Nothing is written before everything is read. Files that are no copies are never touched, and no file is removed.
+/// With --messages the copies have only these messages and what they need; all files stay. A message that decides how wide a
+/// needed enum is, or what it is called in Rust, stays as well, and that is said.
+///
+/// Nothing is written before everything is read, and nothing that a person wrote is lost: files that are no copies are never
+/// touched, no file is removed, and a copy that was edited is not written over. In copies of facts, descriptions and comments
+/// may be written, and are kept by --prose-from.
 #[derive(Args)]
 #[command(after_help = "\
 Examples:
   mavgen vendor mavlink/message_definitions/v1.0/ardupilotmega.xml --out xml
+  mavgen vendor upstream/common.xml --out xml --messages 'HEARTBEAT,PARAM_*'
   mavgen vendor upstream/common.xml --out xml --prose-from xml   take over new facts, keep our descriptions
   mavgen vendor acme.xml --include-dir upstream --out xml --deny-warnings")]
 pub(super) struct Vendor {
@@ -56,8 +62,11 @@ impl Vendor {
         let vendored = vendor(&builder, &prose).map_err(|failure| concerning_failure(&builder, failure))?;
         let warnings = concerning(&builder, &vendored.diagnostics, &vendored.sources);
         report.diagnostics(&warnings, &vendored.sources);
-        let Written { written, kept, others } = write(&self.out, &vendored.files).map_err(Failure::Output)?;
+        let Written { written, kept, others } = write(&self.out, &vendored).map_err(Failure::Output)?;
         report.note(&format!("{}: {} written, {kept} kept", self.out.display(), plural(written, "file")));
+        for Besides { name, why } in &vendored.besides {
+            report.note(&format!("also copied: {name}: {why}"));
+        }
         for other in others {
             report.note(&format!("{}: left alone, not a file of this dialect", other.display()));
         }
@@ -68,7 +77,7 @@ impl Vendor {
     }
 
     /// Says what lacks a description, and which ones found no place.
-    fn descriptions(&self, Vendored { files, homeless, .. }: &Vendored, report: &Report) {
+    fn descriptions(&self, Vendored { files, homeless, left_out, .. }: &Vendored, report: &Report) {
         for lost in homeless {
             let (file, name, words) = (lost.file.display(), &lost.name, &lost.words);
             report.note(&format!("{file}: no longer in the definitions: {name}: {words}"));
@@ -82,9 +91,12 @@ impl Vendor {
         let items = || files.iter().flat_map(|file| &file.items);
         let (all, without) = (items().count(), items().filter(|item| !item.described).count());
         let new = items().filter(|item| !item.described && item.new).count();
+        let lost = homeless.len();
         report.note(&format!(
-            "{without} of {all} items have no description, {new} of them new; {} descriptions found no place",
-            homeless.len()
+            "{without} of {all} items have no description, {new} of them new; {lost} descriptions found no place"
         ));
+        if !left_out.is_empty() {
+            report.note(&format!("{} of what is left out were not copied", plural(left_out.len(), "description")));
+        }
     }
 }

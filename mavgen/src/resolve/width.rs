@@ -7,7 +7,7 @@ use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{FileIndex, Repr, Scalar};
 
 /// The integer of a field; `None` for fields that carry no enum: floats, characters and the version.
-pub(super) fn integer(scalar: Scalar) -> Option<Repr> {
+pub(crate) fn integer(scalar: Scalar) -> Option<Repr> {
     Some(match scalar {
         Scalar::U8 => Repr::U8,
         Scalar::I8 => Repr::I8,

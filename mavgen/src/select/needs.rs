@@ -4,9 +4,11 @@ use std::collections::BTreeMap;
 
 use crate::ir::{Binding, Dialect, Enum, EnumId, Meaning, Message, Param, Values, View};
 
-/// Drops the enums that no message needs, and numbers the others anew.
-pub(super) fn keep_needed(dialect: &mut Dialect) {
-    let kept = renumbered(&needed(dialect));
+/// Drops the enums that no message needs and nobody wants, and numbers the others anew.
+pub(super) fn keep_needed(dialect: &mut Dialect, wants: impl Fn(&Enum) -> bool) {
+    let wanted = dialect.enums.iter().enumerate().filter(|(_, values)| wants(values));
+    let wanted = wanted.map(|(index, _)| EnumId(index)).collect();
+    let kept = renumbered(&needed(dialect, wanted));
     let mut index = 0;
     dialect.enums.retain(|_| {
         index += 1;
@@ -18,10 +20,9 @@ pub(super) fn keep_needed(dialect: &mut Dialect) {
     dialect.enums.iter_mut().for_each(|values| each_of_enum(values, renumber));
 }
 
-/// For every enum whether it is needed. Changes nothing; the visits are those that renumber.
-fn needed(dialect: &mut Dialect) -> Vec<bool> {
+/// For every enum whether it is needed, or one of those in `open`. Changes nothing; the visits are those that renumber.
+fn needed(dialect: &mut Dialect, mut open: Vec<EnumId>) -> Vec<bool> {
     let mut needed = vec![false; dialect.enums.len()];
-    let mut open = Vec::new();
     for message in &mut dialect.messages {
         each_of_message(message, |id| open.push(*id));
     }

@@ -48,14 +48,8 @@ pub(super) fn includes(loaded: &Loaded, at: usize, names: &[String]) -> Vec<Incl
     include.collect()
 }
 
-/// A text whose includes lead to the flat folder, and whether one of them did not before.
-pub(super) fn rewrite(text: &str, includes: &[Include]) -> (String, bool) {
-    let (mut rewritten, mut end) = (String::with_capacity(text.len()), 0);
-    for include in includes.iter().filter(|include| include.path != include.name) {
-        rewritten.push_str(text.get(end..include.place.start).unwrap_or_default());
-        rewritten.push_str(&escaped(&include.name));
-        end = include.place.end;
-    }
-    rewritten.push_str(text.get(end..).unwrap_or_default());
-    (rewritten, end > 0)
+/// The includes that have to be spelled anew, to lead to the flat folder: where they stand, and how they are spelled there.
+pub(super) fn respelled(includes: &[Include]) -> Vec<(Range<usize>, String)> {
+    let changed = includes.iter().filter(|include| include.path != include.name);
+    changed.map(|include| (include.place.clone(), escaped(&include.name))).collect()
 }

@@ -4,7 +4,7 @@ use std::fs;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
-use super::{Copy, header, prose};
+use super::{Copy, Vendored, header, prose};
 use crate::output::{OutputError, write_together};
 
 /// How much of a file is looked at for its header.
@@ -25,16 +25,18 @@ pub struct Written {
 /// Writes copies into a folder, all of them or, if it fails, none. Each file is replaced in one step.
 ///
 /// # Errors
-/// Before anything is written: if a copy would replace its own source, a file that is no copy, or one that has descriptions of
-/// its own by one that has not; or if the folder holds files, but no copy. Else, if the system refuses something.
-pub fn write(folder: &Path, files: &[Copy]) -> Result<Written, OutputError> {
+/// Before anything is written: if a copy would replace its own source, a file that is no copy, one that was edited, or one
+/// that has descriptions which are neither in the copies nor [`Vendored::homeless`]; or if the folder holds files, but no copy.
+/// Else, if the system refuses something.
+pub fn write(folder: &Path, vendored: &Vendored) -> Result<Written, OutputError> {
+    let files = &vendored.files;
     let present = present(folder)?;
     let copies: Vec<&Found> = present.iter().filter(|found| found.is_copy).collect();
     if copies.is_empty() && !present.is_empty() {
         let text = "the folder is not empty and holds nothing that `mavgen vendor` wrote: choose another, or empty it";
         return Err(refused(folder.to_owned(), text));
     }
-    files.iter().try_for_each(|file| check(folder, file))?;
+    files.iter().try_for_each(|file| check(folder, file, vendored))?;
     let written = write_together(folder, files.iter().map(|file| (Path::new(&file.name), &*file.text)))?;
     let others = copies.iter().filter(|found| !files.iter().any(|file| folder.join(&file.name) == found.path));
     let mut others: Vec<PathBuf> = others.map(|found| found.path.clone()).collect();
@@ -66,21 +68,43 @@ fn present(folder: &Path) -> Result<Vec<Found>, OutputError> {
 }
 
 /// Refuses to lose what a person wrote.
-fn check(folder: &Path, file: &Copy) -> Result<(), OutputError> {
+fn check(folder: &Path, file: &Copy, vendored: &Vendored) -> Result<(), OutputError> {
     let path = folder.join(&file.name);
     // Fails where there is no such file, which then can be no source either.
     let Ok(target) = fs::canonicalize(&path) else { return Ok(()) };
-    let why = match header::read(&head(&path)) {
-        _ if fs::canonicalize(&file.source).is_ok_and(|source| source == target) => {
-            "this is the file that would be copied: choose another folder"
-        }
+    if fs::canonicalize(&file.source).is_ok_and(|source| source == target) {
+        return Err(refused(path, "this is the file that would be copied: choose another folder"));
+    }
+    // What is no text has been edited; the digest says so.
+    let text = fs::read(&path).map(|bytes| String::from_utf8_lossy(&bytes).into_owned()).unwrap_or_default();
+    let why = match header::read(&text) {
         None => "`mavgen vendor` did not write this file: remove it, or choose another folder",
-        Some(true) if !file.described_here && fs::read_to_string(&path).is_ok_and(|text| prose::is_in(&text)) => {
-            "this file has descriptions of its own: keep them with `--prose-from`, or remove it"
+        Some(_) if text == file.text => return Ok(()),
+        Some(ours) if !ours.is_as_written() && ours.facts => {
+            "more than descriptions was edited in this file: edit its source, or a file that includes it, and undo it here"
+        }
+        Some(ours) if !ours.is_as_written() => {
+            "this file was edited: move the edit to its source, or to a file that includes it, and remove this one"
+        }
+        Some(ours) if ours.facts && is_here(folder, vendored) => {
+            if vendored.left_out.iter().all(|words| words.file.file_name() != path.file_name()) {
+                return Ok(());
+            }
+            "this file has descriptions of what `--messages` leaves out: choose another folder, or remove it"
+        }
+        Some(ours) if ours.facts && prose::is_lost(&text, vendored.files.iter().map(|file| &*file.text)) => {
+            "this file has descriptions of its own: keep them with `--prose-from` its folder, or remove it"
         }
         Some(_) => return Ok(()),
     };
     Err(refused(path, why))
+}
+
+/// Whether the descriptions are those of the folder itself.
+fn is_here(folder: &Path, vendored: &Vendored) -> bool {
+    let same =
+        |from: &PathBuf| fs::canonicalize(from).ok().zip(fs::canonicalize(folder).ok()).is_some_and(|(a, b)| a == b);
+    vendored.words_from.as_ref().is_some_and(same)
 }
 
 fn refused(path: PathBuf, text: &str) -> OutputError {

@@ -53,9 +53,24 @@ impl Keys {
     }
 }
 
-/// Whether somebody wrote descriptions or comments into this text.
-pub(super) fn is_in(text: &str) -> bool {
-    Element::root(text).is_some_and(|root| !Prose::of(&root).words.is_empty())
+/// The enum or message that a key is about, or is part of: `message HEARTBEAT`.
+pub(super) fn item(key: &str) -> &str {
+    let second = key.match_indices(' ').nth(1);
+    second.and_then(|(end, _)| key.get(..end)).unwrap_or(key)
+}
+
+/// Whether somebody wrote something into a text that is in none of these.
+pub(super) fn is_lost<'t>(text: &str, others: impl IntoIterator<Item = &'t str>) -> bool {
+    let Some(mut prose) = Element::root(text).map(|root| Prose::of(&root)) else { return false };
+    for other in others {
+        if prose.words.is_empty() {
+            break;
+        }
+        if let Some(other) = Element::root(other).map(|root| Prose::of(&root)) {
+            prose.words.retain(|key, words| other.words.get(key) != Some(words));
+        }
+    }
+    !prose.words.is_empty()
 }
 
 /// What people wrote in one file.

@@ -1,7 +1,9 @@
 //! Copies say what their originals say, and lose nothing that a person wrote.
 
 mod descriptions;
+mod edited;
 mod folder;
+mod part;
 mod same_model;
 
 use std::fs;
@@ -34,9 +36,15 @@ fn text<'v>(vendored: &'v Vendored, name: &str) -> &'v str {
     &vendored.files.iter().find(|file| file.name == name).unwrap().text
 }
 
+/// What stands below the header of a copy.
+fn below_header(text: &str) -> &str {
+    let (_, header) = text.split_once("<!-- Vendored by mavgen ").unwrap();
+    header.split_once(" -->\n").unwrap().1
+}
+
 /// Copies that are written into another folder; that folder's path.
 fn written(vendored: &Vendored, folder: &Path) -> PathBuf {
     let out = folder.join("out");
-    super::write(&out, &vendored.files).unwrap();
+    super::write(&out, vendored).unwrap();
     out
 }

@@ -4,14 +4,18 @@
 //! short here.
 
 use std::borrow::Cow;
+use std::ops::Range;
 
 use quick_xml::events::attributes::Attributes;
 use quick_xml::events::{BytesStart, Event};
 use quick_xml::reader::Reader;
 
 /// An element.
+#[derive(Clone)]
 pub(super) struct Element<'t> {
     pub(super) name: &'t str,
+    /// All of it, with its tags.
+    pub(super) outer: &'t str,
     /// Name and value of each attribute, references not expanded.
     pub(super) attributes: Vec<(&'t str, &'t str)>,
     /// All that stands between its tags.
@@ -35,13 +39,19 @@ impl<'t> Element<'t> {
     }
 }
 
+/// Where a part of a text stands in it. Parts borrow from the text, so this is the distance of two addresses.
+pub(super) fn place(text: &str, part: &str) -> Range<usize> {
+    let start = (part.as_ptr() as usize).wrapping_sub(text.as_ptr() as usize);
+    start..start + part.len()
+}
+
 struct Builder<'t> {
     text: &'t str,
     reader: Reader<&'t [u8]>,
     /// The comments since the last tag.
     comments: Vec<&'t str>,
-    /// The elements that are not closed yet, and where their content starts.
-    open: Vec<(Element<'t>, usize)>,
+    /// The elements that are not closed yet, and where they and their content start.
+    open: Vec<(Element<'t>, usize, usize)>,
 }
 
 impl<'t> Builder<'t> {
@@ -54,14 +64,15 @@ impl<'t> Builder<'t> {
                 Event::Start(tag) => {
                     let element = self.element(&tag, start)?;
                     let content = self.position();
-                    self.open.push((element, content));
+                    self.open.push((element, start, content));
                 }
                 Event::End(_) => {
-                    let (mut element, content) = self.open.pop()?;
+                    let (mut element, outer, content) = self.open.pop()?;
+                    element.outer = self.text.get(outer..self.position())?;
                     element.inner = self.text.get(content..start).unwrap_or_default();
                     element.below = std::mem::take(&mut self.comments);
                     match self.open.last_mut() {
-                        Some((parent, _)) => parent.children.push(element),
+                        Some((parent, ..)) => parent.children.push(element),
                         None => root = Some(element),
                     }
                 }
@@ -96,7 +107,7 @@ impl<'t> Builder<'t> {
         }
         let above = std::mem::take(&mut self.comments);
         let (children, below) = (Vec::new(), Vec::new());
-        Some(Element { name: inner.get(..length)?, attributes, inner: "", children, above, below })
+        Some(Element { name: inner.get(..length)?, outer: "", attributes, inner: "", children, above, below })
     }
 }
 
@@ -114,6 +125,8 @@ mod tests {
             (&["<!-- head -->"][..], &["<!-- end -->", "<!-- foot -->"][..])
         );
         assert_eq!(root.inner, "<!-- b --><b/>t<![CDATA[<c/>]]><!-- end -->");
+        assert_eq!((root.children[0].outer, &text[place(text, root.outer)]), ("<b/>", root.outer));
+        assert!(root.outer.starts_with("<a x") && root.outer.ends_with("--></a>"), "{}", root.outer);
         assert_eq!((root.children[0].name, &root.children[0].above[..]), ("b", &["<!-- b -->"][..]));
     }
 

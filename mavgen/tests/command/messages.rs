@@ -37,6 +37,7 @@ fn a_wrong_name_is_wrong_everywhere() {
         &["diff", "acme.xml"],
         &["check", "--out", "out"],
         &["generate", "--out", "out"],
+        &["vendor", "--out", "out"],
     ] {
         for (messages, said) in [
             ("SPRAYER,,BELL", "error: the list of messages is empty, or has an empty name: "),

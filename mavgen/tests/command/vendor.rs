@@ -122,3 +122,53 @@ fn denied_warnings_write_nothing() {
     let warned = vendor(folder.path(), &[]);
     assert!(warned.status.success() && stderr(&warned).starts_with("warning"), "{}", stderr(&warned));
 }
+
+#[test]
+fn a_part_with_what_it_needs_and_what_decides_on_that() {
+    let folder = folder();
+    let wide = "<messages><message id=\"4712\" name=\"WIDE\"><field type=\"uint32_t\" name=\"x\" enum=\"SPRAY_STATE\"/></message>\
+        <message id=\"4713\" name=\"OTHER\"><field type=\"uint8_t\" name=\"x\"/></message></messages>";
+    fs::write(folder.path().join("parts/base.xml"), BASE.replace("<messages/>", wide)).unwrap();
+    let copied = vendor(folder.path(), &["--messages", "SPR*"]);
+    let said = "xml: 2 files written, 0 kept\n\
+        also copied: message WIDE: without it, enum `SPRAY_STATE` would be another integer in Rust\n";
+    assert_eq!((copied.status.code(), stderr(&copied).as_str()), (Some(0), said));
+    let dump = |xml: &str| {
+        let dump = mavgen(folder.path(), &["dump", xml, "--json", "--messages", "SPRAYER"]);
+        String::from_utf8(dump.stdout).unwrap()
+    };
+    assert_eq!(dump("xml/acme.xml"), dump("acme.xml"));
+    let base = fs::read_to_string(folder.path().join("xml/base.xml")).unwrap();
+    assert!(base.contains("a part, 1 of its 2 messages and 1 of its 1 enums: ") && !base.contains("OTHER"), "{base}");
+
+    let before = tree(&folder.path().join("xml"));
+    for (messages, said) in [
+        ("SPRAYE", "error: no message of acme.xml is called `SPRAYE` (did you mean `SPRAYER`?)\n"),
+        ("BELL_*", "error: no message of acme.xml is called `BELL_*`\n"),
+        ("", "error: the list of messages is empty, or has an empty name: give names like HEARTBEAT, or PARAM_*\n"),
+    ] {
+        let refused = vendor(folder.path(), &["--messages", messages]);
+        assert_eq!((refused.status.code(), stderr(&refused).as_str()), (Some(2), said));
+    }
+    assert_eq!(tree(&folder.path().join("xml")), before);
+}
+
+#[test]
+fn an_edited_copy_stays() {
+    let folder = folder();
+    vendor(folder.path(), &[]);
+    let copy = folder.path().join("xml/base.xml");
+    let edited = fs::read_to_string(&copy).unwrap().replace("value=\"0\"", "value=\"1\"");
+    fs::write(&copy, &edited).unwrap();
+    fs::write(folder.path().join("acme.xml"), ACME.replace("What is left.", "What is left in it.")).unwrap();
+    let before = tree(&folder.path().join("xml"));
+    for prose in [&[][..], &["--no-prose"], &["--prose-from", "xml"]] {
+        let refused = vendor(folder.path(), prose);
+        let said = "error: xml/base.xml: this file was edited: move the edit to its source, or to a file that includes it, \
+            and remove this one\n";
+        assert_eq!((refused.status.code(), stderr(&refused).lines().next()), (Some(2), said.lines().next()));
+        assert_eq!(tree(&folder.path().join("xml")), before);
+    }
+    fs::remove_file(&copy).unwrap();
+    assert!(vendor(folder.path(), &[]).status.success());
+}

@@ -13,9 +13,9 @@ fn again_writes_nothing() {
     let folder = dialect();
     for prose in [Prose::Keep, Prose::Drop] {
         let (vendored, out) = (copies(folder.path(), &prose), folder.path().join(format!("{prose:?}")));
-        let first = write(&out, &vendored.files).unwrap();
+        let first = write(&out, &vendored).unwrap();
         assert_eq!((first.written, first.kept), (2, 0));
-        let second = write(&out, &copies(folder.path(), &prose).files).unwrap();
+        let second = write(&out, &copies(folder.path(), &prose)).unwrap();
         assert_eq!((second.written, second.kept), (0, 2));
     }
 }
@@ -24,7 +24,7 @@ fn again_writes_nothing() {
 fn somebodys_folder_is_refused() {
     let folder = dialect();
     put(&folder.path().join("thesis/chapter.tex"), "x");
-    let error = write(&folder.path().join("thesis"), &copies(folder.path(), &Prose::Keep).files).unwrap_err();
+    let error = write(&folder.path().join("thesis"), &copies(folder.path(), &Prose::Keep)).unwrap_err();
     assert!(error.to_string().contains("not empty"), "{error}");
     assert_eq!(fs::read_dir(folder.path().join("thesis")).unwrap().count(), 1);
 }
@@ -36,7 +36,7 @@ fn somebodys_file_is_never_written_over() {
     let out = written(&vendored, folder.path());
     put(&out.join("b.xml"), B);
     put(&out.join("a.xml"), &vendored.files[0].text.replace("unchanged", "changed"));
-    let error = write(&out, &vendored.files).unwrap_err();
+    let error = write(&out, &vendored).unwrap_err();
     assert!(error.path.ends_with("b.xml") && error.to_string().contains("did not write"), "{error}");
     assert_eq!(fs::read_to_string(out.join("b.xml")).unwrap(), B);
     let first = fs::read_to_string(out.join("a.xml")).unwrap();
@@ -49,7 +49,7 @@ fn what_is_not_of_the_dialect_stays() {
     let out = written(&copies(folder.path(), &Prose::Keep), folder.path());
     put(&out.join("notes.txt"), "mine");
     put(&folder.path().join("a.xml"), "<mavlink><messages/></mavlink>");
-    let done = write(&out, &copies(folder.path(), &Prose::Keep).files).unwrap();
+    let done = write(&out, &copies(folder.path(), &Prose::Keep)).unwrap();
     assert_eq!((done.written, done.others), (1, vec![out.join("b.xml")]));
     assert!(out.join("notes.txt").exists() && out.join("b.xml").exists());
 }
@@ -62,15 +62,15 @@ fn descriptions_are_not_written_over() {
     let out = written(&copies(folder.path(), &Prose::From(folder.path().join("words"))), folder.path());
     let refuses = || {
         for prose in [Prose::Keep, Prose::Drop] {
-            let error = write(&out, &copies(folder.path(), &prose).files).unwrap_err();
+            let error = write(&out, &copies(folder.path(), &prose)).unwrap_err();
             assert!(error.path.ends_with("b.xml") && error.to_string().contains("--prose-from"), "{error}");
         }
         assert!(fs::read_to_string(out.join("b.xml")).unwrap().contains("Ours."));
     };
     refuses();
     fs::remove_file(out.join("b.xml")).unwrap();
-    write(&out, &copies(folder.path(), &Prose::Drop).files).unwrap();
-    write(&out, &copies(folder.path(), &Prose::Drop).files).unwrap();
+    write(&out, &copies(folder.path(), &Prose::Drop)).unwrap();
+    write(&out, &copies(folder.path(), &Prose::Drop)).unwrap();
     let described = fs::read_to_string(out.join("b.xml")).unwrap().replace("name=\"E\">", "name=\"E\"><!-- Ours. -->");
     put(&out.join("b.xml"), &described);
     refuses();
@@ -80,7 +80,7 @@ fn descriptions_are_not_written_over() {
 fn a_source_is_not_its_own_copy() {
     let folder = dialect();
     let out = written(&copies(folder.path(), &Prose::Drop), folder.path());
-    let error = write(&out, &copies(&out, &Prose::Drop).files).unwrap_err();
+    let error = write(&out, &copies(&out, &Prose::Drop)).unwrap_err();
     assert!(error.to_string().contains("choose another folder"), "{error}");
 }
 

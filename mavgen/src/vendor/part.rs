@@ -1,0 +1,194 @@
+//! A part of a dialect: the messages of a selection, what they need, and what makes all that what it is in the whole.
+//!
+//! [`Builder::messages`](crate::Builder::messages) cuts a model, in which everything is decided. The files of a part are resolved
+//! anew, and there what decides could be missing:
+//!
+//! - the integer of an enum is that of the widest field of the file that owns it, and which file owns it can hang on whose
+//!   fields carry it: a message with such a field stays, if its enum would become another one without it;
+//! - a sentinel can be an entry of any enum (`invalid="MAV_LANDED_STATE_UNDEFINED"`): that enum stays;
+//! - an enum, or the dialect, that is called like a message or enum is named otherwise in Rust: that one stays.
+//!
+//! So no type is another one in a part, and code for the part works with the whole. What stays for these reasons is said. All
+//! definitions of an enum stay or go together, so that entries, values and the prefix of their names are those of the whole.
+
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
+use crate::builder::{Failure, Problems};
+use crate::diag::Diagnostics;
+use crate::ir::{Dialect, Enum, Message};
+use crate::names;
+use crate::read::Loaded;
+use crate::resolve::{integer, resolve};
+use crate::select::{Selection, keep};
+use crate::source::Sources;
+use crate::syntax;
+
+/// Something that nobody asked for, and that is in the copies so that nothing else changes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Besides {
+    /// What it is: `message GIMBAL_MANAGER_SET_ATTITUDE`.
+    pub name: String,
+    /// Why it is there: what would be different without it.
+    pub why: String,
+}
+
+/// The messages and enums that stay.
+#[derive(Debug)]
+pub(super) struct Part {
+    messages: BTreeSet<String>,
+    enums: BTreeSet<String>,
+    /// What of that stays for another reason than that it was asked for, or is needed by that.
+    pub(super) besides: Vec<Besides>,
+}
+
+impl Part {
+    /// The part of the dialect `whole` that is selected, of the files `loaded`.
+    ///
+    /// # Errors
+    /// [`Failure::Usage`] if a name means no message.
+    pub(super) fn of(
+        selection: &Selection,
+        whole: &Dialect,
+        loaded: &Loaded,
+        sources: &Sources,
+    ) -> Result<Self, Failure> {
+        selection.check(&[whole]).map_err(Failure::Usage)?;
+        let selected = whole.messages.iter().filter(|message| selection.means(message));
+        let messages = selected.map(|message| message.name.xml.clone()).collect();
+        let mut part = Self { messages, enums: BTreeSet::new(), besides: Vec::new() };
+        loop {
+            let before = part.besides.len();
+            let model = part.model(whole);
+            part.enums.extend(model.enums.iter().map(|values| values.name.xml.clone()));
+            part.keep_sentinels(whole, loaded);
+            part.keep_names(whole, &model);
+            if part.besides.len() == before {
+                part.keep_owners(whole, &model, loaded, sources)?;
+            }
+            if part.besides.len() == before {
+                return Ok(part);
+            }
+        }
+    }
+
+    pub(super) fn has_message(&self, message: &syntax::Message) -> bool {
+        self.messages.contains(&message.name.value)
+    }
+
+    pub(super) fn has_enum(&self, values: &syntax::Enum) -> bool {
+        self.enums.contains(&values.name.value)
+    }
+
+    /// The model as it should be: cut out of that of the whole.
+    fn model(&self, whole: &Dialect) -> Dialect {
+        let wants_enum = |values: &Enum| self.enums.contains(&values.name.xml);
+        keep(whole.clone(), |message| self.messages.contains(&message.name.xml), wants_enum)
+    }
+
+    /// Keeps the enums that sentinels name.
+    fn keep_sentinels(&mut self, whole: &Dialect, loaded: &Loaded) {
+        let messages = loaded.files.iter().flat_map(|file| &file.messages);
+        let messages: Vec<_> = messages.filter(|message| self.has_message(message)).collect();
+        for message in messages {
+            for field in &message.fields {
+                let Some(invalid) = &field.invalid else { continue };
+                let name = invalid.value.trim_matches(['[', ']', ':', ',', ' ']);
+                let named = |values: &&Enum| values.entries.iter().any(|entry| entry.name.xml == name);
+                for values in whole.enums.iter().filter(named) {
+                    let (message, field) = (&message.name.value, &field.name.value);
+                    self.keep_enum(values, format!("`invalid` of `{message}.{field}` is an entry of it"));
+                }
+            }
+        }
+    }
+
+    /// Keeps what enums and the dialect are not called after.
+    fn keep_names(&mut self, whole: &Dialect, model: &Dialect) {
+        for values in &model.enums {
+            let rust = names::type_name(&values.name.xml);
+            let why = || format!("without it, enum `{}` would have another name in Rust", values.name.xml);
+            if rust != values.name.rust {
+                self.keep_called(&rust, whole, why);
+            }
+        }
+        let rust = names::dialect_type_name(&whole.name);
+        if rust != whole.type_name {
+            self.keep_called(&rust, whole, || "without it, the dialect's type would have another name in Rust".into());
+        }
+    }
+
+    /// Keeps the messages and enums that have a name in Rust.
+    fn keep_called(&mut self, rust: &str, whole: &Dialect, why: impl Fn() -> String) {
+        whole.messages.iter().filter(|one| one.name.rust == rust).for_each(|one| self.keep_message(one, why()));
+        whole.enums.iter().filter(|one| one.name.rust == rust).for_each(|one| self.keep_enum(one, why()));
+    }
+
+    /// Keeps a message that decides on the integer or the owner of an enum, for each that would have others.
+    fn keep_owners(
+        &mut self,
+        whole: &Dialect,
+        model: &Dialect,
+        loaded: &Loaded,
+        sources: &Sources,
+    ) -> Result<(), Failure> {
+        let mut diagnostics = Diagnostics::default();
+        let Some(anew) = resolve(&self.cut(loaded), sources, &mut diagnostics) else {
+            let (sources, watched) = (sources.clone(), loaded.watched.clone());
+            return Err(Failure::Definitions(Box::new(Problems { diagnostics, sources, watched })));
+        };
+        for (values, anew) in model.enums.iter().zip(&anew.enums) {
+            if (values.repr, values.defined_in) != (anew.repr, anew.defined_in)
+                && let Some(message) = decider(whole, values)
+            {
+                let name = &values.name.xml;
+                self.keep_message(message, format!("without it, enum `{name}` would be another integer in Rust"));
+            }
+        }
+        Ok(())
+    }
+
+    /// The files with nothing but the part.
+    fn cut(&self, loaded: &Loaded) -> Loaded {
+        let mut loaded = loaded.clone();
+        for file in &mut loaded.files {
+            let file = Arc::make_mut(file);
+            let messages_before = |version: &syntax::Version| {
+                file.messages.iter().take(version.messages_before).filter(|message| self.has_message(message)).count()
+            };
+            let before = file.version.as_ref().map(messages_before);
+            if let (Some(version), Some(before)) = (&mut file.version, before) {
+                version.messages_before = before;
+            }
+            file.messages.retain(|message| self.has_message(message));
+            file.enums.retain(|values| self.has_enum(values));
+        }
+        loaded
+    }
+
+    fn keep_message(&mut self, message: &Message, why: String) {
+        let name = &message.name.xml;
+        if self.messages.insert(name.clone()) {
+            self.besides.push(Besides { name: format!("message {name}"), why });
+        }
+    }
+
+    fn keep_enum(&mut self, values: &Enum, why: String) {
+        let name = &values.name.xml;
+        if self.enums.insert(name.clone()) {
+            self.besides.push(Besides { name: format!("enum {name}"), why });
+        }
+    }
+}
+
+/// The first message that decides on the integer of an enum: with the widest field that carries it, in the file that owns it.
+fn decider<'d>(whole: &'d Dialect, values: &Enum) -> Option<&'d Message> {
+    let carries = |message: &&Message| -> Option<(usize, bool)> {
+        let carried = |id| whole.enum_by_id(id).is_some_and(|found| found.name.xml == values.name.xml);
+        let fields = message.fields.iter().filter(|field| field.values.is_some_and(|values| carried(values.id())));
+        let integers = fields.filter_map(|field| integer(field.ty.scalar));
+        integers.map(|integer| (integer.size(), !integer.is_signed())).max()
+    };
+    let own = whole.messages.iter().rev().filter(|message| message.origin.file == values.defined_in);
+    own.filter(|message| carries(message).is_some()).max_by_key(carries)
+}
