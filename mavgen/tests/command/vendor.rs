@@ -132,7 +132,8 @@ fn a_part_with_what_it_needs_and_what_decides_on_that() {
     let copied = vendor(folder.path(), &["--messages", "SPR*"]);
     let said = "xml: 2 files written, 0 kept\n\
         also copied: message WIDE: without it, enum `SPRAY_STATE` would be another integer in Rust\n";
-    assert_eq!((copied.status.code(), stderr(&copied).as_str()), (Some(0), said));
+    // Two widths of one enum are worth a warning.
+    assert!(copied.status.success() && stderr(&copied).ends_with(said), "{}", stderr(&copied));
     let dump = |xml: &str| {
         let dump = mavgen(folder.path(), &["dump", xml, "--json", "--messages", "SPRAYER"]);
         String::from_utf8(dump.stdout).unwrap()
