@@ -1,0 +1,62 @@
+//! The first UART of an LM3S6965, a PL011, by polling.
+
+use core::convert::Infallible;
+use core::ptr::{with_exposed_provenance, with_exposed_provenance_mut};
+
+use embedded_io::{ErrorType, Read, Write};
+
+/// Data, and flags: LM3S6965 data sheet, "Universal Asynchronous Receivers/Transmitters".
+const DATA: usize = 0x4000_c000;
+const FLAGS: usize = 0x4000_c018;
+const RECEIVE_EMPTY: u32 = 1 << 4;
+const TRANSMIT_FULL: u32 = 1 << 5;
+
+/// One end of the link. Reading and writing do not disturb each other.
+pub struct Uart(());
+
+impl Uart {
+    pub const fn new() -> Self {
+        Self(())
+    }
+
+    fn is(flag: u32) -> bool {
+        // SAFETY: a register of this chip that can be read at any time.
+        unsafe { with_exposed_provenance::<u32>(FLAGS).read_volatile() & flag != 0 }
+    }
+}
+
+impl ErrorType for Uart {
+    type Error = Infallible;
+}
+
+impl Read for Uart {
+    /// Waits for a byte, and takes what has come by then.
+    fn read(&mut self, buffer: &mut [u8]) -> Result<usize, Infallible> {
+        let mut read = 0;
+        while read == 0 && Self::is(RECEIVE_EMPTY) {}
+        for byte in buffer {
+            if Self::is(RECEIVE_EMPTY) {
+                break;
+            }
+            // SAFETY: a register of this chip; reading takes a byte out of the queue.
+            *byte = unsafe { with_exposed_provenance::<u32>(DATA).read_volatile() } as u8;
+            read += 1;
+        }
+        Ok(read)
+    }
+}
+
+impl Write for Uart {
+    fn write(&mut self, bytes: &[u8]) -> Result<usize, Infallible> {
+        for byte in bytes {
+            while Self::is(TRANSMIT_FULL) {}
+            // SAFETY: a register of this chip; writing puts a byte into the queue, which has room.
+            unsafe { with_exposed_provenance_mut::<u32>(DATA).write_volatile((*byte).into()) };
+        }
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> Result<(), Infallible> {
+        Ok(())
+    }
+}
