@@ -13,58 +13,62 @@ pub struct Table<'t> {
     infos: &'t [&'t MessageInfo],
     /// Position + 1 in `infos` of each small id, 0 for none.
     index: &'t [u16],
-    /// Where in `infos` those begin that are not in `index`; a search is binary if they are sorted.
-    tail: &'t [&'t MessageInfo],
+    /// Where in `infos` those begin that are not in `index`.
+    tail: usize,
+    /// Whether a search may halve.
     sorted: bool,
 }
 
 impl<'t> Table<'t> {
-    /// A table of these messages; a search takes logarithmic time if they are sorted by id.
+    /// A table of these messages. If they are sorted by id, and none is there twice, a search takes logarithmic time, else
+    /// linear: that is found out here, when the table is a constant at compile time.
     #[must_use]
     pub const fn of(infos: &'t [&'t MessageInfo]) -> Self {
-        Self { infos, index: &[], tail: infos, sorted: infos.len() > FEW && is_sorted(infos) }
+        Self { infos, index: &[], tail: 0, sorted: is_sorted(infos) }
     }
 
-    /// A table that finds ids below `index.len()` directly; `index` comes from [`index`] over the same messages.
+    /// A table that finds ids below `index.len()` directly, and others as one [of](Self::of) these messages does; `index` comes
+    /// from [`index`] over the same messages.
     #[must_use]
     pub const fn indexed(infos: &'t [&'t MessageInfo], index: &'t [u16]) -> Self {
         let sorted = is_sorted(infos);
-        let mut tail = infos;
-        while let ([first, rest @ ..], true) = (tail, sorted) {
+        let (mut tail, mut rest) = (0, infos);
+        while let ([first, others @ ..], true) = (rest, sorted) {
             if first.id as usize >= index.len() {
                 break;
             }
-            tail = rest;
+            (tail, rest) = (tail + 1, others);
         }
-        Self { infos, index, tail, sorted: sorted && tail.len() > FEW }
+        Self { infos, index, tail, sorted }
     }
 
-    /// The message with this id.
+    /// The message with this id; the first one if there are several.
     #[inline]
     #[must_use]
     pub fn get(&self, id: u32) -> Option<&'t MessageInfo> {
-        match self.index.get(id as usize) {
-            Some(&position) => self.infos.get(usize::from(position).wrapping_sub(1)).copied(),
-            None => self.search(id),
-        }
+        self.infos.get(self.position(id)?).copied()
     }
 
-    fn search(&self, id: u32) -> Option<&'t MessageInfo> {
-        if self.sorted {
-            let at = self.tail.binary_search_by_key(&id, |info| info.id).ok()?;
-            self.tail.get(at).copied()
-        } else {
-            self.tail.iter().find(|info| info.id == id).copied()
-        }
-    }
-
-    /// The place of the message with this id among those that were given.
+    /// The place of the message with this id among those that were given; the first one if there are several.
+    #[inline]
     #[must_use]
     pub fn position(&self, id: u32) -> Option<usize> {
         match self.index.get(id as usize) {
             Some(&position) => usize::from(position).checked_sub(1),
-            None => self.infos.iter().position(|info| info.id == id),
+            None => self.search(id),
         }
+    }
+
+    fn search(&self, id: u32) -> Option<usize> {
+        let (mut start, mut end) = (self.tail, self.infos.len());
+        while self.sorted && end - start > FEW {
+            let middle = start.midpoint(end);
+            match self.infos.get(middle) {
+                Some(info) if info.id <= id => start = middle,
+                _ => end = middle,
+            }
+        }
+        (start..end).find(|&at| self.infos.get(at).is_some_and(|info| info.id == id))
     }
 
     /// The messages in the order they were given.
@@ -99,14 +103,14 @@ const fn is_sorted(infos: &[&MessageInfo]) -> bool {
     true
 }
 
-/// The index of the ids below `N` for [`Table::indexed`]: position + 1, or 0 for none.
+/// The index of the ids below `N` for [`Table::indexed`]: position + 1 of the first message with it, or 0 for none.
 ///
 /// Positions over 65,534 are left out.
 #[must_use]
 pub const fn index<const N: usize>(infos: &[&MessageInfo]) -> [u16; N] {
     let (mut index, mut position, mut rest) = ([0; N], 1_u16, infos);
     while let [first, tail @ ..] = rest {
-        if let Some((_, [slot, ..])) = index.split_at_mut_checked(first.id as usize) {
+        if let Some((_, [slot @ 0, ..])) = index.split_at_mut_checked(first.id as usize) {
             *slot = position;
         }
         if position == u16::MAX {

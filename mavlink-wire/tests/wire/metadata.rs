@@ -16,6 +16,7 @@ const IDS: [u32; 14] = [0, 1, 24, 30, 150, 255, 256, 300, 331, 9000, 12900, 1700
 fn finds(table: &Table<'_>, ids: &[u32]) {
     for id in (0..70_000).chain([0x00FF_FFFE, 0x00FF_FFFF, u32::MAX]) {
         assert_eq!(table.get(id).map(|info| info.id), ids.contains(&id).then_some(id));
+        assert_eq!(table.position(id), ids.iter().position(|known| *known == id));
     }
     assert_eq!((table.len(), table.is_empty()), (ids.len(), ids.is_empty()));
     assert!(table.iter().map(|info| info.id).eq(ids.iter().copied()));
@@ -37,6 +38,29 @@ fn tables_find_what_is_in_them_and_nothing_else() {
     finds(&Table::indexed(&sorted, &index::<301>(&sorted)), &IDS);
     finds(&Table::indexed(&reversed, &index::<301>(&reversed)), &reversed_ids);
     finds(Small::TABLE, &[0, 152, 253]);
+}
+
+/// As in a dialect of one's own, with ids that no index reaches.
+#[test]
+fn many_large_ids_are_found() {
+    let ids: Vec<u32> = (0..200).map(|number| 10_000 + 3 * number).collect();
+    let infos: Vec<MessageInfo> = ids.iter().map(|id| info(*id)).collect();
+    let sorted: Vec<&MessageInfo> = infos.iter().collect();
+    finds(&Table::of(&sorted), &ids);
+    finds(&Table::indexed(&sorted, &index::<512>(&sorted)), &ids);
+}
+
+#[test]
+fn of_two_messages_with_one_id_the_first_is_found() {
+    static TWICE: [MessageInfo; 3] = [MessageInfo { name: "FIRST", ..info(7) }, info(7), info(600)];
+    let infos: Vec<&MessageInfo> = TWICE.iter().collect();
+    for table in [Table::of(&infos), Table::indexed(&infos, &index::<8>(&infos))] {
+        assert_eq!(table.get(7).map(|info| info.name), Some("FIRST"));
+        assert_eq!((table.position(7), table.position(600)), (Some(0), Some(2)));
+    }
+    // More than a search walks over.
+    let many: Vec<&MessageInfo> = infos.iter().copied().cycle().take(30).collect();
+    assert_eq!((Table::of(&many).position(7), Table::of(&many).position(600)), (Some(0), Some(2)));
 }
 
 #[test]
