@@ -10,7 +10,7 @@ pub(crate) use outline::Outline;
 
 use crate::header::{Header, STX_V2};
 use crate::reflect::Reflected;
-use crate::{Dialect, FieldInfo, FrameError, Message, MessageInfo, Table, Timestamp, Version, crc, get};
+use crate::{Dialect, FieldInfo, FrameError, Message, MessageInfo, Table, Timestamp, Version, crc};
 
 /// Id of `SETUP_SIGNING`.
 pub(crate) const SETUP_SIGNING: u32 = 256;
@@ -35,17 +35,28 @@ impl Facts {
     /// Verifies the frame at the start of `bytes`.
     #[inline]
     pub(crate) fn of(bytes: &[u8], table: &Table<'_>) -> Result<(Header, Self), FrameError> {
+        Self::among(bytes, table, true)
+    }
+
+    /// Verifies the frame at the start of `bytes`; without `unknown`, it has to be of a message of the table.
+    #[inline]
+    pub(crate) fn among(bytes: &[u8], table: &Table<'_>, unknown: bool) -> Result<(Header, Self), FrameError> {
         let header = Header::read(bytes)?;
         let incomplete = FrameError::Incomplete { needed: header.frame_length() };
-        let frame = bytes.get(..header.frame_length()).ok_or(incomplete)?;
-        let id = header.id(frame);
-        let checked = frame.get(1..header.checked_length()).unwrap_or_default();
-        let sent = get(frame, header.checked_length());
+        let id = header.id(bytes).ok_or(incomplete)?;
         let known = table.get(id);
-        match (crc::byte_between(crc::checksum(checked), sent), known) {
-            (Some(crc_extra), None) => Ok((header, Self { id, crc_extra, verified: false })),
-            (Some(crc_extra), Some(info)) if info.crc_extra == crc_extra => {
-                Ok((header, Self { id, crc_extra, verified: true }))
+        if known.is_none() && !unknown {
+            return Err(FrameError::Checksum { id });
+        }
+        let frame = bytes.get(..header.frame_length()).ok_or(incomplete)?;
+        let (Some([_, checked @ ..]), Some(sent)) =
+            (frame.get(..header.checked_length()), frame.get(header.checked_length()..).and_then(<[u8]>::first_chunk))
+        else {
+            return Err(incomplete);
+        };
+        match crc::byte_between(crc::checksum(checked), u16::from_le_bytes(*sent)) {
+            Some(crc_extra) if known.is_none_or(|info| info.crc_extra == crc_extra) => {
+                Ok((header, Self { id, crc_extra, verified: known.is_some() }))
             }
             _ => Err(FrameError::Checksum { id }),
         }
@@ -62,14 +73,13 @@ impl<'a> Frame<'a> {
     #[inline]
     pub fn parse(bytes: &'a [u8], table: &Table<'_>) -> Result<Self, FrameError> {
         let (header, facts) = Facts::of(bytes, table)?;
-        Ok(Self::with_facts(bytes, header, facts))
+        Ok(Self::with_facts(bytes.get(..header.frame_length()).unwrap_or_default(), header, facts))
     }
 
-    /// The frame at the start of `bytes`, of which [`Facts::of`] found these facts.
+    /// The frame that these are the bytes of, and of which [`Facts::of`] found these facts.
     #[inline]
     pub(crate) fn with_facts(bytes: &'a [u8], header: Header, facts: Facts) -> Self {
-        let payload = bytes.get(header.length()..header.checked_length()).unwrap_or_default();
-        Self { bytes: bytes.get(..header.frame_length()).unwrap_or_default(), payload, facts }
+        Self { bytes, payload: bytes.get(header.length()..header.checked_length()).unwrap_or_default(), facts }
     }
 
     fn byte(&self, at_v1: usize, at_v2: usize) -> u8 {

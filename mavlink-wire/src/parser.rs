@@ -5,7 +5,7 @@ mod held;
 mod search;
 
 use held::Held;
-use search::{Search, Sight};
+use search::{Search, Step};
 
 use crate::frame::Facts;
 use crate::header::Header;
@@ -14,8 +14,8 @@ use crate::{Frame, Statistics, Table};
 /// Finds frames in a stream of bytes, wherever it is cut into chunks.
 ///
 /// What is found depends on the bytes alone, not on the cuts. After a wrong checksum or a false start the search goes on
-/// with the next byte, so that a damaged frame costs only itself. Frames that lie within one chunk are not copied. A parser
-/// takes some 650 bytes of memory.
+/// with the next byte, so that a damaged frame costs only itself. With the feature `fast-crc`, frames that lie within one
+/// chunk are not copied. A parser takes some 650 bytes of memory.
 ///
 /// ```
 /// use mavlink_wire::{Parser, Table};
@@ -54,44 +54,62 @@ impl<'t> Parser<'t> {
     /// A parser that verifies the messages of this table, and hands over others unverified.
     #[must_use]
     pub const fn new(table: &'t Table<'t>) -> Self {
-        Self { search: Search::new(table), held: Held::EMPTY, needed: 0 }
+        Self { search: Search::new(table), held: Held::EMPTY, needed: 1 }
     }
 
     /// The next frame; `input` moves behind what was used. `None` when `input` is used up: the beginning of a frame at
     /// its end is kept until the next chunk comes.
     #[inline]
     pub fn next<'s, 'i: 's>(&'s mut self, input: &mut &'i [u8]) -> Option<Frame<'s>> {
-        self.next_telling(input, &mut not_told)
+        self.next_telling(input, not_told)
     }
 
-    /// The next frame; `bad_checksum` is told the message of each frame that is counted as damaged.
+    /// The next frame, as [`next`](Self::next) gives it. `bad_checksum` is told the message of each frame that
+    /// [`Statistics::bad_checksums`] counts: if it is often the same one, both sides define it otherwise.
+    ///
+    /// ```
+    /// use mavlink_wire::{Parser, Table};
+    ///
+    /// # let mut parser = Parser::new(const { &Table::of(&[]) });
+    /// # let mut chunk: &[u8] = &[0xfe, 9, 0, 1, 1, 0, 0, 0, 0, 0, 6, 8, 0, 4, 3, 0x90, 0x44];
+    /// let mut suspect = None;
+    /// while let Some(frame) = parser.next_telling(&mut chunk, |id| suspect = Some(id)) {
+    ///     println!("message {}", frame.id());
+    /// }
+    /// # assert_eq!(suspect, Some(0));
+    /// ```
     #[inline]
-    pub(crate) fn next_telling<'s, 'i: 's>(
+    pub fn next_telling<'s, 'i: 's>(
         &'s mut self,
         input: &mut &'i [u8],
-        bad_checksum: &mut impl FnMut(u32),
+        mut bad_checksum: impl FnMut(u32),
     ) -> Option<Frame<'s>> {
-        if !self.held.is_empty() {
-            if let Some((header, facts)) = self.resume(input, false, bad_checksum) {
-                return Some(self.held_frame(header, facts));
-            }
-            if !self.held.is_empty() {
-                return None;
-            }
+        if IN_PLACE && self.held.is_empty() {
+            return self.search_in_place(input, &mut bad_checksum);
         }
+        if let Some((header, facts)) = self.resume(input, false, &mut bad_checksum) {
+            return Some(self.held_frame(header, facts));
+        }
+        if IN_PLACE && self.held.is_empty() { self.search_in_place(input, &mut bad_checksum) } else { None }
+    }
+
+    /// Searches `input` as it lies there, when nothing is held.
+    #[inline]
+    fn search_in_place<'i>(&mut self, input: &mut &'i [u8], bad_checksum: &mut impl FnMut(u32)) -> Option<Frame<'i>> {
         loop {
             let bytes = *input;
             match self.search.look(bytes, false, bad_checksum) {
-                Sight::Frame(header, facts) => {
-                    skip(input, header.frame_length());
-                    return Some(Frame::with_facts(bytes, header, facts));
+                Ok((header, facts)) => {
+                    let (frame, rest) = bytes.split_at_checked(header.frame_length()).unwrap_or_default();
+                    *input = rest;
+                    return Some(Frame::with_facts(frame, header, facts));
                 }
-                Sight::Unfinished { needed } => {
-                    self.held.reset();
-                    self.wait(needed, input);
+                Err(Step::Wait { needed }) => {
+                    self.needed = needed;
+                    self.held.fill(needed, input);
                     return None;
                 }
-                Sight::Nothing { passed } => skip(input, passed),
+                Err(Step::Pass { count }) => *input = bytes.get(count..).unwrap_or_default(),
             }
         }
     }
@@ -101,12 +119,13 @@ impl<'t> Parser<'t> {
     /// A damaged byte can look like the start of a long frame, which then waits for bytes that do not come. This gives it
     /// up and searches what was waiting with it. What comes afterwards is a new stream.
     pub fn finish(&mut self) -> Option<Frame<'_>> {
-        self.finish_telling(&mut not_told)
+        self.finish_telling(not_told)
     }
 
-    /// The frames behind an unfinished one; `bad_checksum` is told the message of each frame that is counted as damaged.
-    pub(crate) fn finish_telling(&mut self, bad_checksum: &mut impl FnMut(u32)) -> Option<Frame<'_>> {
-        let found = self.resume(&mut &[][..], true, bad_checksum);
+    /// The frames behind an unfinished one, as [`finish`](Self::finish) gives them. `bad_checksum` is told the message of each
+    /// frame that [`Statistics::bad_checksums`] counts.
+    pub fn finish_telling(&mut self, mut bad_checksum: impl FnMut(u32)) -> Option<Frame<'_>> {
+        let found = self.resume(&mut &[][..], true, &mut bad_checksum);
         if found.is_none() {
             self.search.restart();
         }
@@ -131,53 +150,41 @@ impl<'t> Parser<'t> {
         Frame::with_facts(released.get(start..).unwrap_or_default(), header, facts)
     }
 
-    /// Searches the held bytes for a frame, which may end in `input`. Of `input`, only what belongs to that frame is
-    /// used, so that the search returns to it, and to whole chunks, as soon as no earlier byte is left.
+    /// Searches the held bytes for a frame. Of `input`, only what it takes to know is used: as soon as no earlier byte is
+    /// left, the search may go on in place.
     fn resume(
         &mut self,
         input: &mut &[u8],
         at_end: bool,
         bad_checksum: &mut impl FnMut(u32),
     ) -> Option<(Header, Facts)> {
-        if !at_end && self.held.length() + input.len() < self.needed {
-            self.wait(self.needed, input);
-            return None;
-        }
-        let mut borrowed = 0;
-        while !self.held.is_empty() {
-            match self.search.look(self.held.with_borrowed(borrowed), at_end, bad_checksum) {
-                Sight::Frame(header, facts) => {
-                    self.held.release(header.frame_length(), input);
-                    self.needed = 0;
+        while self.is_to_resume(input, at_end) {
+            self.needed = 1;
+            match self.search.look(self.held.bytes(), at_end, bad_checksum) {
+                Ok((header, facts)) => {
+                    self.held.release(header.frame_length());
                     return Some((header, facts));
                 }
-                Sight::Unfinished { needed } => {
-                    borrowed = self.held.borrow(needed, input);
-                    if self.held.length() + borrowed < needed {
-                        self.wait(needed, input);
-                        return None;
-                    }
-                }
-                Sight::Nothing { passed } => {
-                    self.held.release(passed, input);
-                    borrowed = 0;
-                }
+                Err(Step::Wait { needed }) => self.needed = needed,
+                Err(Step::Pass { count }) => self.held.release(count),
             }
         }
         None
     }
 
-    /// Keeps all of `input`, which is not enough.
-    fn wait(&mut self, needed: usize, input: &mut &[u8]) {
-        self.held.keep(needed, input);
-        self.needed = needed;
+    /// Whether there are held bytes to be searched, enough of them.
+    fn is_to_resume(&mut self, input: &mut &[u8], at_end: bool) -> bool {
+        if at_end || IN_PLACE && self.held.is_empty() {
+            !self.held.is_empty()
+        } else {
+            self.held.fill(self.needed, input)
+        }
     }
 }
+
+/// Whether frames that lie within a chunk are left there. It takes a second search loop, and so is bought with flash.
+const IN_PLACE: bool = cfg!(feature = "fast-crc");
 
 /// For those who need not know of which message a bad checksum was. One function, because each closure would have a parser
 /// compiled for itself.
 pub(crate) fn not_told(_: u32) {}
-
-fn skip(input: &mut &[u8], count: usize) {
-    *input = input.get(count..).unwrap_or_default();
-}

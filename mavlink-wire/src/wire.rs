@@ -34,7 +34,8 @@ pub fn put<T: Wire>(bytes: &mut [u8], offset: usize, value: T) {
 /// A payload at its full length: zeros behind its end, or cut if it is longer.
 ///
 /// MAVLink 2 drops trailing zeros, so a payload that is shorter than its message is nothing unusual.
-#[inline(never)]
+#[cfg_attr(feature = "fast-crc", inline(never))]
+#[cfg_attr(not(feature = "fast-crc"), inline)]
 #[must_use]
 pub fn zero_extended<const N: usize>(payload: &[u8]) -> [u8; N] {
     let mut whole = [0; N];
@@ -42,9 +43,11 @@ pub fn zero_extended<const N: usize>(payload: &[u8]) -> [u8; N] {
     whole
 }
 
-/// Copies as many bytes as there are on both sides: one function for payloads of every length.
-#[inline]
-fn copy(from: &[u8], to: &mut [u8]) {
+/// Copies as many bytes as there are on both sides: one function for payloads of every length where flash counts. Where time
+/// does, it is a part of each of theirs: a call for known lengths costs half of decoding.
+#[cfg_attr(feature = "fast-crc", inline)]
+#[cfg_attr(not(feature = "fast-crc"), inline(never))]
+pub(crate) fn copy(from: &[u8], to: &mut [u8]) {
     // Unlike `copy_from_slice` this has no path to a panic.
     to.iter_mut().zip(from).for_each(|(to, from)| *to = *from);
 }

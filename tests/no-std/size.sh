@@ -4,7 +4,7 @@
 set -eu
 cd "$(dirname "$0")"
 target=${CARGO_TARGET_DIR:-target}
-limit=5200
+limit=2300
 cargo build --release --locked --bin empty --bin decoder
 
 bytes() { size -A "$target/release/$1" | awk '$1 ~ /^\.(text|rodata)/ { sum += $2 } END { print sum }'; }

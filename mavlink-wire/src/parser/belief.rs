@@ -1,9 +1,7 @@
 //! Whether a frame of an unknown message is one, although its checksum proves little.
 
-use memchr::memchr2;
-
 use crate::frame::Facts;
-use crate::header::{Header, STX_V1, STX_V2};
+use crate::header::{STX_V1, STX_V2, to_next_start};
 use crate::{FrameError, Table};
 
 /// What is known about the bytes around the place where the parser is.
@@ -87,38 +85,20 @@ impl Belief {
     /// The first known frame that starts inside of the first `length` bytes; no byte is looked at twice, however often
     /// this is asked.
     fn search(&mut self, bytes: &[u8], length: usize, table: &Table<'_>, at_end: bool) -> Inside {
-        if self.known {
-            return if self.clear < length { Inside::Known } else { Inside::Nothing };
-        }
-        let inside = bytes.get(..length).unwrap_or_default();
         self.clear = self.clear.max(1);
-        while let Some(distance) = inside.get(self.clear..).and_then(|rest| memchr2(STX_V1, STX_V2, rest)) {
-            self.clear += distance;
-            match known(bytes.get(self.clear..).unwrap_or_default(), table) {
-                Ok(false) => self.clear += 1,
-                Ok(true) => {
-                    self.known = true;
-                    return Inside::Known;
+        while self.clear < length {
+            if self.known {
+                return Inside::Known;
+            }
+            let rest = bytes.get(self.clear..).unwrap_or_default();
+            match Facts::among(rest, table, false) {
+                Ok(_) => self.known = true,
+                Err(FrameError::Incomplete { needed }) if !at_end => {
+                    return Inside::Perhaps { needed: self.clear + needed };
                 }
-                Err(_) if at_end => self.clear += 1,
-                Err(needed) => return Inside::Perhaps { needed: self.clear + needed },
+                Err(_) => self.clear += to_next_start(rest),
             }
         }
-        self.clear = self.clear.max(length);
         Inside::Nothing
-    }
-}
-
-/// Whether these bytes start with a frame of a known message; if they are too few to say, how many it takes.
-fn known(bytes: &[u8], table: &Table<'_>) -> Result<bool, usize> {
-    if let Ok(header) = Header::read(bytes)
-        && bytes.len() >= header.length()
-        && table.get(header.id(bytes)).is_none()
-    {
-        return Ok(false);
-    }
-    match Facts::of(bytes, table) {
-        Err(FrameError::Incomplete { needed }) => Err(needed),
-        facts => Ok(facts.is_ok()),
     }
 }

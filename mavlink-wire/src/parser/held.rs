@@ -1,11 +1,12 @@
 //! The bytes that wait for the rest of a frame.
 
-use crate::{MAX_FRAME, zero_extended};
+use crate::wire::copy;
+use crate::{MAX_FRAME, put};
 
 /// A frame of an unknown message, and behind its last byte the rest of a known one that may start there.
 const CAPACITY: usize = 2 * MAX_FRAME;
 
-/// Bytes of earlier chunks. Behind them, bytes of the present one can be borrowed.
+/// Bytes of earlier chunks, and behind them as many of the present one as it takes to go on.
 #[derive(Clone)]
 pub(super) struct Held {
     /// At `start..end`, behind those of the frame that was handed out last.
@@ -23,46 +24,47 @@ impl Held {
     }
 
     #[inline]
-    pub(super) fn length(&self) -> usize {
+    fn length(&self) -> usize {
         self.end - self.start
     }
 
-    /// The held bytes, and so many borrowed ones.
-    pub(super) fn with_borrowed(&self, borrowed: usize) -> &[u8] {
-        self.bytes.get(self.start..self.end + borrowed).unwrap_or_default()
+    /// The bytes that are still to be searched.
+    pub(super) fn bytes(&self) -> &[u8] {
+        self.bytes.get(self.start..self.end).unwrap_or_default()
     }
 
-    /// The bytes that were given up, as far as they are still here.
+    /// The bytes that were used, as far as they are still here.
     pub(super) fn released(&self) -> &[u8] {
         self.bytes.get(..self.start).unwrap_or_default()
     }
 
-    /// Puts bytes of `input` behind the held ones, as many as `needed` bytes lack; gives their number.
-    pub(super) fn borrow(&mut self, needed: usize, input: &[u8]) -> usize {
+    /// Takes bytes of `input` until so many are held; whether there were enough.
+    pub(super) fn fill(&mut self, needed: usize, input: &mut &[u8]) -> bool {
         if self.start + needed > CAPACITY {
-            self.bytes = zero_extended(self.with_borrowed(0));
-            (self.start, self.end) = (0, self.length());
+            self.move_to_front();
         }
         let free = self.bytes.get_mut(self.end..self.start + needed).unwrap_or_default();
-        free.iter_mut().zip(input).map(|(to, from)| *to = *from).count()
+        let count = free.len().min(input.len());
+        copy(input, free);
+        *input = input.get(count..).unwrap_or_default();
+        self.end += count;
+        self.length() >= needed
     }
 
-    /// Keeps all of `input`, with which fewer than `needed` bytes are held.
-    pub(super) fn keep(&mut self, needed: usize, input: &mut &[u8]) {
-        self.end += self.borrow(needed, input);
-        *input = &[];
+    /// Overwrites what was used.
+    fn move_to_front(&mut self) {
+        let length = self.length();
+        for at in 0..length {
+            let byte = self.bytes.get(self.start + at).copied().unwrap_or_default();
+            put(&mut self.bytes, at, byte);
+        }
+        (self.start, self.end) = (0, length);
     }
 
-    /// Gives up bytes: first held ones, then of `input`.
-    pub(super) fn release(&mut self, count: usize, input: &mut &[u8]) {
+    /// Has used so many bytes.
+    #[inline]
+    pub(super) fn release(&mut self, count: usize) {
         self.start += count;
-        *input = input.get(self.start.saturating_sub(self.end)..).unwrap_or_default();
-        self.end = self.end.max(self.start);
-    }
-
-    /// Goes back to the beginning of an empty space.
-    pub(super) fn reset(&mut self) {
-        (self.start, self.end) = (0, 0);
     }
 }
 

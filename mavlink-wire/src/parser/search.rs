@@ -1,10 +1,8 @@
-//! What there is at the start of some bytes.
-
-use memchr::memchr2;
+//! What there is at the start of some bytes, and how to go on where that is nothing.
 
 use super::belief::{Belief, Judgement};
 use crate::frame::Facts;
-use crate::header::{Header, STX_V1, STX_V2};
+use crate::header::{Header, to_next_start};
 use crate::{FrameError, Statistics, Table};
 
 /// The search for frames, from one place to the next.
@@ -17,17 +15,13 @@ pub(super) struct Search<'t> {
     pub(super) statistics: Statistics,
 }
 
-/// What there is at the start of some bytes.
-pub(super) enum Sight {
-    Frame(Header, Facts),
-    /// It takes so many bytes to know.
-    Unfinished {
-        needed: usize,
-    },
-    /// Nothing; so many bytes further there may be something.
-    Nothing {
-        passed: usize,
-    },
+/// How to go on where there is no frame.
+#[derive(Clone, Copy)]
+pub(super) enum Step {
+    /// It takes so many bytes to know; never at the end.
+    Wait { needed: usize },
+    /// So many bytes further there may be something.
+    Pass { count: usize },
 }
 
 impl<'t> Search<'t> {
@@ -41,62 +35,64 @@ impl<'t> Search<'t> {
         self.damaged = 0;
     }
 
-    /// What there is at the start of these bytes. The next look is at the bytes behind that, or at more bytes if it was
-    /// unfinished. `at_end` says that there are no more. `bad_checksum` is told the message of a frame that is counted as
-    /// damaged.
+    /// The frame at the start of these bytes, or how to go on: with more bytes, or further behind. `at_end` says that there
+    /// are no more. `bad_checksum` is told the message of a frame that is counted as damaged.
     #[inline]
-    pub(super) fn look(&mut self, bytes: &[u8], at_end: bool, bad_checksum: &mut impl FnMut(u32)) -> Sight {
+    pub(super) fn look(
+        &mut self,
+        bytes: &[u8],
+        at_end: bool,
+        bad_checksum: &mut impl FnMut(u32),
+    ) -> Result<(Header, Facts), Step> {
         match Facts::of(bytes, self.table) {
             Ok((header, facts)) => {
                 if facts.verified {
                     self.belief.hand_over();
-                } else if let Some(sight) = self.doubt(bytes, header, at_end) {
-                    return sight;
+                } else if let Some(step) = self.doubt(bytes, header.frame_length(), at_end) {
+                    return Err(step);
                 }
                 self.damaged = 0;
                 self.statistics.frames += 1;
-                Sight::Frame(header, facts)
+                Ok((header, facts))
             }
-            Err(FrameError::Incomplete { needed }) if !at_end => Sight::Unfinished { needed },
-            Err(error) => self.give_up(bytes, error, bad_checksum),
+            Err(error) => Err(self.give_up(bytes, error, at_end, bad_checksum)),
         }
     }
 
-    /// What there is instead of an unverified frame; `None` if it is believed. Not inlined, nor is what follows: in front
-    /// of known frames, both would cost a tenth of the time.
+    /// What to do instead of handing over an unverified frame; `None` if it is believed. Not inlined, nor is what follows: in
+    /// front of known frames, both would cost a tenth of the time.
     #[inline(never)]
-    fn doubt(&mut self, bytes: &[u8], header: Header, at_end: bool) -> Option<Sight> {
-        match self.belief.judge(bytes, header.frame_length(), self.table, at_end) {
+    fn doubt(&mut self, bytes: &[u8], length: usize, at_end: bool) -> Option<Step> {
+        match self.belief.judge(bytes, length, self.table, at_end) {
             Judgement::Believed => {
-                self.belief.believe(header.frame_length());
+                self.belief.believe(length);
                 self.statistics.unverified += 1;
                 None
             }
             Judgement::Refused => Some(self.pass(1)),
-            Judgement::Undecided { needed } => Some(Sight::Unfinished { needed }),
+            Judgement::Undecided { needed } => Some(Step::Wait { needed }),
         }
     }
 
-    /// Passes over something that is no frame.
+    /// Passes over something that is no frame, if enough of it is there to know.
     #[inline(never)]
-    fn give_up(&mut self, bytes: &[u8], error: FrameError, bad_checksum: &mut impl FnMut(u32)) -> Sight {
+    fn give_up(&mut self, bytes: &[u8], error: FrameError, at_end: bool, bad_checksum: &mut impl FnMut(u32)) -> Step {
         match error {
-            // The common case while searching: nothing was found out about the first byte but that it starts nothing.
-            FrameError::NotStx { .. } => self.pass(memchr2(STX_V1, STX_V2, bytes).unwrap_or(bytes.len())),
+            FrameError::Incomplete { needed } if !at_end => return Step::Wait { needed },
             FrameError::Checksum { id } if self.damaged == 0 => {
                 bad_checksum(id);
                 self.statistics.bad_checksums += 1;
                 self.damaged = Header::read(bytes).map_or(0, Header::frame_length);
-                self.pass(1)
             }
-            _ => self.pass(1),
+            _ => {}
         }
+        self.pass(to_next_start(bytes))
     }
 
-    fn pass(&mut self, passed: usize) -> Sight {
-        self.belief.pass(passed);
-        self.damaged = self.damaged.saturating_sub(passed);
-        self.statistics.skipped_bytes += passed as u64;
-        Sight::Nothing { passed }
+    fn pass(&mut self, count: usize) -> Step {
+        self.belief.pass(count);
+        self.damaged = self.damaged.saturating_sub(count);
+        self.statistics.skipped_bytes += count as u64;
+        Step::Pass { count }
     }
 }

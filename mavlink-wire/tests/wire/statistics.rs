@@ -3,7 +3,7 @@
 use mavlink_wire::{Dialect, Message, Parser, Sender, Statistics};
 use proptest::prelude::*;
 
-use crate::small::{Heartbeat, Small};
+use crate::small::{AqEscTelemetry, Heartbeat, Small};
 use crate::streams::pieces::{Piece, encoded, pieces};
 use crate::streams::reference::scanned;
 
@@ -36,6 +36,19 @@ fn damaged_frames_in_a_row_count_each() {
     let mut damaged = encoded(Sender::v1(1, 1), 0, &Heartbeat::DEFAULT.into());
     damaged[7] ^= 1;
     assert_eq!(counted([&damaged.repeat(3)[..]]).bad_checksums, 3);
+}
+
+#[test]
+fn a_parser_tells_of_which_message_a_checksum_is_wrong() {
+    let mut damaged = encoded(Sender::v1(1, 1), 0, &AqEscTelemetry::DEFAULT.into());
+    damaged[20] ^= 1;
+    let stream = [&damaged[..], &encoded(Sender::v1(1, 1), 0, &Heartbeat::DEFAULT.into()), &damaged, &[0xFE]].concat();
+    let (mut parser, mut told) = (Parser::new(Small::TABLE), vec![]);
+    for mut chunk in stream.chunks(7) {
+        while parser.next_telling(&mut chunk, |id| told.push(id)).is_some() {}
+    }
+    while parser.finish_telling(|id| told.push(id)).is_some() {}
+    assert_eq!((told, parser.statistics().frames), (vec![152, 152], 1));
 }
 
 proptest! {
