@@ -13,8 +13,17 @@ pub(super) fn suggest<'c>(
     candidates: impl IntoIterator<Item = &'c str>,
     before: &Diagnostics,
 ) -> Diagnostic {
-    let nearest = if before.len() < MOST_PROBLEMS { nearest(name, candidates) } else { None };
-    match nearest {
+    suggest_by(problem, before, || nearest(name, candidates))
+}
+
+/// Adds what `find` says was meant, on the same terms.
+pub(super) fn suggest_by<'c>(
+    problem: Diagnostic,
+    before: &Diagnostics,
+    find: impl FnOnce() -> Option<&'c str>,
+) -> Diagnostic {
+    let meant = if before.len() < MOST_PROBLEMS { find() } else { None };
+    match meant {
         Some(meant) => problem.help(format!("did you mean `{meant}`?")),
         None => problem,
     }

@@ -1,6 +1,8 @@
 //! Units, which other tools convert and show: they know those of MAVLink's schema only.
 
-use super::suggest::suggest;
+mod spelling;
+
+use super::suggest::suggest_by;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::syntax::Text;
 
@@ -28,7 +30,7 @@ pub(super) fn check(units: Option<&Text>, diagnostics: &mut Diagnostics) {
     }
     let message = format!("unit `{}` is not one of MAVLink's", units.value);
     let problem = Diagnostic::new(Code::Units, units.span, message).label("ground stations do not know it");
-    diagnostics.push(suggest(problem, &units.value, known(), diagnostics));
+    diagnostics.push(suggest_by(problem, diagnostics, || spelling::meant(&units.value)));
 }
 
 #[cfg(test)]
