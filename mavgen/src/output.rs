@@ -58,6 +58,8 @@ pub struct Report {
 pub struct Differences {
     /// Files with other contents.
     pub changed: Vec<PathBuf>,
+    /// Files that differ in their line ends alone: they have CRLF, as git makes it with `core.autocrlf` when it checks them out.
+    pub line_ends: Vec<PathBuf>,
     /// Files that are not there.
     pub missing: Vec<PathBuf>,
     /// Files of an earlier run that are no longer generated.
@@ -67,20 +69,27 @@ pub struct Differences {
 impl Differences {
     /// Whether the folder is as it should be.
     pub fn is_empty(&self) -> bool {
-        self.changed.is_empty() && self.missing.is_empty() && self.stale.is_empty()
+        [&self.changed, &self.line_ends, &self.missing, &self.stale].into_iter().all(Vec::is_empty)
     }
 }
 
-/// One line for each file, up to a number that one reads.
+/// One line for each file, up to a number that one reads; one line for all that differ in their line ends alone.
 impl std::fmt::Display for Differences {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         const SHOWN: usize = 20;
         let lists =
             [(&self.changed, "differs"), (&self.missing, "is missing"), (&self.stale, "is no longer generated")];
         let all = || lists.iter().flat_map(|(paths, what)| paths.iter().map(move |path| (path, what)));
-        for (index, (path, what)) in all().take(SHOWN).enumerate() {
-            let gap = if index == 0 { "" } else { "\n" };
+        let mut gap = "";
+        if let Some(first) = self.line_ends.first() {
+            let (count, first) = (self.line_ends.len(), first.display());
+            write!(f, "{count} with CRLF line ends, current otherwise: {first}")?;
+            write!(f, "; `* text eol=lf` in a .gitattributes beside mod.rs keeps git from making them")?;
+            gap = "\n";
+        }
+        for (path, what) in all().take(SHOWN) {
             write!(f, "{gap}{} {what}", path.display())?;
+            gap = "\n";
         }
         match all().count().saturating_sub(SHOWN) {
             0 => Ok(()),
@@ -142,6 +151,7 @@ pub fn check(folder: &Path, files: &[GeneratedFile]) -> Result<Differences, Outp
         let path = folder.join(&file.path);
         match fs::read(&path) {
             Ok(bytes) if bytes == file.text.as_bytes() => {}
+            Ok(bytes) if is_same_but_for_line_ends(&bytes, &file.text) => differences.line_ends.push(path),
             Ok(_) => differences.changed.push(path),
             Err(error) if error.kind() == io::ErrorKind::NotFound => differences.missing.push(path),
             Err(error) => return Err(OutputError::new(&path, error)),
@@ -167,6 +177,10 @@ pub(crate) fn write_file(path: &Path, text: &str) -> Result<(), OutputError> {
 /// The folder that an empty path means when something is joined to it, by a name that can be read.
 fn named(folder: &Path) -> &Path {
     if folder.as_os_str().is_empty() { Path::new(".") } else { folder }
+}
+
+fn is_same_but_for_line_ends(bytes: &[u8], text: &str) -> bool {
+    std::str::from_utf8(bytes).is_ok_and(|present| present.replace("\r\n", "\n") == text)
 }
 
 fn is_current(path: &Path, text: &str) -> bool {

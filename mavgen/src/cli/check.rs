@@ -11,13 +11,13 @@ use mavgen::output::{self, Differences};
 use mavgen::{Failure, GeneratedFile};
 
 use super::input::{Output, resolve};
-use super::report::{Report, print_coloured};
+use super::report::{Report, plural, print_coloured};
 use unified::Unified;
 
 /// Compares a folder with what `generate` would write, and says no (exit status 1) if they differ.
 ///
 /// The differences go to standard output: unified diffs from what is there to what would be written, and the files that are
-/// missing or no longer generated. A long list is cut, and says so.
+/// missing or no longer generated. A long list is cut, and says so. Line ends count, but what differs in them alone is one line.
 #[derive(Args)]
 #[command(after_help = AFTER_HELP)]
 pub(super) struct Check {
@@ -41,15 +41,27 @@ impl Check {
             return Ok(ExitCode::SUCCESS);
         }
         print_coloured(&self.text(&differences, &files))?;
-        let Differences { changed, missing, stale } = &differences;
+        let Differences { changed, line_ends, missing, stale } = &differences;
         let (out, changed, missing, stale) = (self.output.out.display(), changed.len(), missing.len(), stale.len());
-        report.note(&format!("{out}: {changed} changed, {missing} missing, {stale} stale"));
+        let line_ends = match line_ends.len() {
+            0 => String::new(),
+            count => format!(", {count} with other line ends"),
+        };
+        report.note(&format!("{out}: {changed} changed, {missing} missing, {stale} stale{line_ends}"));
         report.note(&format!("run: {}", generate_instead(env::args_os().skip(1))));
         Ok(ExitCode::from(1))
     }
 
     fn text(&self, differences: &Differences, files: &[GeneratedFile]) -> String {
         let mut unified = Unified::default();
+        if !differences.line_ends.is_empty() {
+            let (out, files) = (self.output.out.display(), plural(differences.line_ends.len(), "file"));
+            let attributes = self.output.out.join(".gitattributes");
+            unified.line(format_args!(
+                "{out}: {files} with the line ends of Windows (CRLF), and current otherwise: `* text eol=lf` in {} keeps git from it",
+                attributes.display()
+            ));
+        }
         for file in files {
             let path = self.output.out.join(&file.path);
             if differences.changed.contains(&path) {

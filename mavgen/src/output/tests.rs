@@ -53,6 +53,25 @@ fn writes_keeps_and_removes() {
 }
 
 #[test]
+fn line_ends_are_told_from_contents() {
+    let (_parent, folder) = written();
+    let crlf = |path: &str, text: &str| {
+        fs::write(folder.join(path), format!("{MARK}\n{text}\n").replace('\n', "\r\n")).unwrap()
+    };
+    crlf("mod.rs", "a\nb");
+    crlf("messages/b.rs", "c");
+    let found = check(&folder, &[file("mod.rs", "a\nb\n"), file("messages/b.rs", "b\n")]).unwrap();
+    assert_eq!(
+        (&*found.line_ends, &*found.changed),
+        (&[folder.join("mod.rs")][..], &[folder.join("messages/b.rs")][..])
+    );
+    let shown = found.to_string();
+    assert!(shown.starts_with("1 with CRLF line ends, ") && shown.lines().count() == 2, "{shown}");
+    let only = Differences { changed: Vec::new(), ..found };
+    assert!(!only.is_empty() && only.to_string().lines().count() == 1, "{only}");
+}
+
+#[test]
 fn differences_are_listed_as_far_as_one_reads() {
     let mut differences = Differences { changed: vec!["a.rs".into()], ..Differences::default() };
     differences.stale.push("b.rs".into());

@@ -1,8 +1,9 @@
 //! `check`: the answer, the diff, and the command that mends it.
 
 use std::fs;
+use std::path::Path;
 
-use crate::{ACME, folder, mavgen, stderr, stdout};
+use crate::{ACME, folder, mavgen, stderr, stdout, tree};
 
 const CHECK: [&str; 4] = ["check", "acme.xml", "--out", "src/acme"];
 
@@ -41,13 +42,57 @@ fn what_differs_is_shown_as_a_diff() {
     assert_eq!(stderr(&answer), said);
 }
 
+/// As git checks out on Windows.
+fn crlf(path: &Path) {
+    fs::write(path, fs::read_to_string(path).unwrap().replace('\n', "\r\n")).unwrap();
+}
+
 #[test]
-fn line_ends_can_be_told_apart() {
+fn line_ends_alone_are_one_line() {
+    let folder = generated();
+    let out = folder.path().join("src/acme");
+    let files = tree(&out).len();
+    for file in ["mod.rs", "dialect.rs", "enums.rs", "messages.rs", "enums/spray_state.rs", "messages/sprayer.rs"] {
+        crlf(&out.join(file));
+    }
+    let answer = mavgen(folder.path(), &CHECK);
+    assert_eq!(answer.status.code(), Some(1));
+    let attributes = Path::new("src/acme").join(".gitattributes");
+    let told = format!(
+        "src/acme: {files} files with the line ends of Windows (CRLF), and current otherwise: `* text eol=lf` in {} keeps git from it\n",
+        attributes.display()
+    );
+    assert_eq!(stdout(&answer), told);
+    let said = format!(
+        "src/acme: 0 changed, 0 missing, 0 stale, {files} with other line ends\nrun: mavgen generate acme.xml --out src/acme\n"
+    );
+    assert_eq!(stderr(&answer), said);
+    fs::write(out.join(".gitattributes"), "* text eol=lf\n").unwrap();
+    assert_eq!(mavgen(folder.path(), &["generate", "acme.xml", "--out", "src/acme"]).status.code(), Some(0));
+    assert_eq!(mavgen(folder.path(), &CHECK).status.code(), Some(0));
+    assert!(out.join(".gitattributes").exists());
+}
+
+#[test]
+fn a_change_among_other_line_ends_is_shown_alone() {
+    let folder = generated();
+    let sprayer = folder.path().join("src/acme/messages/sprayer.rs");
+    let text = fs::read_to_string(&sprayer).unwrap();
+    fs::write(&sprayer, text.replace("pub level: u16", "pub level: u8")).unwrap();
+    crlf(&sprayer);
+    let diff = stdout(&mavgen(folder.path(), &CHECK));
+    assert!(diff.starts_with("--- src/acme/messages/sprayer.rs (with CRLF line ends)\n"), "{diff}");
+    assert_eq!(diff.lines().filter(|line| line.starts_with('-')).count(), 2, "{diff}");
+}
+
+/// One line that ends otherwise than the others has to be seen.
+#[test]
+fn mixed_line_ends_are_shown() {
     let folder = generated();
     let enums = folder.path().join("src/acme/enums.rs");
-    fs::write(&enums, fs::read_to_string(&enums).unwrap().replace('\n', "\r\n")).unwrap();
+    fs::write(&enums, fs::read_to_string(&enums).unwrap().replacen('\n', " \r\n", 1)).unwrap();
     let diff = stdout(&mavgen(folder.path(), &CHECK));
-    assert!(diff.contains("do not edit.\u{240d}\n") && diff.contains("do not edit.\n"), "{diff}");
+    assert!(diff.contains("do not edit. \u{240d}\n") && diff.contains("do not edit.\n"), "{diff}");
 }
 
 #[test]

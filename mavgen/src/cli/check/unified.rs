@@ -33,6 +33,11 @@ impl Unified {
             return;
         }
         let present = fs::read(path).map(|bytes| String::from_utf8_lossy(&bytes).into_owned()).unwrap_or_default();
+        // Where all lines end as on Windows, that is no difference of each.
+        let (present, line_ends) = match present.replace("\r\n", "\n") {
+            unix if present.len() > unix.len() && !lone(&present) => (unix, " (with CRLF line ends)"),
+            _ => (present, ""),
+        };
         let diff = TextDiff::configure().timeout(PATIENCE).diff_lines(present.as_str(), wanted);
         let diff = diff.unified_diff();
         let mut lines = Vec::new();
@@ -42,7 +47,7 @@ impl Unified {
         }
         let bold = Style::new().bold();
         let head = [
-            styled(bold, format_args!("--- {}", path.display())),
+            styled(bold, format_args!("--- {}{line_ends}", path.display())),
             styled(bold, format_args!("+++ {} (as mavgen writes it)", path.display())),
         ];
         let room = LINES_OF_A_FILE.min(LINES - self.shown);
@@ -82,6 +87,11 @@ impl Unified {
         self.text.push('\n');
         self.shown += 1;
     }
+}
+
+/// Whether some line ends as elsewhere.
+fn lone(text: &str) -> bool {
+    text.lines().count() > text.matches("\r\n").count()
 }
 
 fn change(change: Change<&str>) -> String {
