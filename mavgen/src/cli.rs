@@ -56,6 +56,7 @@ Examples:
   mavgen decode xml/acme.xml flight.tlog          what did it say?
   mavgen diff old/acme.xml xml/acme.xml           what breaks, on the wire and in Rust?
   mavgen vendor up/acme.xml --out xml             copy it and its includes
+  mavgen explain M304                             what does a diagnostic mean?
 
 Exit status: 0 fine, 1 the answer is no (check, diff, lint), 2 the input or the usage is wrong.";
 

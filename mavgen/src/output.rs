@@ -32,7 +32,13 @@ impl OutputError {
 
 impl std::fmt::Display for OutputError {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{}: {}", self.path.display(), self.source)
+        let path = self.path.display();
+        match self.source.kind() {
+            io::ErrorKind::NotADirectory => {
+                write!(f, "{path}: there is a file where a folder is needed: choose another folder")
+            }
+            _ => write!(f, "{path}: {}", self.source),
+        }
     }
 }
 
@@ -200,8 +206,14 @@ fn refuse_occupied(folder: &Path) -> Result<(), OutputError> {
 /// A file without our header is somebody's, whatever it is called.
 fn refuse_foreign(path: &Path) -> Result<(), OutputError> {
     if path.symlink_metadata().is_ok_and(|present| !present.is_dir()) && !has_mark(path) {
-        let text = "this file is in the way and was not written by mavgen: move or delete it";
-        return Err(OutputError::new(path, io::Error::other(text)));
+        return Err(match fs::File::open(path) {
+            // It may be ours for all that can be known.
+            Err(error) if error.kind() == io::ErrorKind::PermissionDenied => OutputError::new(path, error),
+            _ => {
+                let text = "this file is in the way and was not written by mavgen: move or delete it";
+                OutputError::new(path, io::Error::other(text))
+            }
+        });
     }
     Ok(())
 }

@@ -28,7 +28,7 @@ pub(super) struct Diff {
     old: PathBuf,
     /// The new state.
     new: PathBuf,
-    /// Only the wire: messages and enums.
+    /// Only what both ends have to agree on: messages on the wire, and enums.
     #[arg(long, conflicts_with = "api")]
     wire: bool,
     /// Only the generated Rust.
@@ -37,7 +37,7 @@ pub(super) struct Diff {
     /// List changes of units, ranges and the like, too.
     #[arg(long, conflicts_with_all = ["wire", "api"])]
     all: bool,
-    /// As JSON, with all changes.
+    /// As JSON; changes of units, ranges and the like are listed, too.
     #[arg(long)]
     json: bool,
     #[command(flatten)]

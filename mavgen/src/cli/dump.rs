@@ -20,7 +20,7 @@ use view::Overlaid;
 pub(super) struct Dump {
     #[command(flatten)]
     input: Input,
-    /// As JSON, in a stable schema.
+    /// As JSON, in a stable schema; of several dialects, one object after the other.
     #[arg(long)]
     json: bool,
 }

@@ -30,7 +30,9 @@ Examples:
   mavgen generate xml/acme.xml xml/ardupilotmega.xml --out src/dialects
   mavgen generate xml/common.xml --messages 'HEARTBEAT,PARAM_*' --out src/small
 
-In the crate, `mod acme;` takes the sources in; they need the crate mavlink-wire and nothing else.";
+In the crate, `mod acme;` takes the sources in; they need the crate mavlink-wire and nothing else.
+
+Exit status: 0 the folder holds the sources, 2 something is wrong and nothing was written.";
 
 impl Generate {
     pub(super) fn run(&self, report: &Report) -> Result<ExitCode, Failure> {

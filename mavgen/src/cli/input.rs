@@ -12,7 +12,7 @@ use super::report::Report;
 /// The definitions.
 #[derive(Args)]
 pub(super) struct Input {
-    /// The dialect's XML file; of several, each becomes a module of one tree.
+    /// The dialect's XML file; several are the dialects of one tree, with a module for each.
     #[arg(required = true)]
     pub(super) xml: Vec<PathBuf>,
     #[command(flatten)]

@@ -27,7 +27,7 @@ Examples:
   mavgen lint xml/acme.xml --overlay xml/acme.overlay.xml --deny-warnings
   mavgen lint xml/acme.xml --message-format json 2>&1 | jq .message
 
-Exit status: 0 fine, 1 errors (or denied warnings), 2 a file cannot be read or the usage is wrong.";
+Exit status: 0 fine, 1 errors (or denied warnings), 2 the file or an overlay cannot be read, or the usage is wrong.";
 
 /// What `--messages` means here: the arguments of `generate` are those of `lint`, and a slip in one is found in the other.
 const MESSAGES: &str = "The messages that the sources are generated for. A file is right or wrong as a whole: all of it is judged, \

@@ -30,11 +30,19 @@ impl Man {
             Some(name) => all.find_subcommand(name).cloned().ok_or_else(|| unknown(name, &all))?,
         };
         let mut text = Vec::new();
-        let rendered = clap_mangen::Man::new(page).render(&mut text);
+        let page = clap_mangen::Man::new(page).source(concat!("mavgen ", env!("CARGO_PKG_VERSION")));
+        let rendered = page.render(&mut text);
         rendered.map_err(|error| Failure::Usage(format!("the manual page: {error}")))?;
-        report::print(&String::from_utf8_lossy(&text))?;
+        report::print(&with_examples(&String::from_utf8_lossy(&text)))?;
         Ok(ExitCode::SUCCESS)
     }
+}
+
+/// The page with its examples as they are written: clap_mangen has their lines filled and justified like prose.
+fn with_examples(page: &str) -> String {
+    let Some((before, after)) = page.split_once(".SH EXTRA\n") else { return page.to_owned() };
+    let (examples, after) = after.split_at(after.find(".SH ").unwrap_or(after.len()));
+    format!("{before}.SH EXAMPLES\n.nf\n{examples}.fi\n{after}")
 }
 
 fn unknown(name: &str, all: &clap::Command) -> Failure {

@@ -52,6 +52,21 @@ fn writes_keeps_and_removes() {
     assert_eq!((differences.changed.len(), differences.missing.len(), differences.stale.len()), (1, 1, 1));
 }
 
+#[cfg(unix)]
+#[test]
+fn a_file_that_cannot_be_read_is_not_called_somebody_elses() {
+    use std::os::unix::fs::PermissionsExt;
+    let (_parent, folder) = written();
+    let hidden = folder.join("messages/b.rs");
+    fs::set_permissions(&hidden, fs::Permissions::from_mode(0o000)).unwrap();
+    if fs::File::open(&hidden).is_ok() {
+        // The superuser reads everything.
+        return;
+    }
+    let refused = write(&folder, &[file("mod.rs", "a"), file("messages/b.rs", "c")]).unwrap_err();
+    assert_eq!((refused.path, refused.source.kind()), (hidden, io::ErrorKind::PermissionDenied));
+}
+
 #[test]
 fn line_ends_are_told_from_contents() {
     let (_parent, folder) = written();

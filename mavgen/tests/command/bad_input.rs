@@ -92,6 +92,28 @@ fn what_is_in_the_way() {
     }
 }
 
+/// What is wrong with an included file is said of it, and not that it is misspelled.
+#[test]
+fn an_include_that_is_there_and_cannot_be_read() {
+    let folder = folder("<mavlink><include>base.xml</include></mavlink>");
+    fs::create_dir(folder.path().join("base.xml")).unwrap();
+    let said = stderr(&mavgen(folder.path(), &["lint", "acme.xml"]));
+    assert!(said.contains("help: looked for `base.xml`: it is a folder\n"), "{said}");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_file_for_a_folder() {
+    let folder = generated();
+    for (out, named) in [("acme.xml", "acme.xml"), ("acme.xml/out", "acme.xml/out")] {
+        for command in ["generate", "check"] {
+            let said = refused(folder.path(), &[command, "acme.xml", "--out", out]);
+            let expected = format!("error: {named}: there is a file where a folder is needed: choose another folder");
+            assert_eq!(said, expected, "{command}");
+        }
+    }
+}
+
 #[test]
 fn folders_that_cannot_be_written() {
     let folder = generated();

@@ -24,7 +24,9 @@ fn manual_pages() {
     for command in COMMANDS {
         assert!(page.contains(&format!("mavgen\\-{command}(1)")), "{page}");
         let page = stdout(&mavgen(folder.path(), &["man", command]));
-        assert!(page.contains(&format!(".TH mavgen-{command} 1")) && page.contains("Example"), "{page}");
+        assert!(page.contains(&format!(".TH mavgen-{command} 1  \"mavgen 0.")), "{page}");
+        let examples = page.split_once(".SH EXAMPLES\n.nf\nExample").unwrap().1;
+        assert!(examples.contains(&format!("\n  mavgen {command} ")) && examples.contains("\n.fi\n"), "{page}");
     }
     let unknown = mavgen(folder.path(), &["man", "generat"]);
     assert_eq!(unknown.status.code(), Some(2));

@@ -48,6 +48,10 @@ pub(super) fn similar(places: &[PathBuf]) -> Option<String> {
             .filter(|name| name.ends_with(".xml"))
             .collect();
         names.sort();
+        if names.iter().any(|name| *name == wanted) {
+            // It is there, and something else is wrong with it.
+            return None;
+        }
         let with_extension = format!("{wanted}.xml");
         if names.contains(&with_extension) {
             return Some(with_extension);
