@@ -19,6 +19,8 @@ mod xml;
 
 pub use include::{Loaded, load, load_all};
 pub use overlay::read as read_overlay;
+#[cfg(feature = "vendor")]
+pub(crate) use xml::MAX_DEPTH;
 
 use crate::diag::Diagnostics;
 use crate::source::{FileId, Sources, Span, Spanned};

@@ -128,6 +128,8 @@ pub struct Homeless {
 
 /// Reads and resolves the dialect of a builder, and copies its files; writes nothing: see [`write()`].
 ///
+/// What the builder says of generated code has no say here.
+///
 /// ```no_run
 /// use mavgen::vendor::{Prose, vendor, write};
 ///

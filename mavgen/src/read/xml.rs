@@ -16,7 +16,7 @@ use crate::source::{FileId, Span, Spanned};
 use crate::syntax::Text;
 
 /// How deep elements may nest; the MAVLink grammar needs six levels.
-const MAX_DEPTH: usize = 64;
+pub(crate) const MAX_DEPTH: usize = 64;
 
 /// What makes a text no XML. It ends the reading of the file.
 pub(super) type Fault = Box<Diagnostic>;

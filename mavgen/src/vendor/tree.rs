@@ -1,7 +1,7 @@
 //! A dialect's XML as a tree that borrows its text: what has to be written down again, spelled as it is.
 //!
-//! The reader has read the text before, so that it is known to be well-formed and not nested without end; what is not is cut
-//! short here.
+//! The reader has read the sources before. Copies that are in the folder already can hold anything: what is not well-formed, or
+//! nested deeper than the reader allows, is no tree.
 
 use std::borrow::Cow;
 use std::ops::Range;
@@ -9,6 +9,8 @@ use std::ops::Range;
 use quick_xml::events::attributes::Attributes;
 use quick_xml::events::{BytesStart, Event};
 use quick_xml::reader::Reader;
+
+use crate::read::MAX_DEPTH;
 
 /// An element.
 #[derive(Clone)]
@@ -61,6 +63,7 @@ impl<'t> Builder<'t> {
         loop {
             let start = self.position();
             match self.reader.read_event().ok()? {
+                Event::Start(_) if self.open.len() >= MAX_DEPTH => return None,
                 Event::Start(tag) => {
                     let element = self.element(&tag, start)?;
                     let content = self.position();
@@ -135,5 +138,7 @@ mod tests {
         for text in ["", "<a>", "<a", "</a>", "<a b='>"] {
             assert!(Element::root(text).is_none(), "{text}");
         }
+        let nested = |depth: usize| "<a>".repeat(depth) + &"</a>".repeat(depth);
+        assert!(Element::root(&nested(MAX_DEPTH)).is_some() && Element::root(&nested(100_000)).is_none());
     }
 }
