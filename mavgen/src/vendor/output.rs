@@ -79,7 +79,6 @@ fn check(folder: &Path, file: &Copy, vendored: &Vendored) -> Result<(), OutputEr
     let text = fs::read(&path).map(|bytes| String::from_utf8_lossy(&bytes).into_owned()).unwrap_or_default();
     let why = match header::read(&text) {
         None => "`mavgen vendor` did not write this file: remove it, or choose another folder",
-        Some(_) if text == file.text => return Ok(()),
         Some(ours) if !ours.is_as_written() && ours.facts => {
             "more than descriptions was edited in this file: edit its source, or a file that includes it, and undo it here"
         }

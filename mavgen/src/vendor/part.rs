@@ -148,18 +148,11 @@ impl Part {
         Ok(())
     }
 
-    /// The files with nothing but the part.
+    /// The files with nothing but the part; which messages see the version does not matter to enums.
     fn cut(&self, loaded: &Loaded) -> Loaded {
         let mut loaded = loaded.clone();
         for file in &mut loaded.files {
             let file = Arc::make_mut(file);
-            let messages_before = |version: &syntax::Version| {
-                file.messages.iter().take(version.messages_before).filter(|message| self.has_message(message)).count()
-            };
-            let before = file.version.as_ref().map(messages_before);
-            if let (Some(version), Some(before)) = (&mut file.version, before) {
-                version.messages_before = before;
-            }
             file.messages.retain(|message| self.has_message(message));
             file.enums.retain(|values| self.has_enum(values));
         }

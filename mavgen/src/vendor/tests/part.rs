@@ -232,6 +232,19 @@ fn what_stays_is_the_text_byte_for_byte() {
     assert!(included.contains(": unchanged below;"), "nothing is left out of it: {included}");
 }
 
+/// The order of the elements is free.
+#[test]
+fn includes_may_stand_behind_what_goes() {
+    let text = "<mavlink>\n<messages>\n<message id='1' name='GOES'><field type='uint8_t' name='x'/></message>\n\
+        <message id='2' name='STAYS'><field type='uint8_t' name='x'/></message>\n</messages>\n<enums>\n\
+        <enum name='GOES'><entry value='0' name='GOES_A'/></enum>\n</enums>\n<include>parts/b.xml</include>\n</mavlink>\n";
+    let folder = folder(&[("a.xml", text), ("parts/b.xml", "<mavlink><messages/></mavlink>")]);
+    let vendored = cut(folder.path(), &["STAYS"], &Prose::Keep);
+    let expected = "<mavlink>\n<messages>\n<message id='2' name='STAYS'><field type='uint8_t' name='x'/></message>\n\
+        </messages>\n<enums>\n</enums>\n<include>b.xml</include>\n</mavlink>\n";
+    assert_eq!(below_header(super::text(&vendored, "a.xml")), expected);
+}
+
 #[test]
 fn facts_of_a_part() {
     let folder = folder(&[("a.xml", TIDY), ("parts/b.xml", "<mavlink><messages/></mavlink>")]);
