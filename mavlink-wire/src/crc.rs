@@ -2,6 +2,15 @@
 //!
 //! A frame's checksum covers everything between its first byte and the checksum, and then one byte that is not sent,
 //! the message's `crc_extra`.
+//!
+//! ```
+//! use mavlink_wire::crc::{byte_between, checksum, step};
+//!
+//! let heartbeat = [0xfe, 9, 0, 1, 1, 0, 0, 0, 0, 0, 6, 8, 0, 4, 3, 0x90, 0x43];
+//! let crc = checksum(&heartbeat[1..15]);
+//! assert_eq!(step(crc, 50), 0x4390);
+//! assert_eq!(byte_between(crc, 0x4390), Some(50));
+//! ```
 
 #[cfg(feature = "fast-crc")]
 static TABLE: crc::Crc<u16, crc::Table<16>> = crc::Crc::<u16, crc::Table<16>>::new(&crc::CRC_16_MCRF4XX);

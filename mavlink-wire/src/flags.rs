@@ -1,6 +1,25 @@
 //! Flags of a dialect: newtypes with the interface of `bitflags` 2, cheaper to compile.
 //!
 //! [`flags!`](crate::flags!) adds to each only what needs its type; iteration and text are done here once, for all.
+//!
+//! ```
+//! # use mavlink_wire as wire;
+//! # #[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+//! # pub struct MavModeFlag(pub u8);
+//! # impl MavModeFlag {
+//! #     pub const GUIDED_ENABLED: Self = Self(8);
+//! #     pub const SAFETY_ARMED: Self = Self(128);
+//! # }
+//! # static INFO: wire::EnumInfo = wire::EnumInfo {
+//! #     name: "MAV_MODE_FLAG", bitmask: true,
+//! #     entries: &[(8, "MAV_MODE_FLAG_GUIDED_ENABLED"), (128, "MAV_MODE_FLAG_SAFETY_ARMED")],
+//! # };
+//! # wire::flags!(MavModeFlag, u8, INFO);
+//! let mut mode = MavModeFlag::SAFETY_ARMED | MavModeFlag::GUIDED_ENABLED;
+//! mode.remove(MavModeFlag::GUIDED_ENABLED);
+//! assert!(mode.contains(MavModeFlag::SAFETY_ARMED));
+//! assert_eq!(mode.iter_names().map(|(name, _)| name).collect::<Vec<_>>(), ["MAV_MODE_FLAG_SAFETY_ARMED"]);
+//! ```
 
 #[cfg(feature = "bitflags")]
 mod bitflags;

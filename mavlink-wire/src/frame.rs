@@ -16,6 +16,20 @@ use crate::{Dialect, FieldInfo, FrameError, Message, MessageInfo, Table, Timesta
 pub(crate) const SETUP_SIGNING: u32 = 256;
 
 /// A frame whose checksum was verified; a view of the received bytes.
+///
+/// A [`Parser`](crate::Parser) finds frames in a stream; [`parse`](Self::parse) reads one whose place is known.
+///
+/// ```
+/// use mavlink_wire::{Frame, FrameError, Table, Version};
+///
+/// let bytes = [0xfe, 9, 0, 1, 1, 0, 0, 0, 0, 0, 6, 8, 0, 4, 3, 0x90, 0x43];
+/// let nothing = const { &Table::of(&[]) };
+/// let frame = Frame::parse(&bytes, nothing)?;
+/// assert_eq!((frame.version(), frame.system(), frame.component(), frame.id()), (Version::V1, 1, 1, 0));
+/// assert_eq!((frame.payload(), frame.is_verified()), (&[0, 0, 0, 0, 6, 8, 0, 4, 3][..], false));
+/// assert_eq!(Frame::parse(&bytes[..12], nothing), Err(FrameError::Incomplete { needed: 17 }));
+/// # Ok::<(), FrameError>(())
+/// ```
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub struct Frame<'a> {
     bytes: &'a [u8],

@@ -67,7 +67,15 @@ pub trait Message: Encode + Copy + 'static {
     }
 }
 
-/// A dialect's enum of all messages.
+/// A dialect's enum of all messages, for code that works on any dialect.
+///
+/// ```
+/// use mavlink_wire::{Dialect, Encode, Frame};
+///
+/// fn name<D: Dialect>(frame: &Frame<'_>) -> Option<&'static str> {
+///     frame.message::<D>().map(|message| message.info().name)
+/// }
+/// ```
 pub trait Dialect: Encode + Sized + 'static {
     /// All messages of the dialect.
     const TABLE: &'static Table<'static>;

@@ -12,6 +12,33 @@ const PAYLOAD: usize = 10;
 const START_V1: usize = 4;
 
 /// Makes the frames of one component on one link: it counts them, which is how receivers notice losses.
+///
+/// ```
+/// # use mavlink_wire::{Encode, MessageInfo};
+/// # const INFO: &MessageInfo = &MessageInfo {
+/// #     id: 0, name: "HEARTBEAT", crc_extra: 50, len_v1: 9, len_v2: 9, target_system: None, target_component: None,
+/// # };
+/// # struct Heartbeat;
+/// # impl Encode for Heartbeat {
+/// #     fn info(&self) -> &'static MessageInfo { INFO }
+/// #     fn write(&self, payload: &mut [u8; 255]) { payload[..9].copy_from_slice(&[0, 0, 0, 0, 6, 8, 0, 4, 3]); }
+/// # }
+/// use mavlink_wire::{Frame, MAX_FRAME, Sender, Table};
+///
+/// // Component 190 of system 255, a ground station; a dialect's MavComponent does as well.
+/// let (mut tx, mut buffer) = (Sender::v2(255, 190), [0; MAX_FRAME]);
+/// for expected in 0..3 {
+///     let bytes = tx.encode(&Heartbeat, &mut buffer)?;
+///     assert_eq!(bytes[4], expected);
+/// }
+///
+/// // A frame of somebody else, as the next one of this link.
+/// let bytes = [0xfe, 9, 0, 1, 1, 0, 0, 0, 0, 0, 6, 8, 0, 4, 3, 0x90, 0x43];
+/// let frame = Frame::parse(&bytes, const { &Table::of(&[]) }).unwrap();
+/// let forwarded = tx.forward(&frame)?;
+/// assert_eq!((forwarded.as_frame().sequence(), forwarded.as_frame().system()), (3, 1));
+/// # Ok::<(), mavlink_wire::EncodeError>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Sender {
     version: Version,

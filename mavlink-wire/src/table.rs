@@ -8,6 +8,20 @@ const FEW: usize = 8;
 /// A set of messages, found by id: a whole dialect's, or the few that a firmware wants.
 ///
 /// A value, not a type: routers, definitions read at run time and two-message firmware use the same parser.
+///
+/// ```
+/// use mavlink_wire::{MessageInfo, Table};
+///
+/// const fn info(id: u32, name: &'static str, crc_extra: u8, length: u8) -> MessageInfo {
+///     MessageInfo { id, name, crc_extra, len_v1: length, len_v2: length, target_system: None, target_component: None }
+/// }
+///
+/// // Of a dialect crate's messages: `Table::of(&[Heartbeat::INFO, Attitude::INFO])`.
+/// static WANTED: Table = Table::of(&[&info(0, "HEARTBEAT", 50, 9), &info(30, "ATTITUDE", 39, 28)]);
+///
+/// assert_eq!(WANTED.get(30).map(|info| info.name), Some("ATTITUDE"));
+/// assert_eq!((WANTED.get(31), WANTED.len()), (None, 2));
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Table<'t> {
     infos: &'t [&'t MessageInfo],

@@ -10,6 +10,22 @@ use crate::{MAX_FRAME, Version, crc, put, zero_extended};
 ///
 /// The checksum stays right whatever is changed, also in a frame of an unknown message: its
 /// [`crc_extra`](Frame::crc_extra) is known from the checksum it came with.
+///
+/// ```
+/// use mavlink_wire::{FrameBuf, Parser, Table};
+///
+/// # let mut parser = Parser::new(const { &Table::of(&[]) });
+/// # let mut chunk: &[u8] = &[0xfe, 9, 0, 1, 1, 0, 0, 0, 0, 0, 6, 8, 0, 4, 3, 0x90, 0x43];
+/// let mut queue = vec![];
+/// while let Some(frame) = parser.next(&mut chunk) {
+///     queue.push(FrameBuf::from(frame));
+/// }
+/// for (frame, sequence) in queue.iter_mut().zip(7..) {
+///     frame.set_sequence(sequence);
+///     assert_eq!(frame.as_frame().sequence(), sequence);
+/// }
+/// # assert_eq!(queue.len(), 1);
+/// ```
 #[derive(Clone, Copy)]
 pub struct FrameBuf {
     bytes: [u8; MAX_FRAME],
