@@ -90,7 +90,7 @@
 //! What a program does not name, it does not carry: messages are no part of a [`Table`] that does not list them, names and field
 //! tables are dropped where nothing prints them, and no panic is reachable. A receiver of two messages with [`Parser`] takes
 //! 2.2 kB of code and constants on x86-64 without `fast-crc`, built for size (`opt-level = "z"`, fat LTO), and 1.5 kB on a Cortex-M3
-//! besides `memcpy` and the like. A sixth of that goes into frames of unknown messages. `tests/no-std/size.sh` in the repository
+//! besides `memcpy` and the like. A seventh of that goes into frames of unknown messages. `tests/no-std/size.sh` in the repository
 //! measures and limits it.
 //!
 //! # Features

@@ -74,15 +74,15 @@ impl<'t> Table<'t> {
     }
 
     fn search(&self, id: u32) -> Option<usize> {
-        let (mut start, mut end) = (self.tail, self.infos.len());
-        while self.sorted && end - start > FEW {
-            let middle = start.midpoint(end);
-            match self.infos.get(middle) {
-                Some(info) if info.id <= id => start = middle,
-                _ => end = middle,
-            }
+        let (mut start, mut length) = (self.tail, self.infos.len() - self.tail);
+        while self.sorted && length > FEW {
+            let half = length / 2;
+            let is_behind = self.infos.get(start + half).is_some_and(|info| info.id <= id);
+            start += if is_behind { half } else { 0 };
+            length -= half;
         }
-        (start..end).find(|&at| self.infos.get(at).is_some_and(|info| info.id == id))
+        let place = self.infos.get(start..start + length)?.iter().position(|info| info.id == id)?;
+        Some(start + place)
     }
 
     /// The messages in the order they were given.

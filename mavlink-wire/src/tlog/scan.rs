@@ -13,7 +13,7 @@ const CENTURY_US: core::ops::Range<u64> = 946_684_800_000_000..4_102_444_800_000
 #[derive(Clone, Debug)]
 pub(super) struct Scan<'t> {
     table: &'t Table<'t>,
-    /// Of the last entry that had one.
+    /// Of the entry before; once there is one, all have one.
     time_us: Option<u64>,
     /// Bytes skipped since the entry before, and before it.
     skipped: u64,
@@ -88,7 +88,7 @@ impl<'t> Scan<'t> {
         let skipped = core::mem::take(&mut self.skipped);
         self.skipped_before += skipped;
         self.damaged = 0;
-        self.time_us = time_us.or(self.time_us);
+        self.time_us = time_us;
         Entry { time_us, frame, skipped }
     }
 
