@@ -10,7 +10,7 @@ use mavgen::compare::{Change, Group, compare, select};
 use mavgen::source::{Sources, Span};
 use serde_json::{Value, json};
 
-use super::input::{Reading, resolve};
+use super::input::{Reading, resolve, resolve_silently};
 use super::report::{self, Report, plural};
 
 /// Says what changed between two states of a dialect: on the wire, in its enums, in the generated Rust.
@@ -20,7 +20,7 @@ use super::report::{self, Report, plural};
 /// the end of a message breaks nothing on the wire, but it is a new field of a struct in Rust, and breaks its literals.
 ///
 /// Units, ranges, sentinels, stages of life and the like are counted, and listed with --all: no program notices a change of
-/// them by itself, so look at them. Descriptions are not compared.
+/// them by itself, so look at them. Descriptions are not compared. Warnings are about the new state alone.
 #[derive(Args)]
 #[command(after_help = AFTER_HELP)]
 pub(super) struct Diff {
@@ -62,7 +62,7 @@ impl Diff {
         if !self.old_overlay.is_empty() {
             before.overlay.clone_from(&self.old_overlay);
         }
-        let mut old = resolve(&before.whole(&self.old), report)?;
+        let mut old = resolve_silently(&before.whole(&self.old).deny_warnings(false))?;
         let mut new = resolve(&self.reading.whole(&self.new), report)?;
         if let Some(messages) = &self.reading.definitions.messages {
             (old.dialect, new.dialect) = select(old.dialect, new.dialect, messages)?;

@@ -91,9 +91,14 @@ impl Definitions {
 ///
 /// Warnings about included files and notes are for `mavgen lint`: they would be in the way of everything else.
 pub(super) fn resolve(builder: &Builder, report: &Report) -> Result<Resolved, Failure> {
-    let resolved = builder.resolve().map_err(|failure| concerning_failure(builder, failure))?;
+    let resolved = resolve_silently(builder)?;
     report.diagnostics(&concerning(builder, &resolved.diagnostics, &resolved.sources), &resolved.sources);
     Ok(resolved)
+}
+
+/// Reads and resolves what the user will not mend: its warnings are not shown.
+pub(super) fn resolve_silently(builder: &Builder) -> Result<Resolved, Failure> {
+    builder.resolve().map_err(|failure| concerning_failure(builder, failure))
 }
 
 /// A failure without what does not concern the user.

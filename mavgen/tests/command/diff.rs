@@ -138,3 +138,17 @@ fn a_message_of_one_state_can_be_asked_for() {
     let said = "error: no message of acme.xml, new.xml is called `BELLS` (did you mean `BELL`?)\n";
     assert_eq!((neither.status.code(), &*stderr(&neither)), (Some(2), said));
 }
+
+/// Nobody will mend the old state.
+#[test]
+fn only_the_new_state_is_warned_about() {
+    let folder = states(&[]);
+    let path = |name: &str| folder.path().join(name);
+    fs::write(path("acme.xml"), ACME.replace("units=\"cm\"", "units=\"furlong\"")).unwrap();
+    let mended = diff(folder.path(), &["--deny-warnings"]);
+    assert_eq!((mended.status.code(), &*stderr(&mended)), (Some(0), ""));
+    fs::copy(path("acme.xml"), path("new.xml")).unwrap();
+    let warned = stderr(&diff(folder.path(), &[]));
+    assert!(warned.matches("warning[M321]").count() == 1 && warned.contains("--> new.xml:"), "{warned}");
+    assert_eq!(diff(folder.path(), &["--deny-warnings"]).status.code(), Some(2));
+}
