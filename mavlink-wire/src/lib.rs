@@ -62,8 +62,8 @@
 //! # Forwarding
 //!
 //! [`Frame::bytes`] are what came, to the byte. A [`FrameBuf`] keeps a frame for a queue, and can give it another sequence
-//! number or take its signature away; [`Sender::forward`] makes it the next frame of a link. A router forwards what its table does not have, too; the more the table
-//! has, the less damage passes.
+//! number or take its signature away; [`Sender::forward`] makes it the next frame of a link. A router forwards what its
+//! table does not have, too; the more the table has, the less damage passes.
 //!
 //! ```
 //! # use mavlink_wire::{MessageInfo, Table};
@@ -89,15 +89,15 @@
 //!
 //! What a program does not name, it does not carry: messages are no part of a [`Table`] that does not list them, names and field
 //! tables are dropped where nothing prints them, and no panic is reachable. A receiver of two messages with [`Parser`] takes
-//! 2.2 kB of code and constants on x86-64 without `fast-crc`, built for size (`opt-level = "z"`, fat LTO), and 1.5 kB on a Cortex-M3
-//! besides `memcpy` and the like. A seventh of that goes into frames of unknown messages. `tests/no-std/size.sh` in the repository
-//! measures and limits it.
+//! 2.2 kB of code and constants on x86-64 without `fast-crc`, built for size (`opt-level = "z"`, fat LTO), and 1.5 kB on a
+//! Cortex-M3 besides `memcpy` and the like. A seventh of that goes into frames of unknown messages. `tests/no-std/size.sh` in
+//! the repository measures and limits it.
 //!
 //! # Features
 //!
-//! - `fast-crc` (default): speed that is paid for in flash. The checksum from a table of 8 KiB, and frames where they lie in the chunk. Without it,
-//!   the checksum by a few instructions per byte, and all bytes through the parser's own buffer, one code for every case: see
-//!   [Flash](#flash). The frames are the same.
+//! - `fast-crc` (default): speed that is paid for in flash. The checksum from a table of 8 KiB, and frames where they lie in
+//!   the chunk. Without it, the checksum by a few instructions per byte, and all bytes through the parser's own buffer, one
+//!   code for every case: see [Flash](#flash). The frames are the same.
 //! - `std`: frames over `std::io` (module `io`), in UDP datagrams (`udp`), and in log files ([`tlog`], of which a part needs
 //!   no std).
 //! - `tokio-codec`: a codec for `tokio_util::codec` (`tokio_codec`).
