@@ -3,14 +3,19 @@
 set -eu
 cd "$(dirname "$0")/.."
 scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
 version=$(sed -n 's/^version = "\(.*\)"$/\1/p' Cargo.toml)
-archives=${CARGO_TARGET_DIR:-target}/package
 
-# Builds each from its archive, with its default features, against the archives of the others.
-cargo package --workspace --exclude mavlink-examples --exclude mavlink-conformance --exclude own-dialect
+# Each is verified against the archives of the others in a registry that cargo makes for it. What came out of that is kept by
+# its path, unpacked and compiled, and an earlier run would stand in: so here the path is always another, and nothing is left.
+packaging=$scratch/target
+registries=${CARGO_HOME:-$HOME/.cargo}/registry
+trap 'find "$registries" -mindepth 2 -maxdepth 2 -name "-*" -newer "$scratch/start" -exec rm -rf {} +; rm -rf "$scratch"' EXIT
+touch "$scratch/start"
 
-unpack() { tar -xzf "$archives/$1-$version.crate" -C "$scratch"; }
+# Builds each from its archive, with its default features.
+CARGO_TARGET_DIR=$packaging cargo package --workspace --exclude mavlink-examples --exclude mavlink-conformance --exclude own-dialect
+
+unpack() { tar -xzf "$packaging/package/$1-$version.crate" -C "$scratch"; }
 holds() { for file; do [ -s "$scratch/$file" ] || { echo "$file is missing from the archive" >&2; exit 1; }; done; }
 
 for crate in mavgen mavlink-wire mavlink-autoquad; do

@@ -1,5 +1,6 @@
 #!/bin/sh
 # Fuzzes: run.sh [SECONDS] [TARGET]... , all targets for a minute each if not told otherwise. Needs cargo-fuzz and a nightly compiler.
+# FEATURES=--no-default-features fuzzes what firmware builds: another way through the parser.
 # The corpus grows below the target directory; what breaks something is shown, and kept in artifacts/ there.
 set -eu
 cd "$(dirname "$0")"
@@ -28,6 +29,6 @@ for target in "$@"; do
         *)
             set -- -max_len=2048 ;;
     esac
-    cargo +nightly fuzz run --fuzz-dir . "$target" "$corpus" -- \
+    cargo +nightly fuzz run --fuzz-dir . ${FEATURES:-} "$target" "$corpus" -- \
         -artifact_prefix="$work/artifacts/$target/" -max_total_time="$seconds" -timeout=60 -rss_limit_mb=2048 -print_final_stats=1 "$@"
 done
