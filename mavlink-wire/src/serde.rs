@@ -29,6 +29,11 @@
 //! A message is a tuple of its fields in the order of the XML, an enum or flags value the number on the wire, a `char` array
 //! its bytes. A dialect's enum is a variant whose index is the message id, so that data survives new messages; MessagePack and
 //! CBOR write the variant's name, which is the message's. CBOR by `ciborium` makes signalling NaNs of `float`s quiet.
+//!
+//! # Keys
+//!
+//! The key in a `SETUP_SIGNING` is written like any field, since nothing is lost here: keep such a message out of what others
+//! read ([`Frame::carries_key`](crate::Frame::carries_key)). `Debug`, [`reflect`](crate::reflect) and `defmt` do not show it.
 
 mod chars;
 mod dialect;
