@@ -6,6 +6,7 @@
 //! - the integer of an enum is that of the widest field of the file that owns it, and which file owns it can hang on whose
 //!   fields carry it: a message with such a field stays, if its enum would become another one without it;
 //! - a sentinel can be an entry of any enum (`invalid="MAV_LANDED_STATE_UNDEFINED"`): that enum stays;
+//! - an enum that is named where it has no say, like that of a `float`, has to exist all the same: it stays;
 //! - an enum, or the dialect, that is called like a message or enum is named otherwise in Rust: that one stays.
 //!
 //! So no type is another one in a part, and code for the part works with the whole. What stays for these reasons is said. All
@@ -61,7 +62,7 @@ impl Part {
             let before = part.besides.len();
             let model = part.model(whole);
             part.enums.extend(model.enums.iter().map(|values| values.name.xml.clone()));
-            part.keep_sentinels(whole, loaded);
+            part.keep_named(whole, loaded);
             part.keep_names(whole, &model);
             if part.besides.len() == before {
                 part.keep_owners(whole, &model, loaded, sources)?;
@@ -86,21 +87,34 @@ impl Part {
         keep(whole.clone(), |message| self.messages.contains(&message.name.xml), wants_enum)
     }
 
-    /// Keeps the enums that sentinels name.
-    fn keep_sentinels(&mut self, whole: &Dialect, loaded: &Loaded) {
+    /// Keeps the enums that the XML names, of which the model need not know.
+    fn keep_named(&mut self, whole: &Dialect, loaded: &Loaded) {
         let messages = loaded.files.iter().flat_map(|file| &file.messages);
         let messages: Vec<_> = messages.filter(|message| self.has_message(message)).collect();
-        for message in messages {
-            for field in &message.fields {
-                let Some(invalid) = &field.invalid else { continue };
+        for (message, field) in messages.iter().flat_map(|one| one.fields.iter().map(move |field| (one, field))) {
+            let place = || format!("{}.{}", message.name.value, field.name.value);
+            if let Some(name) = &field.values {
+                self.keep_enum_named(&name.value, whole, || format!("`{}` names it", place()));
+            }
+            if let Some(invalid) = &field.invalid {
                 let name = invalid.value.trim_matches(['[', ']', ':', ',', ' ']);
                 let named = |values: &&Enum| values.entries.iter().any(|entry| entry.name.xml == name);
                 for values in whole.enums.iter().filter(named) {
-                    let (message, field) = (&message.name.value, &field.name.value);
-                    self.keep_enum(values, format!("`invalid` of `{message}.{field}` is an entry of it"));
+                    self.keep_enum(values, format!("`invalid` of `{}` is an entry of it", place()));
                 }
             }
         }
+        let enums = loaded.files.iter().flat_map(|file| &file.enums);
+        let entries: Vec<_> = enums.filter(|values| self.has_enum(values)).flat_map(|values| &values.entries).collect();
+        for (entry, param) in entries.iter().flat_map(|one| one.params.iter().map(move |param| (one, param))) {
+            if let Some(name) = &param.values {
+                self.keep_enum_named(&name.value, whole, || format!("a param of `{}` names it", entry.name.value));
+            }
+        }
+    }
+
+    fn keep_enum_named(&mut self, name: &str, whole: &Dialect, why: impl Fn() -> String) {
+        whole.enums.iter().filter(|one| one.name.xml == name).for_each(|one| self.keep_enum(one, why()));
     }
 
     /// Keeps what enums and the dialect are not called after.

@@ -6,6 +6,8 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may panic")]
 
+#[cfg(feature = "vendor")]
+mod copy;
 mod edit;
 mod excerpt;
 
@@ -89,6 +91,19 @@ proptest! {
     ) {
         let text = edits.iter().fold(DEFINITIONS.excerpt(&picks), |text, edit: &Edit| edit.apply(&text));
         fate(&text, None)?;
+    }
+}
+
+#[cfg(feature = "vendor")]
+proptest! {
+    #[test]
+    fn a_copy_of_a_mutated_dialect_generates_the_same(
+        picks in prop::collection::vec(0..1000_usize, 1..4),
+        edits in prop::collection::vec(edit::any(), 1..4),
+        pick: usize,
+    ) {
+        let text = edits.iter().fold(DEFINITIONS.excerpt(&picks), |text, edit: &Edit| edit.apply(&text));
+        copy::holds(&text, pick)?;
     }
 }
 

@@ -193,6 +193,23 @@ fn an_enum_stays_that_a_sentinel_names() {
     assert_eq!(besides(&vendored), [("enum LANDED", "`invalid` of `ASKS.x` is an entry of it")]);
 }
 
+/// The model has no enum there, but the XML has to.
+#[test]
+fn an_enum_stays_that_is_named_where_it_has_no_say() {
+    let folder = folder(&[(
+        "a.xml",
+        "<mavlink><enums><enum name='GROUP'><entry value='7' name='GROUP_ALL'/></enum>\
+         <enum name='MAV_CMD'><entry value='1' name='MAV_CMD_GO'><param index='1' reserved='true' enum='WAY'/></entry></enum>\
+         <enum name='WAY'><entry value='1' name='WAY_UP'/></enum></enums><messages>\
+         <message id='1' name='ASKS'><field type='float' name='x' enum='GROUP'/></message>\
+         <message id='2' name='GOES'><field type='uint16_t' name='x' enum='MAV_CMD'/></message></messages></mavlink>",
+    )]);
+    let xml = folder.path().join("a.xml");
+    assert_eq!(besides(&holds(&xml, &["ASKS"], &Prose::Keep)), [("enum GROUP", "`ASKS.x` names it")]);
+    let goes = holds(&xml, &["GOES"], &Prose::Keep);
+    assert!(goes.files[0].text.contains("WAY_UP"), "{}", goes.files[0].text);
+}
+
 /// A message that stands before `<version>` does not see it, whatever stood before it.
 #[test]
 fn a_version_is_seen_by_the_same_messages() {
