@@ -113,6 +113,41 @@ fn tcp_carries_our_messages_both_ways() {
     over_tcp(|config| Box::new(config.connect::<Autoquad>().unwrap()));
 }
 
+/// Over a pseudo terminal.
+#[cfg(unix)]
+#[test]
+fn a_serial_port_carries_our_messages_both_ways() {
+    use serialport::{SerialPort, TTYPort};
+    use std::time::Instant;
+
+    let (mut line, port) = TTYPort::pair().unwrap();
+    line.set_timeout(PATIENCE.unwrap()).unwrap();
+    let address = format!("serial:{}:57600", port.name().unwrap());
+    drop(port); // or its lock would keep the connection out
+    let connection = interop::connect::<Autoquad>(&address).unwrap();
+    line.write_all(&stream()).unwrap();
+    let start = Instant::now();
+    for message in messages() {
+        // `recv` would wait for ever.
+        let received = loop {
+            match connection.try_recv() {
+                Ok((_, received)) => break received,
+                Err(error) => assert!(start.elapsed() < PATIENCE.unwrap(), "{error}"),
+            }
+        };
+        assert_eq!(received, message);
+    }
+    for message in messages() {
+        connection.send(&HEADER, &message).unwrap();
+        let (mut bytes, mut buffer) = (vec![], [0; MAX_FRAME]);
+        while parsed(&bytes).is_empty() {
+            let count = line.read(&mut buffer).unwrap();
+            bytes.extend(&buffer[..count]);
+        }
+        assert_eq!(parsed(&bytes), [message]);
+    }
+}
+
 #[test]
 fn a_file_is_read() {
     let mut file = tempfile::NamedTempFile::new().unwrap();
