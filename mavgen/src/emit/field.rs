@@ -130,7 +130,7 @@ fn documentation(context: &Context<'_>, field: &Field, secret: bool) -> Vec<Stri
         sentences.push("Tells apart the instances that one sender reports.".to_owned());
     }
     if secret {
-        sentences.push("Secret: shown neither by `Debug` nor in a log.".to_owned());
+        sentences.push("Secret: `Debug`, reflection and `defmt` do not show it.".to_owned());
     }
     if field.origin.description.trim().is_empty() && sentences.is_empty() {
         sentences.push(format!("`{}`, a `{}`.", field.name.xml, xml_type(field)));

@@ -21,7 +21,8 @@ pub struct SetupSigning {
     pub target_system: u8,
     /// Id of the component this is meant for; 0 is every component.
     pub target_component: u8,
-    /// The shared key; 32 zero bytes switch signing off. Secret: shown neither by `Debug` nor in a log.
+    /// The shared key; 32 zero bytes switch signing off. Secret: `Debug`, reflection and `defmt` do not
+    /// show it.
     pub secret_key: [u8; 32],
     /// Where signing time starts: units of 10 microseconds since 2015-01-01 UTC.
     pub initial_timestamp: u64,
