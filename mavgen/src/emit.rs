@@ -188,9 +188,9 @@ impl Job<'_> {
             File::Messages => "messages.rs".to_owned(),
             File::Enums => "enums.rs".to_owned(),
             File::Views => "views.rs".to_owned(),
-            File::View(_, view) => item("views", &view.name.xml),
-            File::Message(message) => item("messages", &message.name.xml),
-            File::Enum(values) => item("enums", &values.name.xml),
+            File::View(_, view) => item("views", &view.name.text),
+            File::Message(message) => item("messages", &message.name.text),
+            File::Enum(values) => item("enums", &values.name.text),
         };
         self.folder.prefix.clone() + &file
     }

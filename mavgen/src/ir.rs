@@ -5,11 +5,13 @@
 //! in the XML.
 
 mod message;
+mod name;
 mod union;
 mod values;
 mod view;
 
 pub use message::{Field, FieldType, Invalid, Limits, Message, Scalar, Scope, Sentinel, Values};
+pub use name::Name;
 pub use union::{Home, MessageHome, Root, Union, ViewHome};
 pub use values::{Command, Entry, Enum, Param, Repr};
 pub use view::{
@@ -42,6 +44,13 @@ impl Dialect {
         self.files.get(id.0)
     }
 
+    /// Orders the files by age: what is included comes before what includes it, overlays come last. Of two definitions that cannot
+    /// stand together the younger one is wrong: its author knew of the other, and can mend it.
+    pub fn age(&self, file: FileIndex) -> usize {
+        let definitions = self.files.iter().take_while(|file| !file.overlay).count();
+        if file.0 < definitions { definitions - 1 - file.0 } else { file.0 }
+    }
+
     /// The enum behind an id of this dialect.
     pub fn enum_by_id(&self, id: EnumId) -> Option<&Enum> {
         self.enums.get(id.0)
@@ -63,17 +72,8 @@ pub struct File {
     pub name: String,
     /// The files it includes.
     pub includes: Vec<FileIndex>,
-}
-
-/// A name in the XML and what it is called in Rust.
-///
-/// The XML's spelling is what checksums are made of; the Rust spelling is what a user types.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Name {
-    /// As the XML spells it: `GPS_RAW_INT`, `Index`.
-    pub xml: String,
-    /// As Rust spells it: `GpsRawInt`, `index`; a keyword as a field is `type` here, and written `r#type`.
-    pub rust: String,
+    /// Whether it is an overlay.
+    pub overlay: bool,
 }
 
 /// What `<wip>`, `<superseded>` and `<deprecated>` say.

@@ -86,7 +86,7 @@ pub fn resolve(loaded: &Loaded, sources: &Sources, diagnostics: &mut Diagnostics
     }
 
     let named = enums.list.iter().zip(widths).zip(types.enums);
-    let models = named.map(|((merged, width), rust)| enums::model(merged, width, rust, &enums, diagnostics)).collect();
+    let models = named.map(|((merged, width), rust)| enums::model(loaded, merged, width, rust, &enums, diagnostics)).collect();
     let mut messages: Vec<_> = drafts.into_iter().map(|draft| draft.message).collect();
     messages.sort_by_key(|message| message.id);
     let version = versions.first().map_or(0, |version| version.number());
@@ -128,7 +128,9 @@ fn widths(
 /// The files of the model: those of the dialect, then the overlays.
 fn files(loaded: &Loaded, sources: &Sources) -> Vec<File> {
     let name = |id: FileId| sources.get(id).map(|source| source.name()).unwrap_or_default();
-    let ids = loaded.files.iter().map(|file| file.id).chain(loaded.overlays.iter().map(|overlay| overlay.id));
-    let includes = loaded.includes.iter().cloned().chain(std::iter::repeat_with(Vec::new));
-    ids.zip(includes).map(|(id, includes)| File { name: name(id), includes }).collect()
+    let files = loaded.files.iter().zip(&loaded.includes);
+    let files = files.map(|(file, includes)| File { name: name(file.id), includes: includes.clone(), overlay: false });
+    let overlays =
+        loaded.overlays.iter().map(|overlay| File { name: name(overlay.id), includes: Vec::new(), overlay: true });
+    files.chain(overlays).collect()
 }

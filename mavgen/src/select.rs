@@ -42,7 +42,7 @@ impl Selection {
     /// With a sentence that lists those that do not.
     pub(crate) fn check(&self, dialects: &[&Dialect]) -> Result<(), String> {
         let messages = || dialects.iter().flat_map(|dialect| &dialect.messages);
-        let names = || messages().map(|message| message.name.xml.as_str());
+        let names = || messages().map(|message| message.name.text.as_str());
         let unmatched = self.patterns.iter().filter(|pattern| !names().any(|name| pattern.matches(name)));
         let unmatched: Vec<String> = unmatched
             .map(|pattern| match nearest(pattern.text(), names()) {
@@ -68,7 +68,7 @@ impl Selection {
 
     /// Whether the message is one of them.
     pub(crate) fn means(&self, message: &Message) -> bool {
-        self.patterns.iter().any(|pattern| pattern.matches(&message.name.xml))
+        self.patterns.iter().any(|pattern| pattern.matches(&message.name.text))
     }
 }
 

@@ -66,11 +66,11 @@ fn autoquad() -> (Dialect, Vec<(Code, String)>) {
 }
 
 fn message<'d>(dialect: &'d Dialect, name: &str) -> &'d Message {
-    dialect.messages.iter().find(|message| message.name.xml == name).unwrap()
+    dialect.messages.iter().find(|message| message.name.text == name).unwrap()
 }
 
 fn find_enum<'d>(dialect: &'d Dialect, name: &str) -> &'d Enum {
-    dialect.enums.iter().find(|found| found.name.xml == name).unwrap()
+    dialect.enums.iter().find(|found| found.name.text == name).unwrap()
 }
 
 #[test]
@@ -89,7 +89,7 @@ fn layouts() {
     let (dialect, _) = autoquad();
     let layout = |name: &str| -> Vec<(String, u8)> {
         let fields = message(&dialect, name).wire_order();
-        fields.iter().map(|field| (field.name.xml.clone(), field.offset)).collect()
+        fields.iter().map(|field| (field.name.text.clone(), field.offset)).collect()
     };
     let expect = |name: &str, expected: &[(&str, u8)]| {
         let expected: Vec<_> = expected.iter().map(|(name, at)| ((*name).to_owned(), *at)).collect();
@@ -128,7 +128,7 @@ fn integers_and_owners_of_enums() {
     }
     let converted = dialect.messages.iter().flat_map(|message| &message.fields);
     let converted = converted.filter(|field| matches!(field.values, Some(Values::Converted(_))));
-    let names: Vec<&str> = converted.map(|field| field.name.xml.as_str()).collect();
+    let names: Vec<&str> = converted.map(|field| field.name.text.as_str()).collect();
     assert_eq!(names, ["capture_result", "cap_flags"]);
 }
 

@@ -43,16 +43,16 @@ fn meaning(text: &str) -> String {
 fn facts(dialect: &Dialect) -> String {
     let mut facts = format!("version {}\n", dialect.version);
     for values in &dialect.enums {
-        facts += &format!("{} {} {}\n", values.name.xml, values.bitmask, values.origin.description);
+        facts += &format!("{} {} {}\n", values.name.text, values.bitmask, values.origin.description);
         for entry in &values.entries {
-            facts += &format!("  {} {} {}\n", entry.value, entry.name.xml, entry.origin.description);
+            facts += &format!("  {} {} {}\n", entry.value, entry.name.text, entry.origin.description);
         }
     }
     for message in &dialect.messages {
-        let (name, about) = (&message.name.xml, &message.origin.description);
+        let (name, about) = (&message.name.text, &message.origin.description);
         facts += &format!("{} {name} {} {} {about}\n", message.id, message.crc_extra, message.len_v1);
         for field in &message.fields {
-            let (name, about) = (&field.name.xml, &field.origin.description);
+            let (name, about) = (&field.name.text, &field.origin.description);
             facts += &format!("  {name} {:?} {} {:?} ", field.ty, field.offset, field.values);
             facts += &format!("{:?} {:?} {} {about}\n", field.units, field.invalid, field.extension);
         }

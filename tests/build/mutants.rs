@@ -119,7 +119,7 @@ impl Mutant {
             write(&folder.join("generated").join(&path), &self.edited(&path, text));
         }
         let of_dialect = |definition: &&Definition| {
-            resolved.dialect.messages.iter().any(|message| message.name.xml == definition.name)
+            resolved.dialect.messages.iter().any(|message| message.name.text == definition.name)
         };
         let definitions: Vec<Definition> = definitions.iter().filter(of_dialect).cloned().collect();
         let module = format!("super::{}", self.name);

@@ -73,7 +73,7 @@ fn constants(values: &Enum) -> String {
     let cast = if values.repr == Repr::U64 { "" } else { " as u64" };
     let mut code = format!("Constants::of::<d::{name}>(&[\n");
     for entry in &values.entries {
-        let (xml, rust) = (&entry.name.xml, &entry.name.rust);
+        let (xml, rust) = (&entry.name.text, &entry.name.rust);
         writeln!(code, "(\"{xml}\", \"{rust}\", d::{name}::{rust}.{number}{cast}),").unwrap();
     }
     code + "]),\n"

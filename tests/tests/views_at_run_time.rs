@@ -99,7 +99,7 @@ type Compiled<M> = fn(&M) -> Vec<Seen>;
 /// Compares what the compiled accessors of the message `M` give with what is interpreted, view by view.
 fn compare<M: Message>(dialect: &Dialect, prepare: impl Fn(&mut [u8], u64), compiled: &[(&str, Compiled<M>)]) {
     let message = dialect.messages.iter().find(|message| message.id == M::ID).unwrap();
-    let names: Vec<&str> = message.views.iter().map(|view| view.name.xml.as_str()).collect();
+    let names: Vec<&str> = message.views.iter().map(|view| view.name.text.as_str()).collect();
     assert_eq!(names, compiled.iter().map(|(name, _)| *name).collect::<Vec<_>>(), "every view is compared");
     let mut random = Random::new(M::ID.into());
     let mut with_meaning = 0;

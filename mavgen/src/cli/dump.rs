@@ -64,10 +64,10 @@ fn enum_json(dialect: &Dialect, values: &Enum) -> Value {
     let entries: Vec<Value> = values
         .entries
         .iter()
-        .map(|entry| json!({ "name": entry.name.xml, "value": entry.value, "auto": entry.auto }))
+        .map(|entry| json!({ "name": entry.name.text, "value": entry.value, "auto": entry.auto }))
         .collect();
     json!({
-        "name": values.name.xml,
+        "name": values.name.text,
         "bitmask": values.bitmask,
         "defined_in": dialect.file(values.origin.file).map(|file| file.name.as_str()),
         "entries": entries,
@@ -79,7 +79,7 @@ fn message_json(dialect: &Dialect, message: &Message) -> Value {
     let fields: Vec<Value> = message.fields.iter().map(|field| field_json(dialect, field)).collect();
     json!({
         "id": message.id,
-        "name": message.name.xml,
+        "name": message.name.text,
         "crc_extra": message.crc_extra,
         "len_v1": message.len_v1,
         "len_v2": message.len_v2,
@@ -96,7 +96,7 @@ fn field_json(dialect: &Dialect, field: &Field) -> Value {
         other => (other.wire_name(), None),
     };
     json!({
-        "name": field.name.xml,
+        "name": field.name.text,
         "type": ty,
         "array": field.ty.array,
         "offset": field.offset,
@@ -109,7 +109,7 @@ fn field_json(dialect: &Dialect, field: &Field) -> Value {
 
 fn enum_name<'d>(dialect: &'d Dialect, field: &Field) -> Option<&'d str> {
     let values = dialect.enum_by_id(field.values?.id())?;
-    Some(values.name.xml.as_str())
+    Some(values.name.text.as_str())
 }
 
 /// The dialect as lines for a person: messages with their wire layout, then enums.
@@ -121,7 +121,7 @@ fn text(dialect: &Dialect) -> String {
             &mut text,
             format_args!(
                 "{id} {}: {} ({len_v1} in MAVLink 1), crc_extra {crc_extra}",
-                name.xml,
+                name.text,
                 plural(usize::from(*len_v2), "byte")
             ),
         );
@@ -134,10 +134,10 @@ fn text(dialect: &Dialect) -> String {
     }
     for values in &dialect.enums {
         let kind = if values.bitmask { "flags" } else { "enum" };
-        line(&mut text, format_args!("{kind} {}: {}", values.name.xml, values.repr.rust_name()));
+        line(&mut text, format_args!("{kind} {}: {}", values.name.text, values.repr.rust_name()));
         for entry in &values.entries {
             let auto = if entry.auto { " (automatic)" } else { "" };
-            line(&mut text, format_args!("  {:>10} {}{auto}", entry.value, entry.name.xml));
+            line(&mut text, format_args!("  {:>10} {}{auto}", entry.value, entry.name.text));
         }
     }
     text
@@ -148,7 +148,7 @@ fn field_line(text: &mut String, dialect: &Dialect, field: &Field) {
     let units = field.units.as_ref().map_or_else(String::new, |units| format!(" {units}"));
     let values = enum_name(dialect, field).map_or_else(String::new, |name| format!(" {name}"));
     let extension = if field.extension { " extension" } else { "" };
-    let (offset, name, ty) = (field.offset, &field.name.xml, field.ty.scalar.wire_name());
+    let (offset, name, ty) = (field.offset, &field.name.text, field.ty.scalar.wire_name());
     line(text, format_args!("  {offset:>3} {name}: {ty}{array}{units}{values}{extension}"));
 }
 

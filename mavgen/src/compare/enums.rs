@@ -10,23 +10,23 @@ pub(super) fn changes(pairs: &Pairs<'_>) -> Vec<Change> {
     let removed = enums
         .removed
         .iter()
-        .map(|values| Change::new(Kind::EnumRemoved, true, &values.name.xml).at(Some(values.origin.span), None));
+        .map(|values| Change::new(Kind::EnumRemoved, true, &values.name.text).at(Some(values.origin.span), None));
     let added = enums
         .added
         .iter()
-        .map(|values| Change::new(Kind::EnumAdded, false, &values.name.xml).at(None, Some(values.origin.span)));
+        .map(|values| Change::new(Kind::EnumAdded, false, &values.name.text).at(None, Some(values.origin.span)));
     removed.chain(enums.both.iter().flat_map(enum_)).chain(added).collect()
 }
 
 /// `MAV_STATE.MAV_STATE_BOOT`
 pub(super) fn path(values: &Enum, entry: &Entry) -> String {
-    format!("{}.{}", values.name.xml, entry.name.xml)
+    format!("{}.{}", values.name.text, entry.name.text)
 }
 
 fn enum_(EnumPair { old, new, entries }: &EnumPair<'_>) -> Vec<Change> {
     let mut changes = Vec::new();
-    if old.name.xml != new.name.xml {
-        let change = Change::new(Kind::EnumName, false, &old.name.xml).to(&new.name.xml);
+    if old.name.text != new.name.text {
+        let change = Change::new(Kind::EnumName, false, &old.name.text).to(&new.name.text);
         changes.push(change.at(Some(old.origin.span), Some(new.origin.span)));
     }
     for entry in &entries.removed {
@@ -35,8 +35,8 @@ fn enum_(EnumPair { old, new, entries }: &EnumPair<'_>) -> Vec<Change> {
     }
     for (before, after) in &entries.both {
         let places = (Some(before.origin.span), Some(after.origin.span));
-        if before.name.xml != after.name.xml {
-            let change = Change::new(Kind::EntryName, false, path(old, before)).to(&after.name.xml);
+        if before.name.text != after.name.text {
+            let change = Change::new(Kind::EntryName, false, path(old, before)).to(&after.name.text);
             changes.push(change.at(places.0, places.1));
         }
         if before.value != after.value {

@@ -99,13 +99,13 @@ fn minor_stage(lifecycle: &Lifecycle) -> Option<String> {
 
 fn message(dialects: &Dialects<'_>, pair: &MessagePair<'_>) -> Vec<Change> {
     let MessagePair { old, new, .. } = pair;
-    let mut facts = Facts::new(format!("message {}", old.name.xml), Some((&old.origin, &new.origin)));
+    let mut facts = Facts::new(format!("message {}", old.name.text), Some((&old.origin, &new.origin)));
     facts.lifecycle();
     let (from, to) = dialects.files(old.origin.file, new.origin.file);
     facts.compare("file", from, to);
     let mut changes = facts.list;
     for (before, after) in &pair.fields.both {
-        changes.extend(field(&format!("field {}.{}", old.name.xml, before.name.xml), before, after));
+        changes.extend(field(&format!("field {}.{}", old.name.text, before.name.text), before, after));
     }
     changes.extend(order(pair));
     changes
@@ -161,7 +161,7 @@ fn order(pair: &MessagePair<'_>) -> Vec<Change> {
     let positions: Vec<usize> = fields.iter().map(|(_, new, ..)| *new).collect();
     let moved = moved(&positions).into_iter().filter_map(|at| fields.get(at));
     let change = moved.map(|(from, to, old, new)| {
-        let item = format!("field {}.{}", pair.old.name.xml, old.name.xml);
+        let item = format!("field {}.{}", pair.old.name.text, old.name.text);
         let change = Change::new(Kind::Fact("place in the XML"), false, item);
         change.from((from + 1).to_string()).to((to + 1).to_string()).at(Some(old.origin.span), Some(new.origin.span))
     });
@@ -170,7 +170,7 @@ fn order(pair: &MessagePair<'_>) -> Vec<Change> {
 
 fn enum_(dialects: &Dialects<'_>, pair: &EnumPair<'_>) -> Vec<Change> {
     let EnumPair { old, new, entries } = pair;
-    let mut facts = Facts::new(format!("enum {}", old.name.xml), Some((&old.origin, &new.origin)));
+    let mut facts = Facts::new(format!("enum {}", old.name.text), Some((&old.origin, &new.origin)));
     facts.lifecycle();
     let (from, to) = dialects.files(old.defined_in, new.defined_in);
     facts.compare("file", from, to);
@@ -211,7 +211,7 @@ fn param(dialects: &Dialects<'_>, item: &str, old: Option<&Param>, new: Option<&
     let mut facts = Facts::new(item, Some((&before.origin, &after.origin)));
     facts.compare("label", before.label.as_ref(), after.label.as_ref());
     facts.compare("units", before.units.as_ref(), after.units.as_ref());
-    let name = |dialect: &Dialect, param: &Param| Some(dialect.enum_by_id(param.values?)?.name.xml.clone());
+    let name = |dialect: &Dialect, param: &Param| Some(dialect.enum_by_id(param.values?)?.name.text.clone());
     facts.compare("enum", name(dialects.old, before), name(dialects.new, after));
     facts.limits(&before.limits, &after.limits);
     facts.compare("default", before.default, after.default);

@@ -33,8 +33,8 @@ pub(super) struct EnumPair<'a> {
 
 impl<'a> Pairs<'a> {
     pub(super) fn of(old: &'a Dialect, new: &'a Dialect) -> Self {
-        let messages = matched(&old.messages, &new.messages, |message| &message.name.xml, same_message);
-        let enums = matched(&old.enums, &new.enums, |values| &values.name.xml, same_enum);
+        let messages = matched(&old.messages, &new.messages, |message| &message.name.text, same_message);
+        let enums = matched(&old.enums, &new.enums, |values| &values.name.text, same_enum);
         Self {
             messages: messages.map(|(old, new)| MessagePair { old, new, fields: fields(old, new) }),
             enums: enums.map(|(old, new)| EnumPair { old, new, entries: entries(old, new) }),
@@ -49,11 +49,11 @@ impl<'a, T> Matched<'a, T, (&'a T, &'a T)> {
 }
 
 fn fields<'a>(old: &'a Message, new: &'a Message) -> Matched<'a, Field, (&'a Field, &'a Field)> {
-    matched(&old.fields, &new.fields, |field| &field.name.xml, same_field)
+    matched(&old.fields, &new.fields, |field| &field.name.text, same_field)
 }
 
 fn entries<'a>(old: &'a Enum, new: &'a Enum) -> Matched<'a, Entry, (&'a Entry, &'a Entry)> {
-    matched(&old.entries, &new.entries, |entry| &entry.name.xml, |old, new| old.value == new.value)
+    matched(&old.entries, &new.entries, |entry| &entry.name.text, |old, new| old.value == new.value)
 }
 
 /// Whether messages of different names are one.
@@ -74,7 +74,7 @@ fn same_field(old: &Field, new: &Field) -> bool {
 fn same_enum(old: &Enum, new: &Enum) -> bool {
     let entries = |values: &Enum| {
         let entries = values.entries.iter();
-        entries.map(|entry| (entry.name.xml.clone(), entry.value)).collect::<Vec<_>>()
+        entries.map(|entry| (entry.name.text.clone(), entry.value)).collect::<Vec<_>>()
     };
     !old.entries.is_empty() && entries(old) == entries(new)
 }

@@ -18,7 +18,7 @@ pub(super) fn changes(pairs: &Pairs<'_>) -> Vec<Change> {
 }
 
 fn name(message: &Message) -> &str {
-    &message.name.xml
+    &message.name.text
 }
 
 fn id(message: &Message) -> String {
@@ -27,7 +27,7 @@ fn id(message: &Message) -> String {
 
 /// `HEARTBEAT.type`
 fn path(message: &Message, field: &Field) -> String {
-    format!("{}.{}", message.name.xml, field.name.xml)
+    format!("{}.{}", message.name.text, field.name.text)
 }
 
 /// The changes of one message. Each that changes its frames says how they changed.
@@ -35,7 +35,7 @@ fn message(pair: &MessagePair<'_>) -> Vec<Change> {
     let MessagePair { old, new, .. } = pair;
     let (frame, mut changes) = (frame(pair), Vec::new());
     let both = |change: Change| change.at(Some(old.origin.span), Some(new.origin.span));
-    if old.name.xml != new.name.xml {
+    if old.name.text != new.name.text {
         changes.push(both(Change::new(Kind::MessageName, checksum_differs(pair), name(old)).to(name(new))));
     }
     if old.id != new.id {
@@ -94,9 +94,9 @@ fn field(pair: &MessagePair<'_>, old: &Field, new: &Field) -> Vec<Change> {
         change.at(Some(old.origin.span), Some(new.origin.span))
     };
     let mut changes = Vec::new();
-    if old.name.xml != new.name.xml {
+    if old.name.text != new.name.text {
         let breaking = checksum_differs(pair);
-        changes.push(change(Kind::FieldName, breaking, old.name.xml.clone(), new.name.xml.clone()));
+        changes.push(change(Kind::FieldName, breaking, old.name.text.clone(), new.name.text.clone()));
     }
     if type_of(old) != type_of(new) {
         changes.push(change(Kind::FieldType, true, type_of(old), type_of(new)));

@@ -63,7 +63,7 @@ fn leaked(text: &str) -> &'static str {
 fn message_info(message: &Message) -> &'static MessageInfo {
     Box::leak(Box::new(MessageInfo {
         id: message.id,
-        name: leaked(&message.name.xml),
+        name: leaked(&message.name.text),
         crc_extra: message.crc_extra,
         len_v1: message.len_v1,
         len_v2: message.len_v2,
@@ -74,13 +74,13 @@ fn message_info(message: &Message) -> &'static MessageInfo {
 
 fn enum_info(values: &Enum) -> &'static EnumInfo {
     let entries: Vec<(u64, &'static str)> =
-        values.entries.iter().map(|entry| (entry.value, leaked(&entry.name.xml))).collect();
-    let (name, bitmask) = (leaked(&values.name.xml), values.bitmask);
+        values.entries.iter().map(|entry| (entry.value, leaked(&entry.name.text))).collect();
+    let (name, bitmask) = (leaked(&values.name.text), values.bitmask);
     Box::leak(Box::new(EnumInfo { name, bitmask, entries: entries.leak() }))
 }
 
 fn field_info(field: &Field, secret: Option<u8>, enums: &[&'static EnumInfo]) -> FieldInfo {
-    let (name, kind) = (leaked(&field.name.xml), kind(field.ty.scalar));
+    let (name, kind) = (leaked(&field.name.text), kind(field.ty.scalar));
     let mut info = match field.ty.array {
         Some(length) => FieldInfo::array(name, kind, length.get(), field.offset),
         None => FieldInfo::new(name, kind, field.offset),

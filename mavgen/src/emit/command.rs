@@ -53,7 +53,7 @@ fn info(context: &Context<'_>, param: &Param) -> TokenStream {
     let label = param.label.as_ref().map(|label| quote!(.label(#label)));
     let units = param.units.as_ref().map(|units| quote!(.units(#units)));
     let values = enum_of(context, param).map(|values| {
-        let name = &values.name.xml;
+        let name = &values.name.text;
         quote!(.values(#name))
     });
     let number = |name: &str, value: Option<f64>| {

@@ -76,7 +76,7 @@ fn declaration(dialect: Titled<'_>, messages: &[&Message]) -> TokenStream {
         "New messages are added without a breaking release; match with a `_` arm.".to_owned(),
     ]);
     let variants = messages.iter().map(|message| {
-        let docs = doc::attributes(&[format!("`{}`, message {}.", message.name.xml, message.id)]);
+        let docs = doc::attributes(&[format!("`{}`, message {}.", message.name.text, message.id)]);
         let name = ident(&message.name.rust);
         quote!(#docs #name(#name))
     });

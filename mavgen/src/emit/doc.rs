@@ -75,8 +75,8 @@ pub(crate) fn deprecated(context: &Context<'_>, origin: &Origin) -> TokenStream 
 
 /// `#[doc(alias = "GPS_RAW_INT")]`, so that a search for the XML's name finds the type; nothing where both are spelled alike.
 pub(crate) fn alias(name: &Name) -> TokenStream {
-    let Name { xml, rust } = name;
-    if xml == rust { quote!() } else { quote!(#[doc(alias = #xml)]) }
+    let Name { text, rust, .. } = name;
+    if text == rust { quote!() } else { quote!(#[doc(alias = #text)]) }
 }
 
 /// `In m/s, from 0 to 100, in steps of 5`: what units and limits say; empty where they say nothing.

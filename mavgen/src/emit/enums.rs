@@ -58,8 +58,8 @@ fn declaration(context: &Context<'_>, values: &Enum) -> TokenStream {
 fn documentation(context: &Context<'_>, values: &Enum) -> Vec<String> {
     let file = context.dialect.file(values.defined_in).map_or("", |file| file.name.as_str());
     let kind = if values.bitmask { "flags in a" } else { "numbers of type" };
-    let mut facts = vec![format!("`{}` of `{file}`: {kind} `{}`.", values.name.xml, values.repr.rust_name())];
-    facts.extend(doc::reference(file, &values.name.xml).map(|link| format!("See the {link}.")));
+    let mut facts = vec![format!("`{}` of `{file}`: {kind} `{}`.", values.name.text, values.repr.rust_name())];
+    facts.extend(doc::reference(file, &values.name.text).map(|link| format!("See the {link}.")));
     doc::join([doc::description(&values.origin), facts, rivals::of_enum(context, values)])
 }
 
@@ -67,7 +67,7 @@ fn documentation(context: &Context<'_>, values: &Enum) -> Vec<String> {
 fn constant(context: &Context<'_>, values: &Enum, entry: &Entry) -> TokenStream {
     let mut docs = doc::description(&entry.origin);
     if docs.is_empty() {
-        docs.push(format!("`{}`.", entry.name.xml));
+        docs.push(format!("`{}`.", entry.name.text));
     }
     let params = entry.command.as_ref().map(|command| command::documentation(context, command));
     let docs = doc::attributes(&doc::join([docs, params.unwrap_or_default()]));
@@ -87,9 +87,9 @@ fn quote_decimal(value: u64) -> TokenStream {
 }
 
 fn info(values: &Enum) -> TokenStream {
-    let (name, bitmask) = (&values.name.xml, values.bitmask);
+    let (name, bitmask) = (&values.name.text, values.bitmask);
     let entries = values.entries.iter().map(|entry| {
-        let (value, name) = (if bitmask { mask(entry.value) } else { quote_decimal(entry.value) }, &entry.name.xml);
+        let (value, name) = (if bitmask { mask(entry.value) } else { quote_decimal(entry.value) }, &entry.name.text);
         quote!((#value, #name))
     });
     quote! {

@@ -133,7 +133,7 @@ fn documentation(context: &Context<'_>, field: &Field, secret: bool) -> Vec<Stri
         sentences.push("Secret: `Debug`, reflection and `defmt` do not show it.".to_owned());
     }
     if field.origin.description.trim().is_empty() && sentences.is_empty() {
-        sentences.push(format!("`{}`, a `{}`.", field.name.xml, xml_type(field)));
+        sentences.push(format!("`{}`, a `{}`.", field.name.text, xml_type(field)));
     }
     let words = sentences.iter().flat_map(|sentence| sentence.split(' ')).map(str::to_owned);
     prose_with(&field.origin.description, words.collect())
@@ -160,7 +160,7 @@ fn sentinel_sentence(invalid: &Invalid, field: &Field) -> String {
 
 /// `wire::FieldInfo::array("voltages", wire::Kind::U16, 10, 10).units("mV").invalid(…),`
 fn info(context: &Context<'_>, field: &Field, secret: bool) -> TokenStream {
-    let (name, kind, offset) = (&field.name.xml, kind(field.ty.scalar), decimal(field.offset));
+    let (name, kind, offset) = (&field.name.text, kind(field.ty.scalar), decimal(field.offset));
     let mut info = match field.ty.array {
         None => quote!(wire::FieldInfo::new(#name, wire::Kind::#kind, #offset)),
         Some(n) => {

@@ -106,8 +106,8 @@ fn documentation(context: &Context<'_>, message: &Message) -> Vec<String> {
         (false, false) => format!("{len_v2} bytes, {len_v1} in MAVLink 1"),
     };
     let reach = if *id > 255 { "; MAVLink 2 only" } else { "" };
-    let facts = format!("`{}`, message {id} of `{file}`: {length}, CRC_EXTRA {crc_extra}{reach}.", name.xml);
-    let facts = match doc::reference(file, &name.xml) {
+    let facts = format!("`{}`, message {id} of `{file}`: {length}, CRC_EXTRA {crc_extra}{reach}.", name.text);
+    let facts = match doc::reference(file, &name.text) {
         Some(link) => vec![facts, format!("See the {link}.")],
         None => vec![facts],
     };
@@ -119,7 +119,7 @@ fn wire_table(message: &Message) -> Vec<String> {
     let row = |field: &Field| {
         let extension = if field.extension { " (extension)" } else { "" };
         let units = field.units.as_deref().map(line).unwrap_or_default();
-        [field.offset.to_string(), format!("`{}`{extension}", field.name.xml), format!("`{}`", xml_type(field)), units]
+        [field.offset.to_string(), format!("`{}`{extension}", field.name.text), format!("`{}`", xml_type(field)), units]
     };
     let rows: Vec<_> = message.wire_order().into_iter().map(row).collect();
     doc::table(["offset", "field", "type", "units"], &rows)
@@ -161,7 +161,7 @@ fn message_impl(message: &Message, fields: &[FieldTokens]) -> TokenStream {
 
 /// `&wire::MessageInfo { id: 24, name: "GPS_RAW_INT", crc_extra: 24, … }`
 fn info(message: &Message) -> TokenStream {
-    let (id, name, crc_extra) = (decimal(message.id), &message.name.xml, decimal(message.crc_extra));
+    let (id, name, crc_extra) = (decimal(message.id), &message.name.text, decimal(message.crc_extra));
     let (len_v1, len_v2) = (decimal(message.len_v1), decimal(message.len_v2));
     let offset = |field: Option<&Field>| {
         let offset = field.map(|field| decimal(field.offset));

@@ -117,12 +117,12 @@ pub(crate) fn views(context: &Context<'_>, folder: &Folder<'_>) -> TokenStream {
     let own = folder.views.iter().filter(|listed| listed.home == folder.home);
     let modules = own.map(|Listed { item: (message, view), .. }| {
         let expect = expect_deprecated(context.is_deprecated(&message.origin));
-        let file = ident(&item_module_name(&view.name.xml));
+        let file = ident(&item_module_name(&view.name.text));
         quote!(#expect mod #file;)
     });
     let exports = folder.views.iter().map(|Listed { item: (_, view), home }| {
         let from = if *home == folder.home {
-            ident(&item_module_name(&view.name.xml)).into_token_stream()
+            ident(&item_module_name(&view.name.text)).into_token_stream()
         } else {
             let way = path(&context.way(1, *home));
             quote!(#way views)
@@ -159,11 +159,11 @@ fn declare(context: &Context<'_>, module: &str, mut modules: Vec<Module<'_>>) ->
     modules.sort_by(|a, b| a.name.cmp(b.name));
     let (own, others): (Vec<_>, Vec<_>) = modules.into_iter().partition(|module| module.home == context.home);
     let declarations = own.iter().map(|module| {
-        let (expect, file) = (expect_deprecated(module.expect), ident(&item_module_name(&module.name.xml)));
+        let (expect, file) = (expect_deprecated(module.expect), ident(&item_module_name(&module.name.text)));
         quote!(#expect mod #file;)
     });
     let exports = own.iter().map(|module| {
-        let (file, name) = (ident(&item_module_name(&module.name.xml)), ident(&module.name.rust));
+        let (file, name) = (ident(&item_module_name(&module.name.text)), ident(&module.name.rust));
         let expect = expect_deprecated(module.deprecated);
         quote!(#expect pub use #file::#name;)
     });

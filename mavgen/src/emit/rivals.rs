@@ -29,7 +29,7 @@ pub(crate) fn of_enum(context: &Context<'_>, values: &Enum) -> Vec<String> {
     let mut lines = Vec::new();
     for (at, root) in union.roots.iter().enumerate() {
         let others = root.enums.iter().filter_map(|id| union.all.enum_by_id(*id));
-        for other in others.filter(|other| other.name.xml == values.name.xml && !ptr::eq(*other, values)) {
+        for other in others.filter(|other| other.name.text == values.name.text && !ptr::eq(*other, values)) {
             let link = link(context, at, "enums", &other.name.rust);
             let kind = if other.bitmask { "flags in a" } else { "numbers of type" };
             lines.push(format!("In `{}` it is {kind} `{}`: {link}.", root.name, other.repr.rust_name()));

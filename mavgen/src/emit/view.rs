@@ -106,7 +106,7 @@ fn declaration(context: &Context<'_>, message: &Message, view: &View) -> TokenSt
 /// Name and type of the switch value that the view carries along.
 fn switch_field(view: &View) -> Option<(Ident, Ident)> {
     match view.switch.as_ref()? {
-        Switch { name, on: SwitchOn::Field(_, int) } => Some((ident(name), repr(*int))),
+        Switch { name, on: SwitchOn::Field(_, int), .. } => Some((ident(name), repr(*int))),
         Switch { on: SwitchOn::Bits { .. }, .. } => None,
     }
 }
@@ -141,7 +141,7 @@ fn documentation(context: &Context<'_>, message: &Message, view: &View) -> Vec<S
     let fields: Vec<String> = access::word_names(message, view).iter().map(|name| format!("`{name}`")).collect();
     let facts = format!(
         "`{}` of `{file}`: {} bits in {} of [`{}`], the least significant first.",
-        view.name.xml,
+        view.name.text,
         view.width,
         fields.join(", "),
         message.name.rust

@@ -40,7 +40,7 @@ impl Message {
     /// `target_system`, or `target` of MANUAL_CONTROL (pymavlink's `native` target offsets).
     pub fn target_system(&self) -> Option<&Field> {
         self.plain_u8("target_system")
-            .or_else(|| if self.name.xml == "MANUAL_CONTROL" { self.plain_u8("target") } else { None })
+            .or_else(|| if self.name.text == "MANUAL_CONTROL" { self.plain_u8("target") } else { None })
     }
 
     /// The field that names the component a message is meant for, if it has one that is a plain `uint8_t`.
@@ -51,12 +51,12 @@ impl Message {
     /// The field that holds a secret key, which no text may show: `secret_key` of message 256, `SETUP_SIGNING` (MAVLink guide,
     /// "Message Signing").
     pub fn secret(&self) -> Option<&Field> {
-        self.fields.iter().find(|field| self.id == 256 && field.name.xml == "secret_key")
+        self.fields.iter().find(|field| self.id == 256 && field.name.text == "secret_key")
     }
 
     fn plain_u8(&self, name: &str) -> Option<&Field> {
         let plain = FieldType { scalar: Scalar::U8, array: None };
-        self.fields.iter().find(|field| field.name.xml == name && field.ty == plain)
+        self.fields.iter().find(|field| field.name.text == name && field.ty == plain)
     }
 }
 

@@ -5,7 +5,7 @@ use super::{EnumId, FileIndex, Limits, Name, Origin};
 /// An enum or, with [`Enum::bitmask`], a set of flags.
 #[derive(Clone, Debug)]
 pub struct Enum {
-    /// Its name.
+    /// Its name, at the oldest definition: that of a file which others include, before those that include it.
     pub name: Name,
     /// Whether values are combined bit by bit.
     pub bitmask: bool,
@@ -13,6 +13,8 @@ pub struct Enum {
     pub repr: Repr,
     /// The entries by value, merged over all files.
     pub entries: Vec<Entry>,
+    /// The file in which [`Enum::name`] was written: the oldest that defines it.
+    pub named_in: FileIndex,
     /// The file that owns it: of all that define it, the one that most of the others include.
     ///
     /// Width, sign and name prefix come from there, so that a dialect that adds entries changes no type of the file it

@@ -5,6 +5,7 @@ use std::num::NonZeroU8;
 use std::ops::RangeInclusive;
 
 use super::{EnumId, Name, Origin, Repr};
+use crate::source::Span;
 
 /// A layout of bits over one or more fields of a message.
 #[derive(Clone, Debug)]
@@ -120,6 +121,8 @@ pub struct Switch {
     pub name: String,
     /// Where it is read.
     pub on: SwitchOn,
+    /// Where the overlay names what it looks at.
+    pub span: Span,
 }
 
 /// Where the value that selects a layout is read.

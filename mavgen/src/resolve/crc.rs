@@ -10,7 +10,7 @@ pub(super) fn crc_extra<'f>(message: &str, wire_order: impl IntoIterator<Item = 
     crc.word(message);
     for field in wire_order.into_iter().filter(|field| !field.extension) {
         crc.word(field.ty.scalar.wire_name());
-        crc.word(&field.name.xml);
+        crc.word(&field.name.text);
         if let Some(length) = field.ty.array {
             crc.byte(length.get());
         }

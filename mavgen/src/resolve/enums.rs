@@ -8,6 +8,7 @@ use super::width::Width;
 use super::{command, lifecycle, naming, number};
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{self, FileIndex, Lifecycle, Name, Origin};
+use crate::read::Loaded;
 use crate::syntax;
 
 /// One `<enum>` element with every value filled in.
@@ -78,6 +79,7 @@ impl<'a> Block<'a> {
 
 /// The model of an enum, which is called `rust` in Rust.
 pub(super) fn model(
+    loaded: &Loaded,
     merged: &Merged<'_>,
     width: Width,
     rust: String,
@@ -96,7 +98,7 @@ pub(super) fn model(
             lifecycle: syntax.lifecycle.as_ref(),
         };
         entries.push(ir::Entry {
-            name: Name { xml: syntax.name.value.clone(), rust },
+            name: Name { text: syntax.name.value.clone(), rust, span: syntax.name.span },
             // What does not fit has been refused, and no model comes out.
             value: u64::try_from(entry.value).unwrap_or(u64::MAX),
             auto: entry.auto,
@@ -104,12 +106,13 @@ pub(super) fn model(
             origin: described.origin(diagnostics),
         });
     }
-    let name = Name { xml: merged.name.value.clone(), rust };
+    let (named_in, oldest) = merged.oldest(loaded);
+    let name = Name { text: oldest.value.clone(), rust, span: oldest.span };
     let mut origin = origin(merged, owner, diagnostics);
     if merged.refined.in_use {
         lifecycle::tell(&mut origin);
     }
-    ir::Enum { name, bitmask: merged.bitmask(owner), repr, entries, defined_in: owner, origin }
+    ir::Enum { name, named_in, bitmask: merged.bitmask(owner), repr, entries, defined_in: owner, origin }
 }
 
 /// Place of the first definition, first description that is not empty, stage of life of the owner's.

@@ -29,7 +29,7 @@ pub(super) fn resolve(field: &syntax::Field, around: Surroundings, diagnostics: 
     let ty = field_type::resolve(&field.ty, around.version, diagnostics)?;
     check_target(field, ty, diagnostics);
     Some(Field {
-        name: naming::field(&field.name.value),
+        name: naming::field(&field.name),
         ty,
         offset: 0,
         extension: around.extension,

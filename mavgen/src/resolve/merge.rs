@@ -148,6 +148,12 @@ impl<'a> Merged<'a> {
         self.blocks.push(block);
     }
 
+    /// The name at the definition in the oldest file, and that file.
+    pub(super) fn oldest(&self, loaded: &Loaded) -> (FileIndex, &'a Text) {
+        let named = self.blocks.iter().map(|block| (block.file, &block.syntax.name));
+        named.min_by_key(|(file, _)| loaded.age(*file)).unwrap_or((self.file, self.name))
+    }
+
     /// Whether the values are combined bit by bit: as an overlay says, or else the file that owns the enum.
     pub(super) fn bitmask(&self, owner: FileIndex) -> bool {
         self.refined.bitmask.unwrap_or_else(|| self.declared_bitmask(owner))

@@ -100,7 +100,7 @@ fn resolve(syntax: &Message, around: Surroundings, whole: bool, diagnostics: &mu
     let (len_v1, len_v2) = lengths(syntax, &mut fields, diagnostics)?;
     let mut message = ir::Message {
         id: id?,
-        name: naming::message(&syntax.name.value),
+        name: naming::message(&syntax.name),
         crc_extra: 0,
         len_v1,
         len_v2,
@@ -109,7 +109,7 @@ fn resolve(syntax: &Message, around: Surroundings, whole: bool, diagnostics: &mu
         bindings: Vec::new(),
         origin,
     };
-    message.crc_extra = crc::crc_extra(&message.name.xml, message.wire_order());
+    message.crc_extra = crc::crc_extra(&message.name.text, message.wire_order());
     Some(message)
 }
 

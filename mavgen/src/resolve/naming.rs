@@ -14,13 +14,13 @@ use crate::read::Loaded;
 use crate::syntax::{Message, Text};
 
 /// The name of a message.
-pub(super) fn message(xml: &str) -> Name {
-    Name { xml: xml.to_owned(), rust: names::type_name(xml) }
+pub(super) fn message(text: &Text) -> Name {
+    Name { text: text.value.clone(), rust: names::type_name(&text.value), span: text.span }
 }
 
 /// The name of a field.
-pub(super) fn field(xml: &str) -> Name {
-    Name { xml: xml.to_owned(), rust: names::field_name(xml) }
+pub(super) fn field(text: &Text) -> Name {
+    Name { text: text.value.clone(), rust: names::field_name(&text.value), span: text.span }
 }
 
 /// The names of an enum's constants, in the order of its entries.
@@ -58,9 +58,8 @@ pub(super) fn types<'a>(loaded: &'a Loaded, enums: &Enums<'a>, diagnostics: &mut
         let rust = names::type_name(&merged.name.value);
         let taken = messages.contains(&rust);
         let rust = suffixed(rust, taken, "Enum");
-        let oldest = merged.blocks.iter().map(|block| (loaded.age(block.file), &block.syntax.name));
-        let oldest = oldest.min_by_key(|(age, _)| *age);
-        claims.extend(oldest.map(|(age, name)| Claim { age, rust: rust.clone(), name, what: "types" }));
+        let (file, name) = merged.oldest(loaded);
+        claims.push(Claim { age: loaded.age(file), rust: rust.clone(), name, what: "types" });
         types.enums.push(rust);
     }
     let mut scope = Scope::default();

@@ -27,13 +27,13 @@ impl Outcome {
     }
 
     fn find_enum(&self, name: &str) -> &Enum {
-        self.dialect().enums.iter().find(|found| found.name.xml == name).unwrap()
+        self.dialect().enums.iter().find(|found| found.name.text == name).unwrap()
     }
 
     /// The entries of an enum: name and value.
     fn values(&self, name: &str) -> Vec<(&str, u64)> {
         let entries = &self.find_enum(name).entries;
-        entries.iter().map(|entry| (entry.name.xml.as_str(), entry.value)).collect()
+        entries.iter().map(|entry| (entry.name.text.as_str(), entry.value)).collect()
     }
 
     fn codes(&self) -> Vec<Code> {

@@ -61,7 +61,7 @@ pub(super) fn resolve<'a>(
 }
 
 fn named(text: &Text) -> Name {
-    Name { xml: text.value.clone(), rust: type_name(&text.value) }
+    Name { text: text.value.clone(), rust: type_name(&text.value), span: text.span }
 }
 
 /// Every `<bits>` of a view.

@@ -50,11 +50,11 @@ fn only(messages: &[&str]) -> Dialect {
 }
 
 fn enums(dialect: &Dialect) -> Vec<&str> {
-    dialect.enums.iter().map(|values| values.name.xml.as_str()).collect()
+    dialect.enums.iter().map(|values| values.name.text.as_str()).collect()
 }
 
 fn named<'d>(dialect: &'d Dialect, name: &str) -> &'d Enum {
-    dialect.enums.iter().find(|values| values.name.xml == name).unwrap()
+    dialect.enums.iter().find(|values| values.name.text == name).unwrap()
 }
 
 #[test]
@@ -63,7 +63,7 @@ fn a_message_keeps_the_enums_of_its_fields() {
     assert_eq!(dialect.messages.len(), 1);
     assert_eq!(enums(&dialect), ["STATE"]);
     let id = dialect.messages[0].fields[0].values.unwrap().id();
-    assert_eq!(dialect.enum_by_id(id).unwrap().name.xml, "STATE");
+    assert_eq!(dialect.enum_by_id(id).unwrap().name.text, "STATE");
 }
 
 #[test]
@@ -71,7 +71,7 @@ fn commands_keep_the_enums_of_their_params_and_so_on() {
     let dialect = only(&["COMMAND"]);
     assert_eq!(enums(&dialect), ["PARAM_OF_COMMAND", "MAV_CMD", "OTHER_COMMANDS"]);
     let params = |name| &named(&dialect, name).entries[0].command.as_ref().unwrap().params;
-    let carried = |name, at: usize| dialect.enum_by_id(params(name)[at].values.unwrap()).unwrap().name.xml.as_str();
+    let carried = |name, at: usize| dialect.enum_by_id(params(name)[at].values.unwrap()).unwrap().name.text.as_str();
     assert_eq!(
         (carried("MAV_CMD", 0), carried("MAV_CMD", 1), carried("OTHER_COMMANDS", 0)),
         ("OTHER_COMMANDS", "MAV_CMD", "PARAM_OF_COMMAND")
@@ -82,11 +82,11 @@ fn commands_keep_the_enums_of_their_params_and_so_on() {
 fn overlays_keep_what_they_say_of_kept_messages() {
     let dialect = only(&["PLAIN"]);
     assert_eq!(enums(&dialect), ["BOUND"]);
-    assert_eq!(dialect.enum_by_id(dialect.messages[0].bindings[0].values).unwrap().name.xml, "BOUND");
+    assert_eq!(dialect.enum_by_id(dialect.messages[0].bindings[0].values).unwrap().name.text, "BOUND");
     let dialect = only(&["STATEFUL_WIDE"]);
     assert_eq!(enums(&dialect), ["STATE", "PACKED"]);
     let Meaning::Values(id) = dialect.messages[0].views[0].members[0].meaning else { panic!("no enum") };
-    assert_eq!(dialect.enum_by_id(id).unwrap().name.xml, "PACKED");
+    assert_eq!(dialect.enum_by_id(id).unwrap().name.text, "PACKED");
 }
 
 #[test]
@@ -101,7 +101,7 @@ fn what_is_kept_is_what_it_was() {
 #[test]
 fn patterns_and_names_add_up() {
     let names = |messages: &[&str]| -> Vec<String> {
-        only(messages).messages.iter().map(|message| message.name.xml.clone()).collect()
+        only(messages).messages.iter().map(|message| message.name.text.clone()).collect()
     };
     assert_eq!(names(&["STATEFUL*", "PLAIN", "PLAIN"]), ["PLAIN", "STATEFUL", "STATEFUL_WIDE"]);
     assert_eq!(names(&[" STATEFUL "]), ["STATEFUL"]);
@@ -132,7 +132,7 @@ fn names_of(dialect: &Dialect, id: u32) -> Vec<String> {
     let mut message = dialect.messages.iter().find(|message| message.id == id).unwrap().clone();
     let named = format!("{message:?}").matches("EnumId(").count();
     let mut names = Vec::new();
-    needs::each_of_message(&mut message, |id| names.push(dialect.enum_by_id(*id).unwrap().name.xml.clone()));
+    needs::each_of_message(&mut message, |id| names.push(dialect.enum_by_id(*id).unwrap().name.text.clone()));
     assert_eq!(names.len(), named, "the visit forgets none");
     names
 }
@@ -144,11 +144,11 @@ fn every_message_of_a_real_dialect_finds_its_enums_alone() {
     let whole = builder.resolve().unwrap().dialect;
     let mut carrying = 0;
     for message in &whole.messages {
-        let one = Selection::new([&*message.name.xml]).unwrap().apply(whole.clone());
-        assert_eq!(names_of(&one, message.id), names_of(&whole, message.id), "{}", message.name.xml);
+        let one = Selection::new([&*message.name.text]).unwrap().apply(whole.clone());
+        assert_eq!(names_of(&one, message.id), names_of(&whole, message.id), "{}", message.name.text);
         carrying += usize::from(!one.enums.is_empty());
         for values in &one.enums {
-            assert_eq!(format!("{:?}", values.origin), format!("{:?}", named(&whole, &values.name.xml).origin));
+            assert_eq!(format!("{:?}", values.origin), format!("{:?}", named(&whole, &values.name.text).origin));
         }
     }
     assert!(carrying > 50, "{carrying}");

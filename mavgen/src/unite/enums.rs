@@ -60,15 +60,15 @@ fn relink(values: &mut Enum, ids: &[EnumId]) {
 
 /// Adds the entries of the same enum in `dialect`. An entry that is there already stays as it is.
 fn add(values: &mut Enum, other: Enum, dialect: &str, diagnostics: &mut Diagnostics) {
-    let by_xml: HashMap<String, usize> = index(&values.entries, |name| &name.xml);
+    let by_xml: HashMap<String, usize> = index(&values.entries, |name| &name.text);
     let by_rust: HashMap<String, usize> = index(&values.entries, |name| &name.rust);
     for entry in other.entries {
-        let place = by_xml.get(&entry.name.xml).or(by_rust.get(&entry.name.rust));
+        let place = by_xml.get(&entry.name.text).or(by_rust.get(&entry.name.rust));
         let Some(known) = place.and_then(|&at| values.entries.get_mut(at)) else {
             values.entries.push(entry);
             continue;
         };
-        if known.name.xml != entry.name.xml {
+        if known.name.text != entry.name.text {
             diagnostics.push(collision(known, &entry));
         } else if known.value != entry.value {
             diagnostics.push(second_value(known, &entry, (&values.name, dialect)));
@@ -101,7 +101,7 @@ pub(super) fn join(origin: &mut Origin, other: Origin) {
 }
 
 fn second_value(first: &Entry, second: &Entry, (values, dialect): (&Name, &str)) -> Diagnostic {
-    let (name, value, known) = (&second.name.xml, second.value, first.value);
+    let (name, value, known) = (&second.name.text, second.value, first.value);
     let message = format!("`{name}` is {value} in dialect `{dialect}`, and {known} in one before it");
     let label = |entry: &Entry| {
         let auto = if entry.auto { ", given automatically" } else { "" };
@@ -109,11 +109,11 @@ fn second_value(first: &Entry, second: &Entry, (values, dialect): (&Name, &str))
     };
     let problem = Diagnostic::new(Code::SecondValue, second.origin.span, message).label(label(second));
     let problem = problem.related(first.origin.span, label(first));
-    problem.help(format!("give it one value: `{}` is one type for all dialects", values.xml))
+    problem.help(format!("give it one value: `{}` is one type for all dialects", values.text))
 }
 
 fn collision(first: &Entry, second: &Entry) -> Diagnostic {
-    let (a, b, rust) = (&first.name.xml, &second.name.xml, &second.name.rust);
+    let (a, b, rust) = (&first.name.text, &second.name.text, &second.name.rust);
     let message = format!("entries `{a}` and `{b}` of two dialects are both `{rust}` in Rust");
     let problem = Diagnostic::new(Code::NameCollision, second.origin.span, message);
     problem.related(first.origin.span, "the other one").help("rename one of them")

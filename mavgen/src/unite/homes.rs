@@ -12,7 +12,7 @@ pub(super) fn of_enums(enums: &[Class<Enum>]) -> Vec<Home> {
     let claims: Vec<_> = enums
         .iter()
         .map(|class| Claim {
-            file: item_module_name(&class.item.name.xml),
+            file: item_module_name(&class.item.name.text),
             types: vec![&class.item.name.rust],
             roots: &class.roots,
         })
@@ -26,7 +26,7 @@ pub(super) fn of_messages(messages: &[Class<Joined>]) -> Vec<MessageHome> {
         .iter()
         .map(|class| {
             let name = &class.item.message.name;
-            Claim { file: item_module_name(&name.xml), types: vec![&name.rust], roots: &class.roots }
+            Claim { file: item_module_name(&name.text), types: vec![&name.rust], roots: &class.roots }
         })
         .collect();
     let views: Vec<(&View, &Vec<usize>)> =
@@ -56,7 +56,7 @@ impl<'a> Claim<'a> {
         if let Access::Slots(slots) = &view.access {
             types.push(&slots.item.rust);
         }
-        Self { file: item_module_name(&view.name.xml), types, roots }
+        Self { file: item_module_name(&view.name.text), types, roots }
     }
 }
 

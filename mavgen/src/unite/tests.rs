@@ -39,7 +39,7 @@ fn values(name: &str, attributes: &str, entries: &[(&str, u64)]) -> String {
 
 /// Names and homes of the messages.
 fn messages(union: &Union) -> Vec<(&str, Home)> {
-    let names = union.all.messages.iter().map(|message| message.name.xml.as_str());
+    let names = union.all.messages.iter().map(|message| message.name.text.as_str());
     names.zip(union.message_homes.iter().map(|at| at.home)).collect()
 }
 

@@ -56,12 +56,12 @@ impl Part {
     ) -> Result<Self, Failure> {
         selection.check(&[whole]).map_err(Failure::Usage)?;
         let selected = whole.messages.iter().filter(|message| selection.means(message));
-        let messages = selected.map(|message| message.name.xml.clone()).collect();
+        let messages = selected.map(|message| message.name.text.clone()).collect();
         let mut part = Self { messages, enums: BTreeSet::new(), besides: Vec::new() };
         loop {
             let before = part.besides.len();
             let model = part.model(whole);
-            part.enums.extend(model.enums.iter().map(|values| values.name.xml.clone()));
+            part.enums.extend(model.enums.iter().map(|values| values.name.text.clone()));
             part.keep_named(whole, loaded);
             part.keep_names(whole, &model);
             if part.besides.len() == before {
@@ -83,8 +83,8 @@ impl Part {
 
     /// The model as it should be: cut out of that of the whole.
     fn model(&self, whole: &Dialect) -> Dialect {
-        let wants_enum = |values: &Enum| self.enums.contains(&values.name.xml);
-        keep(whole.clone(), |message| self.messages.contains(&message.name.xml), wants_enum)
+        let wants_enum = |values: &Enum| self.enums.contains(&values.name.text);
+        keep(whole.clone(), |message| self.messages.contains(&message.name.text), wants_enum)
     }
 
     /// Keeps the enums that the XML names, of which the model need not know.
@@ -98,7 +98,7 @@ impl Part {
             }
             if let Some(invalid) = &field.invalid {
                 let name = invalid.value.trim_matches(['[', ']', ':', ',', ' ']);
-                let named = |values: &&Enum| values.entries.iter().any(|entry| entry.name.xml == name);
+                let named = |values: &&Enum| values.entries.iter().any(|entry| entry.name.text == name);
                 for values in whole.enums.iter().filter(named) {
                     self.keep_enum(values, format!("`invalid` of `{}` is an entry of it", place()));
                 }
@@ -114,14 +114,14 @@ impl Part {
     }
 
     fn keep_enum_named(&mut self, name: &str, whole: &Dialect, why: impl Fn() -> String) {
-        whole.enums.iter().filter(|one| one.name.xml == name).for_each(|one| self.keep_enum(one, why()));
+        whole.enums.iter().filter(|one| one.name.text == name).for_each(|one| self.keep_enum(one, why()));
     }
 
     /// Keeps what enums and the dialect are not called after.
     fn keep_names(&mut self, whole: &Dialect, model: &Dialect) {
         for values in &model.enums {
-            let rust = names::type_name(&values.name.xml);
-            let why = || format!("without it, enum `{}` would have another name in Rust", values.name.xml);
+            let rust = names::type_name(&values.name.text);
+            let why = || format!("without it, enum `{}` would have another name in Rust", values.name.text);
             if rust != values.name.rust {
                 self.keep_called(&rust, whole, why);
             }
@@ -155,7 +155,7 @@ impl Part {
             if (values.repr, values.defined_in) != (anew.repr, anew.defined_in)
                 && let Some(message) = decider(whole, values)
             {
-                let name = &values.name.xml;
+                let name = &values.name.text;
                 self.keep_message(message, format!("without it, enum `{name}` would be another integer in Rust"));
             }
         }
@@ -174,14 +174,14 @@ impl Part {
     }
 
     fn keep_message(&mut self, message: &Message, why: String) {
-        let name = &message.name.xml;
+        let name = &message.name.text;
         if self.messages.insert(name.clone()) {
             self.besides.push(Besides { name: format!("message {name}"), why });
         }
     }
 
     fn keep_enum(&mut self, values: &Enum, why: String) {
-        let name = &values.name.xml;
+        let name = &values.name.text;
         if self.enums.insert(name.clone()) {
             self.besides.push(Besides { name: format!("enum {name}"), why });
         }
@@ -191,7 +191,7 @@ impl Part {
 /// The first message that decides on the integer of an enum: with the widest field that carries it, in the file that owns it.
 fn decider<'d>(whole: &'d Dialect, values: &Enum) -> Option<&'d Message> {
     let carries = |message: &&Message| -> Option<(usize, bool)> {
-        let carried = |id| whole.enum_by_id(id).is_some_and(|found| found.name.xml == values.name.xml);
+        let carried = |id| whole.enum_by_id(id).is_some_and(|found| found.name.text == values.name.text);
         let fields = message.fields.iter().filter(|field| field.values.is_some_and(|values| carried(values.id())));
         let integers = fields.filter_map(|field| integer(field.ty.scalar));
         integers.map(|integer| (integer.size(), !integer.is_signed())).max()

@@ -27,7 +27,7 @@ pub(crate) fn holds(dialect: &str, pick: usize) -> Result<(), TestCaseError> {
     std::fs::write(&xml, dialect)?;
     let Ok(resolved) = Builder::new(&xml).resolve() else { return Ok(()) };
     let messages = &resolved.dialect.messages;
-    let picked = messages.get(pick % messages.len().max(1)).map(|message| message.name.xml.as_str());
+    let picked = messages.get(pick % messages.len().max(1)).map(|message| message.name.text.as_str());
     for (at, (message, prose)) in
         [(None, Prose::Keep), (None, Prose::Drop), (picked, Prose::Keep), (picked, Prose::Drop)].into_iter().enumerate()
     {

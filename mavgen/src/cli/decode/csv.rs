@@ -44,7 +44,7 @@ impl Columns {
             let secret = message.secret().is_some_and(|secret| secret.offset == field.offset);
             let one = secret || field.ty.scalar == Scalar::Char;
             let length = if one { None } else { field.ty.array.map(|length| length.get()) };
-            columns.push(Part::Field, &field.name.xml, length, units);
+            columns.push(Part::Field, &field.name.text, length, units);
         }
         for binding in &message.bindings {
             columns.push(Part::View, &binding.name, None, None);

@@ -29,7 +29,7 @@ impl Overlaid<'_> {
         let invalid: Vec<Value> = view.invalid.iter().map(|blank| self.blank_json(blank)).collect();
         let members: Vec<Value> = view.members.iter().map(|member| self.member_json(member)).collect();
         json!({
-            "name": view.name.xml,
+            "name": view.name.text,
             "words": words,
             "width": view.width,
             "getter": getter,
@@ -45,7 +45,7 @@ impl Overlaid<'_> {
         let keys: Vec<Value> = slots.keys.iter().map(|key| self.key_json(key)).collect();
         let count = slots.count.map(|count| self.field(count));
         json!({
-            "item": slots.item.xml, "items": slots.items, "length": slots.length, "count": count, "keys": keys,
+            "item": slots.item.text, "items": slots.items, "length": slots.length, "count": count, "keys": keys,
         })
     }
 
@@ -137,7 +137,7 @@ impl Overlaid<'_> {
                 format!("{}[{}]{count}", slots.items, slots.length)
             }
         };
-        let (name, width, condition) = (&view.name.xml, view.width, self.condition(view.condition.as_ref()));
+        let (name, width, condition) = (&view.name.text, view.width, self.condition(view.condition.as_ref()));
         lines.push(format!("view {name}: {width} bits of {}, as {access}{condition}", words.join(" ")));
         if let Access::Slots(slots) = &view.access {
             lines.extend(slots.keys.iter().map(|key| self.key_line(key)));
@@ -182,16 +182,16 @@ impl Overlaid<'_> {
         let Some(condition) = condition else { return String::new() };
         let values = condition.values.and_then(|id| self.dialect.enum_by_id(id));
         let entry = values.and_then(|values| values.entries.iter().find(|entry| entry.value == condition.value));
-        let value = entry.map_or_else(|| condition.value.to_string(), |entry| entry.name.xml.clone());
+        let value = entry.map_or_else(|| condition.value.to_string(), |entry| entry.name.text.clone());
         format!(", if {} is {value}", self.field(condition.field))
     }
 
     fn enum_name(&self, id: EnumId) -> Option<&str> {
-        self.dialect.enum_by_id(id).map(|values| values.name.xml.as_str())
+        self.dialect.enum_by_id(id).map(|values| values.name.text.as_str())
     }
 
     fn field(&self, index: FieldIndex) -> &str {
-        self.message.fields.get(index.0).map_or("", |field| field.name.xml.as_str())
+        self.message.fields.get(index.0).map_or("", |field| field.name.text.as_str())
     }
 
     fn place(&self, place: Place) -> String {

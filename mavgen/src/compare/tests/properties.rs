@@ -78,7 +78,7 @@ proptest! {
         for message in &old.messages {
             let about = |change: &&Change| {
                 let item = change.item.split('.').next().unwrap();
-                change.group() == Group::Wire && item == message.name.xml
+                change.group() == Group::Wire && item == message.name.text
             };
             match new.messages.iter().find(|other| other.name == message.name) {
                 Some(other) => {
@@ -86,7 +86,7 @@ proptest! {
                     if frames.iter().any(|(old, new)| old != new) {
                         let told = changes.iter().filter(about);
                         let told: Vec<_> = told.map(|change| change.frame.unwrap()).collect();
-                        prop_assert!(!told.is_empty(), "{}", message.name.xml);
+                        prop_assert!(!told.is_empty(), "{}", message.name.text);
                         prop_assert!(told.iter().all(|told| [told.crc_extra, told.len_v1, told.len_v2] == frames));
                     }
                 }

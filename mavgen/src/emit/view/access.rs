@@ -15,7 +15,7 @@ use crate::ir::{
 /// The fields that a view is read from, as the XML spells them.
 pub(super) fn word_names<'m>(message: &'m Message, view: &View) -> Vec<&'m str> {
     let fields = view.words.iter().filter_map(|word| field(message, word_field(*word)));
-    fields.map(|field| field.name.xml.as_str()).collect()
+    fields.map(|field| field.name.text.as_str()).collect()
 }
 
 fn word_field(word: Word) -> FieldIndex {

@@ -73,7 +73,7 @@ impl<'a> Site<'a> {
 
     fn methods(&self) -> TokenStream {
         let (message, item) = (ident(&self.message.name.rust), ident(&self.slots.item.rust));
-        let one = field_name(&self.slots.item.xml);
+        let one = field_name(&self.slots.item.text);
         let (getter, items) = (ident(&one), ident(&self.slots.items));
         let length = Literal::u8_unsuffixed(self.slots.length.get());
         let (read, write) = (self.read(&getter), self.write(&one));

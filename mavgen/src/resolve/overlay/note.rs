@@ -42,7 +42,7 @@ pub(in crate::resolve) fn apply(
 fn is_broken(subject: &Subject<'_>, loaded: &Loaded, dialect: &Dialect) -> bool {
     let Subject::Message(name, _) = subject else { return false };
     let mut defined = loaded.files.iter().flat_map(|file| &file.messages);
-    let in_model = dialect.messages.iter().any(|message| message.name.xml == name.value);
+    let in_model = dialect.messages.iter().any(|message| message.name.text == name.value);
     !in_model && defined.any(|message| message.name.value == name.value)
 }
 
@@ -65,16 +65,16 @@ fn subject<'n>(note: &'n Note, diagnostics: &mut Diagnostics) -> Option<Subject<
 fn origin<'d>(subject: &Subject<'_>, dialect: &'d mut Dialect) -> Option<&'d mut Origin> {
     match subject {
         Subject::Message(name, part) => {
-            let message = dialect.messages.iter_mut().find(|message| message.name.xml == name.value)?;
+            let message = dialect.messages.iter_mut().find(|message| message.name.text == name.value)?;
             let Some(part) = part else { return Some(&mut message.origin) };
             let mut fields = message.fields.iter_mut();
-            fields.find(|field| field.name.xml == part.value).map(|field| &mut field.origin)
+            fields.find(|field| field.name.text == part.value).map(|field| &mut field.origin)
         }
         Subject::Enum(name, part) => {
-            let values = dialect.enums.iter_mut().find(|values| values.name.xml == name.value)?;
+            let values = dialect.enums.iter_mut().find(|values| values.name.text == name.value)?;
             let Some(part) = part else { return Some(&mut values.origin) };
             let mut entries = values.entries.iter_mut();
-            entries.find(|entry| entry.name.xml == part.value).map(|entry| &mut entry.origin)
+            entries.find(|entry| entry.name.text == part.value).map(|entry| &mut entry.origin)
         }
     }
 }
@@ -107,15 +107,15 @@ fn unknown(subject: &Subject<'_>, dialect: &Dialect, before: &Diagnostics) -> Di
 fn names<'d>(subject: &Subject<'_>, dialect: &'d Dialect) -> (Vec<&'d str>, Option<Span>, Vec<&'d str>) {
     match subject {
         Subject::Message(name, _) => {
-            let all = dialect.messages.iter().map(|message| message.name.xml.as_str()).collect();
-            let found = dialect.messages.iter().find(|message| message.name.xml == name.value);
-            let parts = found.into_iter().flat_map(|message| &message.fields).map(|field| field.name.xml.as_str());
+            let all = dialect.messages.iter().map(|message| message.name.text.as_str()).collect();
+            let found = dialect.messages.iter().find(|message| message.name.text == name.value);
+            let parts = found.into_iter().flat_map(|message| &message.fields).map(|field| field.name.text.as_str());
             (all, found.map(|message| message.origin.span), parts.collect())
         }
         Subject::Enum(name, _) => {
-            let all = dialect.enums.iter().map(|values| values.name.xml.as_str()).collect();
-            let found = dialect.enums.iter().find(|values| values.name.xml == name.value);
-            let parts = found.into_iter().flat_map(|values| &values.entries).map(|entry| entry.name.xml.as_str());
+            let all = dialect.enums.iter().map(|values| values.name.text.as_str()).collect();
+            let found = dialect.enums.iter().find(|values| values.name.text == name.value);
+            let parts = found.into_iter().flat_map(|values| &values.entries).map(|entry| entry.name.text.as_str());
             (all, found.map(|values| values.origin.span), parts.collect())
         }
     }

@@ -17,7 +17,7 @@ fn short(dialect: &Dialect, member: &Member) -> String {
     let meaning = match meaning {
         Meaning::Flag => " flag".to_owned(),
         Meaning::Number { units: own } => units(own),
-        Meaning::Values(id) => format!(" {}", dialect.enum_by_id(*id).unwrap().name.xml),
+        Meaning::Values(id) => format!(" {}", dialect.enum_by_id(*id).unwrap().name.text),
         Meaning::Scaled(Scaled { factor, bias, divisor, units: own, exact }) => {
             let exact = exact
                 .as_ref()
@@ -42,9 +42,9 @@ fn words(dialect: &Dialect, view: &View) -> Vec<String> {
     let mut messages = dialect.messages.iter();
     let message = messages.find(|message| message.views.iter().any(|other| other.name == view.name)).unwrap();
     let word = |word: &Word| match word {
-        Word::One(place) if place.element => format!("{}[i]", message.fields[place.field.0].name.xml),
-        Word::One(place) => message.fields[place.field.0].name.xml.clone(),
-        Word::Joined(field) => format!("{}[*]", message.fields[field.0].name.xml),
+        Word::One(place) if place.element => format!("{}[i]", message.fields[place.field.0].name.text),
+        Word::One(place) => message.fields[place.field.0].name.text.clone(),
+        Word::Joined(field) => format!("{}[*]", message.fields[field.0].name.text),
     };
     view.words.iter().map(word).collect()
 }
@@ -116,11 +116,11 @@ fn esc32_status() {
         assert_eq!((view.width, words(&dialect, view)), (64, vec!["data0[i]".to_owned(), "data1[i]".to_owned()]));
         let Access::Slots(slots) = &view.access else { panic!("no slots") };
         assert_eq!((&*slots.item.rust, &*slots.items, slots.length.get()), (item, items, 4));
-        assert_eq!(message.fields[slots.count.unwrap().0].name.xml, "num_in_seq");
+        assert_eq!(message.fields[slots.count.unwrap().0].name.text, "num_in_seq");
         let keys: Vec<_> = slots.keys.iter().map(|key| (&*key.name, key.units.as_deref(), key.invalid)).collect();
         assert_eq!(keys, [("id", None, None), ("age_ms", Some("ms"), Some(65535))]);
         let [Blank::Field(place, 65535), Blank::Words(0)] = view.invalid[..] else { panic!("{:?}", view.invalid) };
-        assert_eq!((&*message.fields[place.field.0].name.xml, place.element), ("status_age", true));
+        assert_eq!((&*message.fields[place.field.0].name.text, place.element), ("status_age", true));
     }
     let switch = status.switch.as_ref().unwrap();
     assert_eq!(switch.name, "data_version");
@@ -134,7 +134,7 @@ fn autoquad_binds_its_flags() {
     let message = dialect.messages.iter().find(|message| message.id == 0).unwrap();
     let [binding] = &message.bindings[..] else { panic!("one binding") };
     let values = dialect.enum_by_id(binding.values).unwrap();
-    assert_eq!((&*binding.name, &*values.name.xml, values.bitmask), ("nav_status", "AUTOQUAD_NAV_STATUS", true));
+    assert_eq!((&*binding.name, &*values.name.text, values.bitmask), ("nav_status", "AUTOQUAD_NAV_STATUS", true));
     assert_eq!(binding.condition.map(|condition| condition.value), Some(14));
 }
 

@@ -47,7 +47,7 @@ fn layouts() {
         let outcome = of(&message(1, "A", fields));
         let message = &outcome.dialect().messages[0];
         for (field, offset) in message.fields.iter().zip(offsets) {
-            assert_eq!(field.offset, offset, "{}", field.name.xml);
+            assert_eq!(field.offset, offset, "{}", field.name.text);
         }
         assert_eq!((message.len_v1, message.len_v2), (len_v1, len_v2));
     }

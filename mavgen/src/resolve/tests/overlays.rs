@@ -19,7 +19,7 @@ fn enums_of_an_overlay_come_last_and_are_as_wide_as_their_bits() {
     let overlay = ["NEW", "WIDE", "BOUND", "UNUSED"].map(|name| enumeration(name, &[&format!("{name}_A=1")])).concat();
     let outcome = of(&base, &(overlay + view));
     let dialect = outcome.dialect();
-    let enums: Vec<_> = dialect.enums.iter().map(|values| (values.name.xml.as_str(), values.repr)).collect();
+    let enums: Vec<_> = dialect.enums.iter().map(|values| (values.name.text.as_str(), values.repr)).collect();
     let expected =
         [("E", Repr::U8), ("NEW", Repr::U16), ("WIDE", Repr::U32), ("BOUND", Repr::U16), ("UNUSED", Repr::U8)];
     assert_eq!(enums, expected);

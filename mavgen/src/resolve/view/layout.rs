@@ -78,7 +78,7 @@ fn joined(
     if let (Some(branches), Some(selector)) = (switched, &selector) {
         members.extend(branches::members(branches, selector.most, diagnostics));
     }
-    let switch = selector.map(|selector| Switch { name: selector.name, on: selector.on });
+    let switch = selector.map(|selector| Switch { name: selector.name, on: selector.on, span: selector.named });
     Layout { members, switch }
 }
 

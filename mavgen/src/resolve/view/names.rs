@@ -96,7 +96,7 @@ pub(crate) fn of(view: &View) -> Vec<String> {
     match &view.access {
         Access::Once { getter } => vec![getter.clone(), format!("set_{getter}")],
         Access::Slots(slots) => {
-            let item = field_name(&slots.item.xml);
+            let item = field_name(&slots.item.text);
             vec![slots.items.clone(), format!("set_{item}"), format!("push_{item}"), item]
         }
     }

@@ -30,6 +30,8 @@ pub(super) struct Selector {
     pub(super) values: Option<EnumId>,
     /// Where it is defined.
     pub(super) span: Span,
+    /// Where the switch names it.
+    pub(super) named: Span,
 }
 
 /// One of the layouts.
@@ -78,6 +80,7 @@ fn on_field(scene: &Scene<'_, '_>, text: &Text, words: &Words, diagnostics: &mut
         most: repr.highest(),
         values: scene.values_of(found.syntax),
         span: ty.span,
+        named: text.span,
     })
 }
 
@@ -110,6 +113,7 @@ fn on_bits(text: &Text, common: &[Piece<'_>], diagnostics: &mut Diagnostics) -> 
         most: u64::MAX >> (64 - u32::from(member.width)),
         values,
         span: bits.width.span,
+        named: text.span,
     })
 }
 

@@ -46,7 +46,7 @@ fn holds(xml: &Path, messages: &[&str], prose: &Prose) -> Vendored {
         assert!(shown(all, words) == shown(wanted, words), "{messages:?}");
     } else {
         wanted.enums.clear();
-        let names = |dialect: &Dialect| dialect.messages.iter().map(|one| one.name.xml.clone()).collect::<Vec<_>>();
+        let names = |dialect: &Dialect| dialect.messages.iter().map(|one| one.name.text.clone()).collect::<Vec<_>>();
         assert_eq!(names(&all), names(&wanted));
     }
     vendored
@@ -82,7 +82,7 @@ fn every_message_alone_is_what_it_is_in_the_whole() {
     let originals = originals(&loaded, &sources).unwrap();
     let (mut besides, mut sizes) = (BTreeSet::new(), Vec::new());
     for (index, message) in whole.messages.iter().enumerate() {
-        let name = &*message.name.xml;
+        let name = &*message.name.text;
         let part = Part::of(&Selection::new([name]).unwrap(), &whole, &loaded, &sources).unwrap();
         besides.extend(part.besides.iter().map(|one| one.name.clone()));
         let prose = if index % 2 == 0 { Prose::Keep } else { Prose::Drop };
