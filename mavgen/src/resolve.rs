@@ -86,7 +86,8 @@ pub fn resolve(loaded: &Loaded, sources: &Sources, diagnostics: &mut Diagnostics
     }
 
     let named = enums.list.iter().zip(widths).zip(types.enums);
-    let models = named.map(|((merged, width), rust)| enums::model(loaded, merged, width, rust, &enums, diagnostics)).collect();
+    let models =
+        named.map(|((merged, width), rust)| enums::model(loaded, merged, width, rust, &enums, diagnostics)).collect();
     let mut messages: Vec<_> = drafts.into_iter().map(|draft| draft.message).collect();
     messages.sort_by_key(|message| message.id);
     let version = versions.first().map_or(0, |version| version.number());
