@@ -1,16 +1,22 @@
 //! Frames: a header, a payload, a checksum, perhaps a signature.
 
 mod buffer;
+pub mod crc;
+pub(crate) mod header;
 #[cfg(any(feature = "std", feature = "embedded-io", feature = "embedded-io-async"))]
 mod outline;
+mod timestamp;
+mod version;
 
 pub use buffer::FrameBuf;
 #[cfg(any(feature = "std", feature = "embedded-io", feature = "embedded-io-async"))]
 pub(crate) use outline::Outline;
+pub use timestamp::Timestamp;
+pub use version::Version;
 
-use crate::header::{Header, STX_V2};
+use self::header::{Header, STX_V2};
 use crate::reflect::Reflected;
-use crate::{Dialect, FieldInfo, FrameError, Message, MessageInfo, Table, Timestamp, Version, crc};
+use crate::{Dialect, FieldInfo, FrameError, Message, MessageInfo, Table};
 
 /// Id of `SETUP_SIGNING`.
 pub(crate) const SETUP_SIGNING: u32 = 256;

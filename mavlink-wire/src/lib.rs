@@ -20,11 +20,11 @@
 //! #     };
 //! #     const FIELDS: &'static [wire::FieldInfo] = &[];
 //! #     const DEFAULT: Self = Self { time_unix_usec: 0, time_boot_ms: 0 };
-//! #     fn decode(p: &[u8]) -> Self { Self { time_unix_usec: wire::get(p, 0), time_boot_ms: wire::get(p, 8) } }
+//! #     fn decode(p: &[u8]) -> Self { Self { time_unix_usec: wire::generated::get(p, 0), time_boot_ms: wire::generated::get(p, 8) } }
 //! # }
 //! # impl wire::Encode for SystemTime {
 //! #     fn info(&self) -> &'static wire::MessageInfo { <Self as wire::Message>::INFO }
-//! #     fn write(&self, p: &mut [u8; 255]) { wire::put(p, 0, self.time_unix_usec); wire::put(p, 8, self.time_boot_ms); }
+//! #     fn write(&self, p: &mut [u8; 255]) { wire::generated::put(p, 0, self.time_unix_usec); wire::generated::put(p, 8, self.time_boot_ms); }
 //! # }
 //! use mavlink_wire::{MAX_FRAME, Message, Parser, Sender, Table};
 //!
@@ -93,6 +93,10 @@
 //! Cortex-M3 besides `memcpy` and the like. A seventh of that goes into frames of unknown messages. `tests/no-std/size.sh` in
 //! the repository measures and limits it.
 //!
+//! # Modules
+//!
+//! What everybody uses stands here, at the root; [`prelude`] has the traits. [`generated`] is for generated code alone.
+//!
 //! # Features
 //!
 //! - `fast-crc` (default): speed that is paid for in flash. The checksum from a table of 8 KiB, and frames where they lie in
@@ -120,77 +124,42 @@
 #[cfg(feature = "std")]
 extern crate std;
 
-#[cfg(feature = "arbitrary")]
-#[doc(hidden)]
-pub mod arbitrary;
-mod chars;
-pub mod crc;
-#[cfg(feature = "defmt")]
-#[doc(hidden)]
-pub mod defmt;
-#[cfg(feature = "embedded-io")]
-pub mod embedded_io;
-#[cfg(feature = "embedded-io-async")]
-pub mod embedded_io_async;
-#[doc(hidden)]
-pub mod enums;
 mod error;
-mod field;
-pub mod flags;
 mod frame;
-mod header;
-#[cfg(any(feature = "std", feature = "embedded-io", feature = "embedded-io-async"))]
-mod incoming;
-mod info;
-#[cfg(feature = "mavlink-core")]
-pub mod interop;
-#[cfg(feature = "std")]
-pub mod io;
-mod losses;
+pub mod generated;
+mod glue;
+mod link;
+mod log;
 mod message;
-mod optional;
-#[cfg(any(feature = "std", feature = "embedded-io", feature = "embedded-io-async"))]
-mod outgoing;
 mod parser;
+pub mod prelude;
 pub mod reflect;
-mod scale;
 mod sender;
-#[cfg(feature = "serde")]
-pub mod serde;
 #[cfg(feature = "signing")]
 pub mod signing;
-mod statistics;
-mod table;
-mod timestamp;
-pub mod tlog;
-#[cfg(feature = "tokio-codec")]
-pub mod tokio_codec;
-#[cfg(feature = "std")]
-pub mod udp;
-mod version;
-mod wire;
 
-#[cfg(feature = "bitflags")]
-#[doc(hidden)]
-pub use ::bitflags;
-
-pub use chars::Chars;
-pub use enums::{Enum, Repr};
 pub use error::{EncodeError, FrameError, OutOfRange, TooLong, UnknownName, ViewError};
-pub use field::{FieldInfo, Invalid, Kind, Sentinel};
-pub use frame::{Frame, FrameBuf, Signature};
-pub use info::{EnumInfo, MessageInfo, ParamInfo};
-pub use losses::{Arrival, Losses, Received};
-pub use message::{Dialect, Encode, Message, Targeted};
-pub use parser::Parser;
-#[doc(hidden)]
-pub use scale::raw_of;
+pub(crate) use frame::header;
+pub use frame::{Frame, FrameBuf, Signature, Timestamp, Version, crc};
+#[cfg(feature = "mavlink-core")]
+pub use glue::interop;
+#[cfg(feature = "serde")]
+pub use glue::serde;
+#[cfg(feature = "embedded-io")]
+pub use link::embedded_io;
+#[cfg(feature = "embedded-io-async")]
+pub use link::embedded_io_async;
+#[cfg(feature = "tokio-codec")]
+pub use link::tokio_codec;
+#[cfg(feature = "std")]
+pub use link::{io, udp};
+pub use log::tlog;
+pub use message::{
+    Chars, Dialect, Encode, Enum, EnumInfo, FieldInfo, Invalid, Kind, Message, MessageInfo, ParamInfo, Repr, Sentinel,
+    Targeted, flags,
+};
+pub use parser::{Arrival, Losses, Parser, Received, Statistics, Table};
 pub use sender::Sender;
-pub use statistics::Statistics;
-pub use table::{Table, index};
-pub use timestamp::Timestamp;
-pub use version::Version;
-pub use wire::{Wire, get, put, zero_extended};
 
 /// Bytes of the longest frame: MAVLink 2, signed.
 pub const MAX_FRAME: usize = 280;

@@ -1,6 +1,19 @@
 //! What generated messages and dialects implement.
 
-use crate::{FieldInfo, MAX_PAYLOAD, MessageInfo, Table, Version};
+pub(crate) mod chars;
+pub(crate) mod enums;
+mod field;
+pub mod flags;
+mod info;
+pub(crate) mod scale;
+pub(crate) mod wire;
+
+pub use chars::Chars;
+pub use enums::{Enum, Repr};
+pub use field::{FieldInfo, Invalid, Kind, Sentinel};
+pub use info::{EnumInfo, MessageInfo, ParamInfo};
+
+use crate::{MAX_PAYLOAD, Table, Version};
 
 /// Something that can be sent: a message, or a dialect's enum of messages. Usable as `&dyn Encode`.
 pub trait Encode {

@@ -2,14 +2,21 @@
 
 mod belief;
 mod held;
+mod losses;
 mod search;
+mod statistics;
+pub(crate) mod table;
+
+pub use losses::{Arrival, Losses, Received};
+pub use statistics::Statistics;
+pub use table::Table;
 
 use held::Held;
 use search::{Search, Step};
 
+use crate::Frame;
 use crate::frame::Facts;
 use crate::header::Header;
-use crate::{Frame, Statistics, Table};
 
 /// Finds frames in a stream of bytes, wherever it is cut into chunks.
 ///

@@ -2,7 +2,8 @@
 
 use crate::header::{CHECKSUM, STX_V1, STX_V2};
 use crate::message::sent_length;
-use crate::{Encode, EncodeError, Frame, FrameBuf, MAX_FRAME, MAX_PAYLOAD, MessageInfo, Version, crc, put};
+use crate::message::wire::put;
+use crate::{Encode, EncodeError, Frame, FrameBuf, MAX_FRAME, MAX_PAYLOAD, MessageInfo, Version, crc};
 #[cfg(feature = "signing")]
 use crate::{Timestamp, header::SIGNED, signing::Signer};
 

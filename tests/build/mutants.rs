@@ -50,7 +50,7 @@ const MUTANTS: [Mutant; 17] = [
     Mutant {
         name: "decode_offset",
         file: HEARTBEAT,
-        edits: &[("system_status: wire::get(p, 7)", "system_status: wire::get(p, 6)")],
+        edits: &[("system_status: wire::generated::get(p, 7)", "system_status: wire::generated::get(p, 6)")],
     },
     Mutant {
         name: "encode_offset",
@@ -62,8 +62,8 @@ const MUTANTS: [Mutant; 17] = [
         name: "offset",
         file: HEARTBEAT,
         edits: &[
-            ("autopilot: wire::get(p, 5)", "autopilot: wire::get(p, 6)"),
-            ("base_mode: wire::get(p, 6)", "base_mode: wire::get(p, 5)"),
+            ("autopilot: wire::generated::get(p, 5)", "autopilot: wire::generated::get(p, 6)"),
+            ("base_mode: wire::generated::get(p, 6)", "base_mode: wire::generated::get(p, 5)"),
             ("put(p, 5, self.autopilot)", "put(p, 6, self.autopilot)"),
             ("put(p, 6, self.base_mode)", "put(p, 5, self.base_mode)"),
             ("\"autopilot\", wire::Kind::U8, 5", "\"autopilot\", wire::Kind::U8, 6"),

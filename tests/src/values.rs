@@ -2,7 +2,8 @@
 //!
 //! Values go through `From`, never through the runtime's reading and writing of payloads, which is what they test.
 
-use mavlink_wire::{Chars, Wire};
+use mavlink_wire::Chars;
+use mavlink_wire::generated::Wire;
 
 /// One list of elements for each field, in the order of the XML. An element is its bit pattern, zeros above.
 pub type Values = Vec<Vec<u64>>;

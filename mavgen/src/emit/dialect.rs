@@ -11,7 +11,7 @@
 //! }
 //!
 //! static MESSAGES: [&wire::MessageInfo; 1] = [<Heartbeat as wire::Message>::INFO];
-//! static INDEX: [u16; 1] = wire::index(&MESSAGES);
+//! static INDEX: [u16; 1] = wire::generated::index(&MESSAGES);
 //! static TABLE: wire::Table<'static> = wire::Table::indexed(&MESSAGES, &INDEX);
 //!
 //! impl wire::Dialect for Acme {
@@ -96,7 +96,7 @@ fn table(messages: &[&Message], names: &[Ident]) -> TokenStream {
     let direct = decimal(highest.map_or(0, |id| id + 1));
     quote! {
         static MESSAGES: [&wire::MessageInfo; #count] = [#(<#names as wire::Message>::INFO),*];
-        static INDEX: [u16; #direct] = wire::index(&MESSAGES);
+        static INDEX: [u16; #direct] = wire::generated::index(&MESSAGES);
         static TABLE: wire::Table<'static> = wire::Table::indexed(&MESSAGES, &INDEX);
     }
 }

@@ -21,18 +21,18 @@
 //!         let p = match payload.first_chunk::<2>() {
 //!             Some(p) => p,
 //!             None => {
-//!                 padded = wire::zero_extended::<2>(payload);
+//!                 padded = wire::generated::zero_extended::<2>(payload);
 //!                 &padded
 //!             }
 //!         };
-//!         Self { distance: wire::get(p, 0) }
+//!         Self { distance: wire::generated::get(p, 0) }
 //!     }
 //! }
 //!
 //! impl wire::Encode for Sonar {
 //!     fn info(&self) -> &'static wire::MessageInfo { <Self as wire::Message>::INFO }
 //!     #[inline]
-//!     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) { wire::put(p, 0, self.distance); }
+//!     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) { wire::generated::put(p, 0, self.distance); }
 //! }
 //!
 //! wire::message!(Sonar);
@@ -148,7 +148,7 @@ fn message_impl(message: &Message, fields: &[FieldTokens]) -> TokenStream {
                 let p = match payload.first_chunk::<#length>() {
                     Some(p) => p,
                     None => {
-                        padded = wire::zero_extended::<#length>(payload);
+                        padded = wire::generated::zero_extended::<#length>(payload);
                         &padded
                     }
                 };

@@ -726,7 +726,7 @@ static MESSAGES: [&wire::MessageInfo; 236] = [
     <HygrometerSensor as wire::Message>::INFO,
 ];
 
-static INDEX: [u16; 441] = wire::index(&MESSAGES);
+static INDEX: [u16; 441] = wire::generated::index(&MESSAGES);
 
 static TABLE: wire::Table<'static> = wire::Table::indexed(&MESSAGES, &INDEX);
 

@@ -2,9 +2,10 @@
 
 use super::{Facts, Frame};
 use crate::header::CHECKSUM;
+use crate::message::wire::{put, zero_extended};
 #[cfg(feature = "signing")]
 use crate::{EncodeError, header::SIGNED, signing::Signer};
-use crate::{MAX_FRAME, Version, crc, put, zero_extended};
+use crate::{MAX_FRAME, Version, crc};
 
 /// A frame that owns its bytes: to be kept while the parser goes on, or to be changed and sent again.
 ///

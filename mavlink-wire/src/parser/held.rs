@@ -1,7 +1,7 @@
 //! The bytes that wait for the rest of a frame.
 
-use crate::wire::copy;
-use crate::{MAX_FRAME, put};
+use crate::MAX_FRAME;
+use crate::message::wire::{copy, put};
 
 /// A frame of an unknown message, and behind its last byte the rest of a known one that may start there.
 const CAPACITY: usize = 2 * MAX_FRAME;

@@ -5,7 +5,8 @@ use core::fmt;
 use memchr::memchr;
 
 use super::Number;
-use crate::{EnumInfo, FieldInfo, Invalid, Kind, chars};
+use crate::message::chars;
+use crate::{EnumInfo, FieldInfo, Invalid, Kind};
 
 /// The text for what the sender does not know.
 const UNKNOWN: &str = "unknown";

@@ -2,7 +2,8 @@
 
 use core::fmt;
 
-use crate::{Kind, Sentinel, get};
+use crate::message::wire::get;
+use crate::{Kind, Sentinel};
 
 /// A number of a payload, widened without loss: floats keep every bit, also of NaNs.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,7 +1,8 @@
 //! Fields of a payload, set by their metadata.
 
 use super::Number;
-use crate::{FieldInfo, Kind, MAX_PAYLOAD, OutOfRange, put};
+use crate::message::wire::put;
+use crate::{FieldInfo, Kind, MAX_PAYLOAD, OutOfRange};
 
 impl FieldInfo {
     /// Puts a number into this field of a payload: into element `index` of an array, 0 for a field that is none.

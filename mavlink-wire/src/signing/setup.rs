@@ -2,7 +2,8 @@
 
 use super::{Key, SigningError};
 use crate::frame::SETUP_SIGNING;
-use crate::{Encode, Frame, MAX_PAYLOAD, MessageInfo, Timestamp, get, put};
+use crate::message::wire::{get, put};
+use crate::{Encode, Frame, MAX_PAYLOAD, MessageInfo, Timestamp};
 
 static INFO: MessageInfo = MessageInfo {
     id: SETUP_SIGNING,

@@ -2,7 +2,8 @@
 
 use super::Key;
 use crate::header::SIGNATURE;
-use crate::{MAX_FRAME, Timestamp, put};
+use crate::message::wire::put;
+use crate::{MAX_FRAME, Timestamp};
 
 /// Signs the frames of one link: the key, the link's number and the timestamp of the next frame.
 ///

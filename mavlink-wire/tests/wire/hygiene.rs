@@ -68,7 +68,7 @@ impl wire::Message for Copied {
     const DEFAULT: Self = Self { debug: Debug(7) };
 
     fn decode(payload: &[u8]) -> Self {
-        Self { debug: wire::get(payload, 0) }
+        Self { debug: wire::generated::get(payload, 0) }
     }
 }
 
@@ -78,7 +78,7 @@ impl wire::Encode for Copied {
     }
 
     fn write(&self, p: &mut [u8; 255]) {
-        wire::put(p, 0, self.debug);
+        wire::generated::put(p, 0, self.debug);
     }
 }
 wire::message!(Copied);

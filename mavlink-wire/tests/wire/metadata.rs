@@ -1,8 +1,7 @@
 //! Tables and the descriptions of messages, fields and parameters.
 
-use mavlink_wire::{
-    Dialect, EnumInfo, FieldInfo, Invalid, Kind, Message, MessageInfo, ParamInfo, Sentinel, Table, index,
-};
+use mavlink_wire::generated::index;
+use mavlink_wire::{Dialect, EnumInfo, FieldInfo, Invalid, Kind, Message, MessageInfo, ParamInfo, Sentinel, Table};
 
 use crate::small::{AqEscTelemetry, Heartbeat, Small, Statustext};
 

@@ -1,9 +1,10 @@
 //! Messages without their types: values, names, units, what is not known, and the text of it all.
 
+use mavlink_wire::generated::put;
 use mavlink_wire::reflect::{Number, Reflected, Value};
 use mavlink_wire::{
     Chars, EnumInfo, FieldInfo, Frame, Invalid, Kind, MAX_FRAME, MAX_PAYLOAD, Message, MessageInfo, Sender, Sentinel,
-    Table, put,
+    Table,
 };
 use proptest::prelude::*;
 
@@ -28,7 +29,7 @@ fn text(field: FieldInfo, payload: &[u8]) -> String {
     text.strip_prefix("M { x: ").and_then(|rest| rest.strip_suffix(" }")).unwrap().to_owned()
 }
 
-fn bytes<T: mavlink_wire::Wire>(value: T) -> Vec<u8> {
+fn bytes<T: mavlink_wire::generated::Wire>(value: T) -> Vec<u8> {
     let mut payload = vec![0; T::SIZE];
     put(&mut payload, 0, value);
     payload
@@ -222,7 +223,7 @@ proptest! {
 #[test]
 fn chars_and_reflection_show_the_same_text() {
     for bytes in [&b"abc"[..], b"a\xffb", b"\0x", b"", "Grüße".as_bytes()] {
-        let chars: Chars<8> = Chars(mavlink_wire::zero_extended(bytes));
+        let chars: Chars<8> = Chars(mavlink_wire::generated::zero_extended(bytes));
         assert_eq!(text(FieldInfo::array("x", Kind::Char, 8, 0), bytes), format!("{chars:?}"));
     }
 }
@@ -247,7 +248,7 @@ proptest! {
     #[test]
     fn set_is_the_inverse_of_reading(kind in 0..KINDS.len(), offset in 0..200_u8, payload in any::<[u8; 32]>()) {
         let kind = KINDS[kind];
-        let from: [u8; MAX_PAYLOAD] = mavlink_wire::zero_extended(&[&[0; 200][..], &payload].concat());
+        let from: [u8; MAX_PAYLOAD] = mavlink_wire::generated::zero_extended(&[&[0; 200][..], &payload].concat());
         let (source, target) = (FieldInfo::array("x", kind, 3, 200), FieldInfo::array("x", kind, 3, offset));
         let mut to = [0; MAX_PAYLOAD];
         for element in Reflected::new(&INFO, &[source], &from).field("x").unwrap().elements() {

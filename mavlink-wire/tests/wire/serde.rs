@@ -38,7 +38,11 @@ impl wire::Message for Tagged {
     const DEFAULT: Self = Self { r#type: Signed(0), mavtype: 0, mask: 0 };
 
     fn decode(payload: &[u8]) -> Self {
-        Self { r#type: wire::get(payload, 0), mavtype: wire::get(payload, 2), mask: wire::get(payload, 3) }
+        Self {
+            r#type: wire::generated::get(payload, 0),
+            mavtype: wire::generated::get(payload, 2),
+            mask: wire::generated::get(payload, 3),
+        }
     }
 }
 
@@ -51,9 +55,9 @@ impl wire::Encode for Tagged {
     }
 
     fn write(&self, p: &mut [u8; 255]) {
-        wire::put(p, 0, self.r#type);
-        wire::put(p, 2, self.mavtype);
-        wire::put(p, 3, self.mask);
+        wire::generated::put(p, 0, self.r#type);
+        wire::generated::put(p, 2, self.mavtype);
+        wire::generated::put(p, 3, self.mask);
     }
 }
 wire::message!(Tagged);

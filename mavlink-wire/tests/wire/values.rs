@@ -1,6 +1,7 @@
 //! Values in a payload.
 
-use mavlink_wire::{Chars, Encode, Message, MessageInfo, Version, Wire, get, put, zero_extended};
+use mavlink_wire::generated::{Wire, get, put, zero_extended};
+use mavlink_wire::{Chars, Encode, Message, MessageInfo, Version};
 use proptest::prelude::*;
 
 use crate::small::{AqEscTelemetry, Heartbeat, MavModeFlag, MavState, Small, Statustext};

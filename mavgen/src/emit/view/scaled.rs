@@ -42,7 +42,7 @@ pub(super) fn scaled_number(context: &Context<'_>, view: &View, member: &Member,
         #set
         #[inline]
         pub fn #setter(&mut self, #index value: f32) -> Result<(), wire::ViewError> {
-            match wire::raw_of(value, #factor, #bias, #divisor) {
+            match wire::generated::raw_of(value, #factor, #bias, #divisor) {
                 Some(raw @ #range) => self.#raw_setter(#passed raw as #ty),
                 _ => Err(wire::ViewError::OutOfRange),
             }

@@ -55,14 +55,14 @@ impl wire::Message for ActuatorControlTarget {
         let p = match payload.first_chunk::<41>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<41>(payload);
+                padded = wire::generated::zero_extended::<41>(payload);
                 &padded
             }
         };
         Self {
-            time_usec: wire::get(p, 0),
-            group_mlx: wire::get(p, 40),
-            controls: wire::get(p, 8),
+            time_usec: wire::generated::get(p, 0),
+            group_mlx: wire::generated::get(p, 40),
+            controls: wire::generated::get(p, 8),
         }
     }
 }
@@ -74,9 +74,9 @@ impl wire::Encode for ActuatorControlTarget {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_usec);
-        wire::put(p, 8, self.controls);
-        wire::put(p, 40, self.group_mlx);
+        wire::generated::put(p, 0, self.time_usec);
+        wire::generated::put(p, 8, self.controls);
+        wire::generated::put(p, 40, self.group_mlx);
     }
 }
 

@@ -55,14 +55,14 @@ impl wire::Message for ActuatorOutputStatus {
         let p = match payload.first_chunk::<140>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<140>(payload);
+                padded = wire::generated::zero_extended::<140>(payload);
                 &padded
             }
         };
         Self {
-            time_usec: wire::get(p, 0),
-            active: wire::get(p, 8),
-            actuator: wire::get(p, 12),
+            time_usec: wire::generated::get(p, 0),
+            active: wire::generated::get(p, 8),
+            actuator: wire::generated::get(p, 12),
         }
     }
 }
@@ -74,9 +74,9 @@ impl wire::Encode for ActuatorOutputStatus {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_usec);
-        wire::put(p, 8, self.active);
-        wire::put(p, 12, self.actuator);
+        wire::generated::put(p, 0, self.time_usec);
+        wire::generated::put(p, 8, self.active);
+        wire::generated::put(p, 12, self.actuator);
     }
 }
 

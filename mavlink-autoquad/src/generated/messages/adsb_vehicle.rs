@@ -194,24 +194,24 @@ impl wire::Message for AdsbVehicle {
         let p = match payload.first_chunk::<38>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<38>(payload);
+                padded = wire::generated::zero_extended::<38>(payload);
                 &padded
             }
         };
         Self {
-            icao_address: wire::get(p, 0),
-            lat: wire::get(p, 4),
-            lon: wire::get(p, 8),
-            altitude_type: wire::get(p, 26),
-            altitude: wire::get(p, 12),
-            heading: wire::get(p, 16),
-            hor_velocity: wire::get(p, 18),
-            ver_velocity: wire::get(p, 20),
-            callsign: wire::get(p, 27),
-            emitter_type: wire::get(p, 36),
-            tslc: wire::get(p, 37),
-            flags: wire::get(p, 22),
-            squawk: wire::get(p, 24),
+            icao_address: wire::generated::get(p, 0),
+            lat: wire::generated::get(p, 4),
+            lon: wire::generated::get(p, 8),
+            altitude_type: wire::generated::get(p, 26),
+            altitude: wire::generated::get(p, 12),
+            heading: wire::generated::get(p, 16),
+            hor_velocity: wire::generated::get(p, 18),
+            ver_velocity: wire::generated::get(p, 20),
+            callsign: wire::generated::get(p, 27),
+            emitter_type: wire::generated::get(p, 36),
+            tslc: wire::generated::get(p, 37),
+            flags: wire::generated::get(p, 22),
+            squawk: wire::generated::get(p, 24),
         }
     }
 }
@@ -223,19 +223,19 @@ impl wire::Encode for AdsbVehicle {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.icao_address);
-        wire::put(p, 4, self.lat);
-        wire::put(p, 8, self.lon);
-        wire::put(p, 12, self.altitude);
-        wire::put(p, 16, self.heading);
-        wire::put(p, 18, self.hor_velocity);
-        wire::put(p, 20, self.ver_velocity);
-        wire::put(p, 22, self.flags);
-        wire::put(p, 24, self.squawk);
-        wire::put(p, 26, self.altitude_type);
-        wire::put(p, 27, self.callsign);
-        wire::put(p, 36, self.emitter_type);
-        wire::put(p, 37, self.tslc);
+        wire::generated::put(p, 0, self.icao_address);
+        wire::generated::put(p, 4, self.lat);
+        wire::generated::put(p, 8, self.lon);
+        wire::generated::put(p, 12, self.altitude);
+        wire::generated::put(p, 16, self.heading);
+        wire::generated::put(p, 18, self.hor_velocity);
+        wire::generated::put(p, 20, self.ver_velocity);
+        wire::generated::put(p, 22, self.flags);
+        wire::generated::put(p, 24, self.squawk);
+        wire::generated::put(p, 26, self.altitude_type);
+        wire::generated::put(p, 27, self.callsign);
+        wire::generated::put(p, 36, self.emitter_type);
+        wire::generated::put(p, 37, self.tslc);
     }
 }
 

@@ -96,16 +96,16 @@ impl wire::Message for Airspeed {
         let p = match payload.first_chunk::<12>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<12>(payload);
+                padded = wire::generated::zero_extended::<12>(payload);
                 &padded
             }
         };
         Self {
-            id: wire::get(p, 10),
-            airspeed: wire::get(p, 0),
-            temperature: wire::get(p, 8),
-            raw_press: wire::get(p, 4),
-            flags: wire::get(p, 11),
+            id: wire::generated::get(p, 10),
+            airspeed: wire::generated::get(p, 0),
+            temperature: wire::generated::get(p, 8),
+            raw_press: wire::generated::get(p, 4),
+            flags: wire::generated::get(p, 11),
         }
     }
 }
@@ -117,11 +117,11 @@ impl wire::Encode for Airspeed {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.airspeed);
-        wire::put(p, 4, self.raw_press);
-        wire::put(p, 8, self.temperature);
-        wire::put(p, 10, self.id);
-        wire::put(p, 11, self.flags);
+        wire::generated::put(p, 0, self.airspeed);
+        wire::generated::put(p, 4, self.raw_press);
+        wire::generated::put(p, 8, self.temperature);
+        wire::generated::put(p, 10, self.id);
+        wire::generated::put(p, 11, self.flags);
     }
 }
 

@@ -274,28 +274,28 @@ impl wire::Message for AisVessel {
         let p = match payload.first_chunk::<58>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<58>(payload);
+                padded = wire::generated::zero_extended::<58>(payload);
                 &padded
             }
         };
         Self {
-            mmsi: wire::get(p, 0),
-            lat: wire::get(p, 4),
-            lon: wire::get(p, 8),
-            cog: wire::get(p, 12),
-            heading: wire::get(p, 14),
-            velocity: wire::get(p, 16),
-            turn_rate: wire::get(p, 26),
-            navigational_status: wire::get(p, 27),
-            r#type: wire::get(p, 28),
-            dimension_bow: wire::get(p, 18),
-            dimension_stern: wire::get(p, 20),
-            dimension_port: wire::get(p, 29),
-            dimension_starboard: wire::get(p, 30),
-            callsign: wire::get(p, 31),
-            name: wire::get(p, 38),
-            tslc: wire::get(p, 22),
-            flags: wire::get(p, 24),
+            mmsi: wire::generated::get(p, 0),
+            lat: wire::generated::get(p, 4),
+            lon: wire::generated::get(p, 8),
+            cog: wire::generated::get(p, 12),
+            heading: wire::generated::get(p, 14),
+            velocity: wire::generated::get(p, 16),
+            turn_rate: wire::generated::get(p, 26),
+            navigational_status: wire::generated::get(p, 27),
+            r#type: wire::generated::get(p, 28),
+            dimension_bow: wire::generated::get(p, 18),
+            dimension_stern: wire::generated::get(p, 20),
+            dimension_port: wire::generated::get(p, 29),
+            dimension_starboard: wire::generated::get(p, 30),
+            callsign: wire::generated::get(p, 31),
+            name: wire::generated::get(p, 38),
+            tslc: wire::generated::get(p, 22),
+            flags: wire::generated::get(p, 24),
         }
     }
 }
@@ -307,23 +307,23 @@ impl wire::Encode for AisVessel {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.mmsi);
-        wire::put(p, 4, self.lat);
-        wire::put(p, 8, self.lon);
-        wire::put(p, 12, self.cog);
-        wire::put(p, 14, self.heading);
-        wire::put(p, 16, self.velocity);
-        wire::put(p, 18, self.dimension_bow);
-        wire::put(p, 20, self.dimension_stern);
-        wire::put(p, 22, self.tslc);
-        wire::put(p, 24, self.flags);
-        wire::put(p, 26, self.turn_rate);
-        wire::put(p, 27, self.navigational_status);
-        wire::put(p, 28, self.r#type);
-        wire::put(p, 29, self.dimension_port);
-        wire::put(p, 30, self.dimension_starboard);
-        wire::put(p, 31, self.callsign);
-        wire::put(p, 38, self.name);
+        wire::generated::put(p, 0, self.mmsi);
+        wire::generated::put(p, 4, self.lat);
+        wire::generated::put(p, 8, self.lon);
+        wire::generated::put(p, 12, self.cog);
+        wire::generated::put(p, 14, self.heading);
+        wire::generated::put(p, 16, self.velocity);
+        wire::generated::put(p, 18, self.dimension_bow);
+        wire::generated::put(p, 20, self.dimension_stern);
+        wire::generated::put(p, 22, self.tslc);
+        wire::generated::put(p, 24, self.flags);
+        wire::generated::put(p, 26, self.turn_rate);
+        wire::generated::put(p, 27, self.navigational_status);
+        wire::generated::put(p, 28, self.r#type);
+        wire::generated::put(p, 29, self.dimension_port);
+        wire::generated::put(p, 30, self.dimension_starboard);
+        wire::generated::put(p, 31, self.callsign);
+        wire::generated::put(p, 38, self.name);
     }
 }
 

@@ -75,18 +75,18 @@ impl wire::Message for Altitude {
         let p = match payload.first_chunk::<32>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<32>(payload);
+                padded = wire::generated::zero_extended::<32>(payload);
                 &padded
             }
         };
         Self {
-            time_usec: wire::get(p, 0),
-            altitude_monotonic: wire::get(p, 8),
-            altitude_amsl: wire::get(p, 12),
-            altitude_local: wire::get(p, 16),
-            altitude_relative: wire::get(p, 20),
-            altitude_terrain: wire::get(p, 24),
-            bottom_clearance: wire::get(p, 28),
+            time_usec: wire::generated::get(p, 0),
+            altitude_monotonic: wire::generated::get(p, 8),
+            altitude_amsl: wire::generated::get(p, 12),
+            altitude_local: wire::generated::get(p, 16),
+            altitude_relative: wire::generated::get(p, 20),
+            altitude_terrain: wire::generated::get(p, 24),
+            bottom_clearance: wire::generated::get(p, 28),
         }
     }
 }
@@ -98,13 +98,13 @@ impl wire::Encode for Altitude {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_usec);
-        wire::put(p, 8, self.altitude_monotonic);
-        wire::put(p, 12, self.altitude_amsl);
-        wire::put(p, 16, self.altitude_local);
-        wire::put(p, 20, self.altitude_relative);
-        wire::put(p, 24, self.altitude_terrain);
-        wire::put(p, 28, self.bottom_clearance);
+        wire::generated::put(p, 0, self.time_usec);
+        wire::generated::put(p, 8, self.altitude_monotonic);
+        wire::generated::put(p, 12, self.altitude_amsl);
+        wire::generated::put(p, 16, self.altitude_local);
+        wire::generated::put(p, 20, self.altitude_relative);
+        wire::generated::put(p, 24, self.altitude_terrain);
+        wire::generated::put(p, 28, self.bottom_clearance);
     }
 }
 

@@ -107,20 +107,20 @@ impl wire::Message for AqEscTelemetry {
         let p = match payload.first_chunk::<55>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<55>(payload);
+                padded = wire::generated::zero_extended::<55>(payload);
                 &padded
             }
         };
         Self {
-            time_boot_ms: wire::get(p, 0),
-            seq: wire::get(p, 44),
-            num_motors: wire::get(p, 45),
-            num_in_seq: wire::get(p, 46),
-            escid: wire::get(p, 47),
-            status_age: wire::get(p, 36),
-            data_version: wire::get(p, 51),
-            data0: wire::get(p, 4),
-            data1: wire::get(p, 20),
+            time_boot_ms: wire::generated::get(p, 0),
+            seq: wire::generated::get(p, 44),
+            num_motors: wire::generated::get(p, 45),
+            num_in_seq: wire::generated::get(p, 46),
+            escid: wire::generated::get(p, 47),
+            status_age: wire::generated::get(p, 36),
+            data_version: wire::generated::get(p, 51),
+            data0: wire::generated::get(p, 4),
+            data1: wire::generated::get(p, 20),
         }
     }
 }
@@ -132,15 +132,15 @@ impl wire::Encode for AqEscTelemetry {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_boot_ms);
-        wire::put(p, 4, self.data0);
-        wire::put(p, 20, self.data1);
-        wire::put(p, 36, self.status_age);
-        wire::put(p, 44, self.seq);
-        wire::put(p, 45, self.num_motors);
-        wire::put(p, 46, self.num_in_seq);
-        wire::put(p, 47, self.escid);
-        wire::put(p, 51, self.data_version);
+        wire::generated::put(p, 0, self.time_boot_ms);
+        wire::generated::put(p, 4, self.data0);
+        wire::generated::put(p, 20, self.data1);
+        wire::generated::put(p, 36, self.status_age);
+        wire::generated::put(p, 44, self.seq);
+        wire::generated::put(p, 45, self.num_motors);
+        wire::generated::put(p, 46, self.num_in_seq);
+        wire::generated::put(p, 47, self.escid);
+        wire::generated::put(p, 51, self.data_version);
     }
 }
 

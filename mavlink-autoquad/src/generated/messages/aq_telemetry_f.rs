@@ -146,32 +146,32 @@ impl wire::Message for AqTelemetryF {
         let p = match payload.first_chunk::<82>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<82>(payload);
+                padded = wire::generated::zero_extended::<82>(payload);
                 &padded
             }
         };
         Self {
-            index: wire::get(p, 80),
-            value1: wire::get(p, 0),
-            value2: wire::get(p, 4),
-            value3: wire::get(p, 8),
-            value4: wire::get(p, 12),
-            value5: wire::get(p, 16),
-            value6: wire::get(p, 20),
-            value7: wire::get(p, 24),
-            value8: wire::get(p, 28),
-            value9: wire::get(p, 32),
-            value10: wire::get(p, 36),
-            value11: wire::get(p, 40),
-            value12: wire::get(p, 44),
-            value13: wire::get(p, 48),
-            value14: wire::get(p, 52),
-            value15: wire::get(p, 56),
-            value16: wire::get(p, 60),
-            value17: wire::get(p, 64),
-            value18: wire::get(p, 68),
-            value19: wire::get(p, 72),
-            value20: wire::get(p, 76),
+            index: wire::generated::get(p, 80),
+            value1: wire::generated::get(p, 0),
+            value2: wire::generated::get(p, 4),
+            value3: wire::generated::get(p, 8),
+            value4: wire::generated::get(p, 12),
+            value5: wire::generated::get(p, 16),
+            value6: wire::generated::get(p, 20),
+            value7: wire::generated::get(p, 24),
+            value8: wire::generated::get(p, 28),
+            value9: wire::generated::get(p, 32),
+            value10: wire::generated::get(p, 36),
+            value11: wire::generated::get(p, 40),
+            value12: wire::generated::get(p, 44),
+            value13: wire::generated::get(p, 48),
+            value14: wire::generated::get(p, 52),
+            value15: wire::generated::get(p, 56),
+            value16: wire::generated::get(p, 60),
+            value17: wire::generated::get(p, 64),
+            value18: wire::generated::get(p, 68),
+            value19: wire::generated::get(p, 72),
+            value20: wire::generated::get(p, 76),
         }
     }
 }
@@ -183,27 +183,27 @@ impl wire::Encode for AqTelemetryF {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.value1);
-        wire::put(p, 4, self.value2);
-        wire::put(p, 8, self.value3);
-        wire::put(p, 12, self.value4);
-        wire::put(p, 16, self.value5);
-        wire::put(p, 20, self.value6);
-        wire::put(p, 24, self.value7);
-        wire::put(p, 28, self.value8);
-        wire::put(p, 32, self.value9);
-        wire::put(p, 36, self.value10);
-        wire::put(p, 40, self.value11);
-        wire::put(p, 44, self.value12);
-        wire::put(p, 48, self.value13);
-        wire::put(p, 52, self.value14);
-        wire::put(p, 56, self.value15);
-        wire::put(p, 60, self.value16);
-        wire::put(p, 64, self.value17);
-        wire::put(p, 68, self.value18);
-        wire::put(p, 72, self.value19);
-        wire::put(p, 76, self.value20);
-        wire::put(p, 80, self.index);
+        wire::generated::put(p, 0, self.value1);
+        wire::generated::put(p, 4, self.value2);
+        wire::generated::put(p, 8, self.value3);
+        wire::generated::put(p, 12, self.value4);
+        wire::generated::put(p, 16, self.value5);
+        wire::generated::put(p, 20, self.value6);
+        wire::generated::put(p, 24, self.value7);
+        wire::generated::put(p, 28, self.value8);
+        wire::generated::put(p, 32, self.value9);
+        wire::generated::put(p, 36, self.value10);
+        wire::generated::put(p, 40, self.value11);
+        wire::generated::put(p, 44, self.value12);
+        wire::generated::put(p, 48, self.value13);
+        wire::generated::put(p, 52, self.value14);
+        wire::generated::put(p, 56, self.value15);
+        wire::generated::put(p, 60, self.value16);
+        wire::generated::put(p, 64, self.value17);
+        wire::generated::put(p, 68, self.value18);
+        wire::generated::put(p, 72, self.value19);
+        wire::generated::put(p, 76, self.value20);
+        wire::generated::put(p, 80, self.index);
     }
 }
 

@@ -88,17 +88,17 @@ impl wire::Message for AttPosMocap {
         let p = match payload.first_chunk::<120>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<120>(payload);
+                padded = wire::generated::zero_extended::<120>(payload);
                 &padded
             }
         };
         Self {
-            time_usec: wire::get(p, 0),
-            q: wire::get(p, 8),
-            x: wire::get(p, 24),
-            y: wire::get(p, 28),
-            z: wire::get(p, 32),
-            covariance: wire::get(p, 36),
+            time_usec: wire::generated::get(p, 0),
+            q: wire::generated::get(p, 8),
+            x: wire::generated::get(p, 24),
+            y: wire::generated::get(p, 28),
+            z: wire::generated::get(p, 32),
+            covariance: wire::generated::get(p, 36),
         }
     }
 }
@@ -110,12 +110,12 @@ impl wire::Encode for AttPosMocap {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_usec);
-        wire::put(p, 8, self.q);
-        wire::put(p, 24, self.x);
-        wire::put(p, 28, self.y);
-        wire::put(p, 32, self.z);
-        wire::put(p, 36, self.covariance);
+        wire::generated::put(p, 0, self.time_usec);
+        wire::generated::put(p, 8, self.q);
+        wire::generated::put(p, 24, self.x);
+        wire::generated::put(p, 28, self.y);
+        wire::generated::put(p, 32, self.z);
+        wire::generated::put(p, 36, self.covariance);
     }
 }
 

@@ -76,18 +76,18 @@ impl wire::Message for Attitude {
         let p = match payload.first_chunk::<28>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<28>(payload);
+                padded = wire::generated::zero_extended::<28>(payload);
                 &padded
             }
         };
         Self {
-            time_boot_ms: wire::get(p, 0),
-            roll: wire::get(p, 4),
-            pitch: wire::get(p, 8),
-            yaw: wire::get(p, 12),
-            rollspeed: wire::get(p, 16),
-            pitchspeed: wire::get(p, 20),
-            yawspeed: wire::get(p, 24),
+            time_boot_ms: wire::generated::get(p, 0),
+            roll: wire::generated::get(p, 4),
+            pitch: wire::generated::get(p, 8),
+            yaw: wire::generated::get(p, 12),
+            rollspeed: wire::generated::get(p, 16),
+            pitchspeed: wire::generated::get(p, 20),
+            yawspeed: wire::generated::get(p, 24),
         }
     }
 }
@@ -99,13 +99,13 @@ impl wire::Encode for Attitude {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_boot_ms);
-        wire::put(p, 4, self.roll);
-        wire::put(p, 8, self.pitch);
-        wire::put(p, 12, self.yaw);
-        wire::put(p, 16, self.rollspeed);
-        wire::put(p, 20, self.pitchspeed);
-        wire::put(p, 24, self.yawspeed);
+        wire::generated::put(p, 0, self.time_boot_ms);
+        wire::generated::put(p, 4, self.roll);
+        wire::generated::put(p, 8, self.pitch);
+        wire::generated::put(p, 12, self.yaw);
+        wire::generated::put(p, 16, self.rollspeed);
+        wire::generated::put(p, 20, self.pitchspeed);
+        wire::generated::put(p, 24, self.yawspeed);
     }
 }
 

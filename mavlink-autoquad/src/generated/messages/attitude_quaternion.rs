@@ -108,20 +108,20 @@ impl wire::Message for AttitudeQuaternion {
         let p = match payload.first_chunk::<48>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<48>(payload);
+                padded = wire::generated::zero_extended::<48>(payload);
                 &padded
             }
         };
         Self {
-            time_boot_ms: wire::get(p, 0),
-            q1: wire::get(p, 4),
-            q2: wire::get(p, 8),
-            q3: wire::get(p, 12),
-            q4: wire::get(p, 16),
-            rollspeed: wire::get(p, 20),
-            pitchspeed: wire::get(p, 24),
-            yawspeed: wire::get(p, 28),
-            repr_offset_q: wire::get(p, 32),
+            time_boot_ms: wire::generated::get(p, 0),
+            q1: wire::generated::get(p, 4),
+            q2: wire::generated::get(p, 8),
+            q3: wire::generated::get(p, 12),
+            q4: wire::generated::get(p, 16),
+            rollspeed: wire::generated::get(p, 20),
+            pitchspeed: wire::generated::get(p, 24),
+            yawspeed: wire::generated::get(p, 28),
+            repr_offset_q: wire::generated::get(p, 32),
         }
     }
 }
@@ -133,15 +133,15 @@ impl wire::Encode for AttitudeQuaternion {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_boot_ms);
-        wire::put(p, 4, self.q1);
-        wire::put(p, 8, self.q2);
-        wire::put(p, 12, self.q3);
-        wire::put(p, 16, self.q4);
-        wire::put(p, 20, self.rollspeed);
-        wire::put(p, 24, self.pitchspeed);
-        wire::put(p, 28, self.yawspeed);
-        wire::put(p, 32, self.repr_offset_q);
+        wire::generated::put(p, 0, self.time_boot_ms);
+        wire::generated::put(p, 4, self.q1);
+        wire::generated::put(p, 8, self.q2);
+        wire::generated::put(p, 12, self.q3);
+        wire::generated::put(p, 16, self.q4);
+        wire::generated::put(p, 20, self.rollspeed);
+        wire::generated::put(p, 24, self.pitchspeed);
+        wire::generated::put(p, 28, self.yawspeed);
+        wire::generated::put(p, 32, self.repr_offset_q);
     }
 }
 

@@ -86,17 +86,17 @@ impl wire::Message for AttitudeQuaternionCov {
         let p = match payload.first_chunk::<72>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<72>(payload);
+                padded = wire::generated::zero_extended::<72>(payload);
                 &padded
             }
         };
         Self {
-            time_usec: wire::get(p, 0),
-            q: wire::get(p, 8),
-            rollspeed: wire::get(p, 24),
-            pitchspeed: wire::get(p, 28),
-            yawspeed: wire::get(p, 32),
-            covariance: wire::get(p, 36),
+            time_usec: wire::generated::get(p, 0),
+            q: wire::generated::get(p, 8),
+            rollspeed: wire::generated::get(p, 24),
+            pitchspeed: wire::generated::get(p, 28),
+            yawspeed: wire::generated::get(p, 32),
+            covariance: wire::generated::get(p, 36),
         }
     }
 }
@@ -108,12 +108,12 @@ impl wire::Encode for AttitudeQuaternionCov {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_usec);
-        wire::put(p, 8, self.q);
-        wire::put(p, 24, self.rollspeed);
-        wire::put(p, 28, self.pitchspeed);
-        wire::put(p, 32, self.yawspeed);
-        wire::put(p, 36, self.covariance);
+        wire::generated::put(p, 0, self.time_usec);
+        wire::generated::put(p, 8, self.q);
+        wire::generated::put(p, 24, self.rollspeed);
+        wire::generated::put(p, 28, self.pitchspeed);
+        wire::generated::put(p, 32, self.yawspeed);
+        wire::generated::put(p, 36, self.covariance);
     }
 }
 

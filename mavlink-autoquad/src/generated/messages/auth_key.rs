@@ -42,11 +42,13 @@ impl wire::Message for AuthKey {
         let p = match payload.first_chunk::<32>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<32>(payload);
+                padded = wire::generated::zero_extended::<32>(payload);
                 &padded
             }
         };
-        Self { key: wire::get(p, 0) }
+        Self {
+            key: wire::generated::get(p, 0),
+        }
     }
 }
 
@@ -57,7 +59,7 @@ impl wire::Encode for AuthKey {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.key);
+        wire::generated::put(p, 0, self.key);
     }
 }
 

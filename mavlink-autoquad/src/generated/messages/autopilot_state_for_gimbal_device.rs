@@ -238,24 +238,24 @@ impl wire::Message for AutopilotStateForGimbalDevice {
         let p = match payload.first_chunk::<57>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<57>(payload);
+                padded = wire::generated::zero_extended::<57>(payload);
                 &padded
             }
         };
         Self {
-            target_system: wire::get(p, 50),
-            target_component: wire::get(p, 51),
-            time_boot_us: wire::get(p, 0),
-            q: wire::get(p, 8),
-            q_estimated_delay_us: wire::get(p, 24),
-            vx: wire::get(p, 28),
-            vy: wire::get(p, 32),
-            vz: wire::get(p, 36),
-            v_estimated_delay_us: wire::get(p, 40),
-            feed_forward_angular_velocity_z: wire::get(p, 44),
-            estimator_status: wire::get(p, 48),
-            landed_state: wire::get(p, 52),
-            angular_velocity_z: wire::get(p, 53),
+            target_system: wire::generated::get(p, 50),
+            target_component: wire::generated::get(p, 51),
+            time_boot_us: wire::generated::get(p, 0),
+            q: wire::generated::get(p, 8),
+            q_estimated_delay_us: wire::generated::get(p, 24),
+            vx: wire::generated::get(p, 28),
+            vy: wire::generated::get(p, 32),
+            vz: wire::generated::get(p, 36),
+            v_estimated_delay_us: wire::generated::get(p, 40),
+            feed_forward_angular_velocity_z: wire::generated::get(p, 44),
+            estimator_status: wire::generated::get(p, 48),
+            landed_state: wire::generated::get(p, 52),
+            angular_velocity_z: wire::generated::get(p, 53),
         }
     }
 
@@ -272,19 +272,19 @@ impl wire::Encode for AutopilotStateForGimbalDevice {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_boot_us);
-        wire::put(p, 8, self.q);
-        wire::put(p, 24, self.q_estimated_delay_us);
-        wire::put(p, 28, self.vx);
-        wire::put(p, 32, self.vy);
-        wire::put(p, 36, self.vz);
-        wire::put(p, 40, self.v_estimated_delay_us);
-        wire::put(p, 44, self.feed_forward_angular_velocity_z);
-        wire::put(p, 48, self.estimator_status);
-        wire::put(p, 50, self.target_system);
-        wire::put(p, 51, self.target_component);
-        wire::put(p, 52, self.landed_state);
-        wire::put(p, 53, self.angular_velocity_z);
+        wire::generated::put(p, 0, self.time_boot_us);
+        wire::generated::put(p, 8, self.q);
+        wire::generated::put(p, 24, self.q_estimated_delay_us);
+        wire::generated::put(p, 28, self.vx);
+        wire::generated::put(p, 32, self.vy);
+        wire::generated::put(p, 36, self.vz);
+        wire::generated::put(p, 40, self.v_estimated_delay_us);
+        wire::generated::put(p, 44, self.feed_forward_angular_velocity_z);
+        wire::generated::put(p, 48, self.estimator_status);
+        wire::generated::put(p, 50, self.target_system);
+        wire::generated::put(p, 51, self.target_component);
+        wire::generated::put(p, 52, self.landed_state);
+        wire::generated::put(p, 53, self.angular_velocity_z);
     }
 }
 

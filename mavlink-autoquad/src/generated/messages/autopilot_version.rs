@@ -101,23 +101,23 @@ impl wire::Message for AutopilotVersion {
         let p = match payload.first_chunk::<78>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<78>(payload);
+                padded = wire::generated::zero_extended::<78>(payload);
                 &padded
             }
         };
         Self {
-            capabilities: wire::get(p, 0),
-            flight_sw_version: wire::get(p, 16),
-            middleware_sw_version: wire::get(p, 20),
-            os_sw_version: wire::get(p, 24),
-            board_version: wire::get(p, 28),
-            flight_custom_version: wire::get(p, 36),
-            middleware_custom_version: wire::get(p, 44),
-            os_custom_version: wire::get(p, 52),
-            vendor_id: wire::get(p, 32),
-            product_id: wire::get(p, 34),
-            uid: wire::get(p, 8),
-            uid2: wire::get(p, 60),
+            capabilities: wire::generated::get(p, 0),
+            flight_sw_version: wire::generated::get(p, 16),
+            middleware_sw_version: wire::generated::get(p, 20),
+            os_sw_version: wire::generated::get(p, 24),
+            board_version: wire::generated::get(p, 28),
+            flight_custom_version: wire::generated::get(p, 36),
+            middleware_custom_version: wire::generated::get(p, 44),
+            os_custom_version: wire::generated::get(p, 52),
+            vendor_id: wire::generated::get(p, 32),
+            product_id: wire::generated::get(p, 34),
+            uid: wire::generated::get(p, 8),
+            uid2: wire::generated::get(p, 60),
         }
     }
 }
@@ -129,18 +129,18 @@ impl wire::Encode for AutopilotVersion {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.capabilities);
-        wire::put(p, 8, self.uid);
-        wire::put(p, 16, self.flight_sw_version);
-        wire::put(p, 20, self.middleware_sw_version);
-        wire::put(p, 24, self.os_sw_version);
-        wire::put(p, 28, self.board_version);
-        wire::put(p, 32, self.vendor_id);
-        wire::put(p, 34, self.product_id);
-        wire::put(p, 36, self.flight_custom_version);
-        wire::put(p, 44, self.middleware_custom_version);
-        wire::put(p, 52, self.os_custom_version);
-        wire::put(p, 60, self.uid2);
+        wire::generated::put(p, 0, self.capabilities);
+        wire::generated::put(p, 8, self.uid);
+        wire::generated::put(p, 16, self.flight_sw_version);
+        wire::generated::put(p, 20, self.middleware_sw_version);
+        wire::generated::put(p, 24, self.os_sw_version);
+        wire::generated::put(p, 28, self.board_version);
+        wire::generated::put(p, 32, self.vendor_id);
+        wire::generated::put(p, 34, self.product_id);
+        wire::generated::put(p, 36, self.flight_custom_version);
+        wire::generated::put(p, 44, self.middleware_custom_version);
+        wire::generated::put(p, 52, self.os_custom_version);
+        wire::generated::put(p, 60, self.uid2);
     }
 }
 

@@ -72,17 +72,17 @@ impl wire::Message for AvailableModes {
         let p = match payload.first_chunk::<46>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<46>(payload);
+                padded = wire::generated::zero_extended::<46>(payload);
                 &padded
             }
         };
         Self {
-            number_modes: wire::get(p, 8),
-            mode_index: wire::get(p, 9),
-            standard_mode: wire::get(p, 10),
-            custom_mode: wire::get(p, 0),
-            properties: wire::get(p, 4),
-            mode_name: wire::get(p, 11),
+            number_modes: wire::generated::get(p, 8),
+            mode_index: wire::generated::get(p, 9),
+            standard_mode: wire::generated::get(p, 10),
+            custom_mode: wire::generated::get(p, 0),
+            properties: wire::generated::get(p, 4),
+            mode_name: wire::generated::get(p, 11),
         }
     }
 }
@@ -94,12 +94,12 @@ impl wire::Encode for AvailableModes {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.custom_mode);
-        wire::put(p, 4, self.properties);
-        wire::put(p, 8, self.number_modes);
-        wire::put(p, 9, self.mode_index);
-        wire::put(p, 10, self.standard_mode);
-        wire::put(p, 11, self.mode_name);
+        wire::generated::put(p, 0, self.custom_mode);
+        wire::generated::put(p, 4, self.properties);
+        wire::generated::put(p, 8, self.number_modes);
+        wire::generated::put(p, 9, self.mode_index);
+        wire::generated::put(p, 10, self.standard_mode);
+        wire::generated::put(p, 11, self.mode_name);
     }
 }
 

@@ -42,11 +42,13 @@ impl wire::Message for AvailableModesMonitor {
         let p = match payload.first_chunk::<1>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<1>(payload);
+                padded = wire::generated::zero_extended::<1>(payload);
                 &padded
             }
         };
-        Self { seq: wire::get(p, 0) }
+        Self {
+            seq: wire::generated::get(p, 0),
+        }
     }
 }
 
@@ -57,7 +59,7 @@ impl wire::Encode for AvailableModesMonitor {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.seq);
+        wire::generated::put(p, 0, self.seq);
     }
 }
 

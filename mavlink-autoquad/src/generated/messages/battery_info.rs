@@ -375,31 +375,31 @@ impl wire::Message for BatteryInfo {
         let p = match payload.first_chunk::<140>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<140>(payload);
+                padded = wire::generated::zero_extended::<140>(payload);
                 &padded
             }
         };
         Self {
-            id: wire::get(p, 44),
-            battery_function: wire::get(p, 45),
-            r#type: wire::get(p, 46),
-            state_of_health: wire::get(p, 47),
-            cells_in_series: wire::get(p, 48),
-            cycle_count: wire::get(p, 40),
-            weight: wire::get(p, 42),
-            discharge_minimum_voltage: wire::get(p, 0),
-            charging_minimum_voltage: wire::get(p, 4),
-            resting_minimum_voltage: wire::get(p, 8),
-            charging_maximum_voltage: wire::get(p, 12),
-            charging_maximum_current: wire::get(p, 16),
-            nominal_voltage: wire::get(p, 20),
-            discharge_maximum_current: wire::get(p, 24),
-            discharge_maximum_burst_current: wire::get(p, 28),
-            design_capacity: wire::get(p, 32),
-            full_charge_capacity: wire::get(p, 36),
-            manufacture_date: wire::get(p, 49),
-            serial_number: wire::get(p, 58),
-            name: wire::get(p, 90),
+            id: wire::generated::get(p, 44),
+            battery_function: wire::generated::get(p, 45),
+            r#type: wire::generated::get(p, 46),
+            state_of_health: wire::generated::get(p, 47),
+            cells_in_series: wire::generated::get(p, 48),
+            cycle_count: wire::generated::get(p, 40),
+            weight: wire::generated::get(p, 42),
+            discharge_minimum_voltage: wire::generated::get(p, 0),
+            charging_minimum_voltage: wire::generated::get(p, 4),
+            resting_minimum_voltage: wire::generated::get(p, 8),
+            charging_maximum_voltage: wire::generated::get(p, 12),
+            charging_maximum_current: wire::generated::get(p, 16),
+            nominal_voltage: wire::generated::get(p, 20),
+            discharge_maximum_current: wire::generated::get(p, 24),
+            discharge_maximum_burst_current: wire::generated::get(p, 28),
+            design_capacity: wire::generated::get(p, 32),
+            full_charge_capacity: wire::generated::get(p, 36),
+            manufacture_date: wire::generated::get(p, 49),
+            serial_number: wire::generated::get(p, 58),
+            name: wire::generated::get(p, 90),
         }
     }
 }
@@ -411,26 +411,26 @@ impl wire::Encode for BatteryInfo {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.discharge_minimum_voltage);
-        wire::put(p, 4, self.charging_minimum_voltage);
-        wire::put(p, 8, self.resting_minimum_voltage);
-        wire::put(p, 12, self.charging_maximum_voltage);
-        wire::put(p, 16, self.charging_maximum_current);
-        wire::put(p, 20, self.nominal_voltage);
-        wire::put(p, 24, self.discharge_maximum_current);
-        wire::put(p, 28, self.discharge_maximum_burst_current);
-        wire::put(p, 32, self.design_capacity);
-        wire::put(p, 36, self.full_charge_capacity);
-        wire::put(p, 40, self.cycle_count);
-        wire::put(p, 42, self.weight);
-        wire::put(p, 44, self.id);
-        wire::put(p, 45, self.battery_function);
-        wire::put(p, 46, self.r#type);
-        wire::put(p, 47, self.state_of_health);
-        wire::put(p, 48, self.cells_in_series);
-        wire::put(p, 49, self.manufacture_date);
-        wire::put(p, 58, self.serial_number);
-        wire::put(p, 90, self.name);
+        wire::generated::put(p, 0, self.discharge_minimum_voltage);
+        wire::generated::put(p, 4, self.charging_minimum_voltage);
+        wire::generated::put(p, 8, self.resting_minimum_voltage);
+        wire::generated::put(p, 12, self.charging_maximum_voltage);
+        wire::generated::put(p, 16, self.charging_maximum_current);
+        wire::generated::put(p, 20, self.nominal_voltage);
+        wire::generated::put(p, 24, self.discharge_maximum_current);
+        wire::generated::put(p, 28, self.discharge_maximum_burst_current);
+        wire::generated::put(p, 32, self.design_capacity);
+        wire::generated::put(p, 36, self.full_charge_capacity);
+        wire::generated::put(p, 40, self.cycle_count);
+        wire::generated::put(p, 42, self.weight);
+        wire::generated::put(p, 44, self.id);
+        wire::generated::put(p, 45, self.battery_function);
+        wire::generated::put(p, 46, self.r#type);
+        wire::generated::put(p, 47, self.state_of_health);
+        wire::generated::put(p, 48, self.cells_in_series);
+        wire::generated::put(p, 49, self.manufacture_date);
+        wire::generated::put(p, 58, self.serial_number);
+        wire::generated::put(p, 90, self.name);
     }
 }
 

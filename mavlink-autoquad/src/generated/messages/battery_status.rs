@@ -251,25 +251,25 @@ impl wire::Message for BatteryStatus {
         let p = match payload.first_chunk::<54>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<54>(payload);
+                padded = wire::generated::zero_extended::<54>(payload);
                 &padded
             }
         };
         Self {
-            id: wire::get(p, 32),
-            battery_function: wire::get(p, 33),
-            r#type: wire::get(p, 34),
-            temperature: wire::get(p, 8),
-            voltages: wire::get(p, 10),
-            current_battery: wire::get(p, 30),
-            current_consumed: wire::get(p, 0),
-            energy_consumed: wire::get(p, 4),
-            battery_remaining: wire::get(p, 35),
-            time_remaining: wire::get(p, 36),
-            charge_state: wire::get(p, 40),
-            voltages_ext: wire::get(p, 41),
-            mode: wire::get(p, 49),
-            fault_bitmask: wire::get(p, 50),
+            id: wire::generated::get(p, 32),
+            battery_function: wire::generated::get(p, 33),
+            r#type: wire::generated::get(p, 34),
+            temperature: wire::generated::get(p, 8),
+            voltages: wire::generated::get(p, 10),
+            current_battery: wire::generated::get(p, 30),
+            current_consumed: wire::generated::get(p, 0),
+            energy_consumed: wire::generated::get(p, 4),
+            battery_remaining: wire::generated::get(p, 35),
+            time_remaining: wire::generated::get(p, 36),
+            charge_state: wire::generated::get(p, 40),
+            voltages_ext: wire::generated::get(p, 41),
+            mode: wire::generated::get(p, 49),
+            fault_bitmask: wire::generated::get(p, 50),
         }
     }
 }
@@ -281,20 +281,20 @@ impl wire::Encode for BatteryStatus {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.current_consumed);
-        wire::put(p, 4, self.energy_consumed);
-        wire::put(p, 8, self.temperature);
-        wire::put(p, 10, self.voltages);
-        wire::put(p, 30, self.current_battery);
-        wire::put(p, 32, self.id);
-        wire::put(p, 33, self.battery_function);
-        wire::put(p, 34, self.r#type);
-        wire::put(p, 35, self.battery_remaining);
-        wire::put(p, 36, self.time_remaining);
-        wire::put(p, 40, self.charge_state);
-        wire::put(p, 41, self.voltages_ext);
-        wire::put(p, 49, self.mode);
-        wire::put(p, 50, self.fault_bitmask);
+        wire::generated::put(p, 0, self.current_consumed);
+        wire::generated::put(p, 4, self.energy_consumed);
+        wire::generated::put(p, 8, self.temperature);
+        wire::generated::put(p, 10, self.voltages);
+        wire::generated::put(p, 30, self.current_battery);
+        wire::generated::put(p, 32, self.id);
+        wire::generated::put(p, 33, self.battery_function);
+        wire::generated::put(p, 34, self.r#type);
+        wire::generated::put(p, 35, self.battery_remaining);
+        wire::generated::put(p, 36, self.time_remaining);
+        wire::generated::put(p, 40, self.charge_state);
+        wire::generated::put(p, 41, self.voltages_ext);
+        wire::generated::put(p, 49, self.mode);
+        wire::generated::put(p, 50, self.fault_bitmask);
     }
 }
 

@@ -54,14 +54,14 @@ impl wire::Message for ButtonChange {
         let p = match payload.first_chunk::<9>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<9>(payload);
+                padded = wire::generated::zero_extended::<9>(payload);
                 &padded
             }
         };
         Self {
-            time_boot_ms: wire::get(p, 0),
-            last_change_ms: wire::get(p, 4),
-            state: wire::get(p, 8),
+            time_boot_ms: wire::generated::get(p, 0),
+            last_change_ms: wire::generated::get(p, 4),
+            state: wire::generated::get(p, 8),
         }
     }
 }
@@ -73,9 +73,9 @@ impl wire::Encode for ButtonChange {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_boot_ms);
-        wire::put(p, 4, self.last_change_ms);
-        wire::put(p, 8, self.state);
+        wire::generated::put(p, 0, self.time_boot_ms);
+        wire::generated::put(p, 4, self.last_change_ms);
+        wire::generated::put(p, 8, self.state);
     }
 }
 

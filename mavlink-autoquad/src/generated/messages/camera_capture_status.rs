@@ -80,19 +80,19 @@ impl wire::Message for CameraCaptureStatus {
         let p = match payload.first_chunk::<23>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<23>(payload);
+                padded = wire::generated::zero_extended::<23>(payload);
                 &padded
             }
         };
         Self {
-            time_boot_ms: wire::get(p, 0),
-            image_status: wire::get(p, 16),
-            video_status: wire::get(p, 17),
-            image_interval: wire::get(p, 4),
-            recording_time_ms: wire::get(p, 8),
-            available_capacity: wire::get(p, 12),
-            image_count: wire::get(p, 18),
-            camera_device_id: wire::get(p, 22),
+            time_boot_ms: wire::generated::get(p, 0),
+            image_status: wire::generated::get(p, 16),
+            video_status: wire::generated::get(p, 17),
+            image_interval: wire::generated::get(p, 4),
+            recording_time_ms: wire::generated::get(p, 8),
+            available_capacity: wire::generated::get(p, 12),
+            image_count: wire::generated::get(p, 18),
+            camera_device_id: wire::generated::get(p, 22),
         }
     }
 }
@@ -104,14 +104,14 @@ impl wire::Encode for CameraCaptureStatus {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_boot_ms);
-        wire::put(p, 4, self.image_interval);
-        wire::put(p, 8, self.recording_time_ms);
-        wire::put(p, 12, self.available_capacity);
-        wire::put(p, 16, self.image_status);
-        wire::put(p, 17, self.video_status);
-        wire::put(p, 18, self.image_count);
-        wire::put(p, 22, self.camera_device_id);
+        wire::generated::put(p, 0, self.time_boot_ms);
+        wire::generated::put(p, 4, self.image_interval);
+        wire::generated::put(p, 8, self.recording_time_ms);
+        wire::generated::put(p, 12, self.available_capacity);
+        wire::generated::put(p, 16, self.image_status);
+        wire::generated::put(p, 17, self.video_status);
+        wire::generated::put(p, 18, self.image_count);
+        wire::generated::put(p, 22, self.camera_device_id);
     }
 }
 

@@ -209,22 +209,22 @@ impl wire::Message for CameraFovStatus {
         let p = match payload.first_chunk::<53>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<53>(payload);
+                padded = wire::generated::zero_extended::<53>(payload);
                 &padded
             }
         };
         Self {
-            time_boot_ms: wire::get(p, 0),
-            lat_camera: wire::get(p, 4),
-            lon_camera: wire::get(p, 8),
-            alt_camera: wire::get(p, 12),
-            lat_image: wire::get(p, 16),
-            lon_image: wire::get(p, 20),
-            alt_image: wire::get(p, 24),
-            q: wire::get(p, 28),
-            hfov: wire::get(p, 44),
-            vfov: wire::get(p, 48),
-            camera_device_id: wire::get(p, 52),
+            time_boot_ms: wire::generated::get(p, 0),
+            lat_camera: wire::generated::get(p, 4),
+            lon_camera: wire::generated::get(p, 8),
+            alt_camera: wire::generated::get(p, 12),
+            lat_image: wire::generated::get(p, 16),
+            lon_image: wire::generated::get(p, 20),
+            alt_image: wire::generated::get(p, 24),
+            q: wire::generated::get(p, 28),
+            hfov: wire::generated::get(p, 44),
+            vfov: wire::generated::get(p, 48),
+            camera_device_id: wire::generated::get(p, 52),
         }
     }
 }
@@ -236,17 +236,17 @@ impl wire::Encode for CameraFovStatus {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_boot_ms);
-        wire::put(p, 4, self.lat_camera);
-        wire::put(p, 8, self.lon_camera);
-        wire::put(p, 12, self.alt_camera);
-        wire::put(p, 16, self.lat_image);
-        wire::put(p, 20, self.lon_image);
-        wire::put(p, 24, self.alt_image);
-        wire::put(p, 28, self.q);
-        wire::put(p, 44, self.hfov);
-        wire::put(p, 48, self.vfov);
-        wire::put(p, 52, self.camera_device_id);
+        wire::generated::put(p, 0, self.time_boot_ms);
+        wire::generated::put(p, 4, self.lat_camera);
+        wire::generated::put(p, 8, self.lon_camera);
+        wire::generated::put(p, 12, self.alt_camera);
+        wire::generated::put(p, 16, self.lat_image);
+        wire::generated::put(p, 20, self.lon_image);
+        wire::generated::put(p, 24, self.alt_image);
+        wire::generated::put(p, 28, self.q);
+        wire::generated::put(p, 44, self.hfov);
+        wire::generated::put(p, 48, self.vfov);
+        wire::generated::put(p, 52, self.camera_device_id);
     }
 }
 

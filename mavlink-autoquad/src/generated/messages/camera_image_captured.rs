@@ -129,22 +129,22 @@ impl wire::Message for CameraImageCaptured {
         let p = match payload.first_chunk::<255>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<255>(payload);
+                padded = wire::generated::zero_extended::<255>(payload);
                 &padded
             }
         };
         Self {
-            time_boot_ms: wire::get(p, 8),
-            time_utc: wire::get(p, 0),
-            camera_id: wire::get(p, 48),
-            lat: wire::get(p, 12),
-            lon: wire::get(p, 16),
-            alt: wire::get(p, 20),
-            relative_alt: wire::get(p, 24),
-            q: wire::get(p, 28),
-            image_index: wire::get(p, 44),
-            capture_result: wire::get(p, 49),
-            file_url: wire::get(p, 50),
+            time_boot_ms: wire::generated::get(p, 8),
+            time_utc: wire::generated::get(p, 0),
+            camera_id: wire::generated::get(p, 48),
+            lat: wire::generated::get(p, 12),
+            lon: wire::generated::get(p, 16),
+            alt: wire::generated::get(p, 20),
+            relative_alt: wire::generated::get(p, 24),
+            q: wire::generated::get(p, 28),
+            image_index: wire::generated::get(p, 44),
+            capture_result: wire::generated::get(p, 49),
+            file_url: wire::generated::get(p, 50),
         }
     }
 }
@@ -156,17 +156,17 @@ impl wire::Encode for CameraImageCaptured {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_utc);
-        wire::put(p, 8, self.time_boot_ms);
-        wire::put(p, 12, self.lat);
-        wire::put(p, 16, self.lon);
-        wire::put(p, 20, self.alt);
-        wire::put(p, 24, self.relative_alt);
-        wire::put(p, 28, self.q);
-        wire::put(p, 44, self.image_index);
-        wire::put(p, 48, self.camera_id);
-        wire::put(p, 49, self.capture_result);
-        wire::put(p, 50, self.file_url);
+        wire::generated::put(p, 0, self.time_utc);
+        wire::generated::put(p, 8, self.time_boot_ms);
+        wire::generated::put(p, 12, self.lat);
+        wire::generated::put(p, 16, self.lon);
+        wire::generated::put(p, 20, self.alt);
+        wire::generated::put(p, 24, self.relative_alt);
+        wire::generated::put(p, 28, self.q);
+        wire::generated::put(p, 44, self.image_index);
+        wire::generated::put(p, 48, self.camera_id);
+        wire::generated::put(p, 49, self.capture_result);
+        wire::generated::put(p, 50, self.file_url);
     }
 }
 

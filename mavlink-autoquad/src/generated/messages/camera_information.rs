@@ -230,26 +230,26 @@ impl wire::Message for CameraInformation {
         let p = match payload.first_chunk::<237>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<237>(payload);
+                padded = wire::generated::zero_extended::<237>(payload);
                 &padded
             }
         };
         Self {
-            time_boot_ms: wire::get(p, 0),
-            vendor_name: wire::get(p, 30),
-            model_name: wire::get(p, 62),
-            firmware_version: wire::get(p, 4),
-            focal_length: wire::get(p, 8),
-            sensor_size_h: wire::get(p, 12),
-            sensor_size_v: wire::get(p, 16),
-            resolution_h: wire::get(p, 24),
-            resolution_v: wire::get(p, 26),
-            lens_id: wire::get(p, 94),
-            flags: wire::get(p, 20),
-            cam_definition_version: wire::get(p, 28),
-            cam_definition_uri: wire::get(p, 95),
-            gimbal_device_id: wire::get(p, 235),
-            camera_device_id: wire::get(p, 236),
+            time_boot_ms: wire::generated::get(p, 0),
+            vendor_name: wire::generated::get(p, 30),
+            model_name: wire::generated::get(p, 62),
+            firmware_version: wire::generated::get(p, 4),
+            focal_length: wire::generated::get(p, 8),
+            sensor_size_h: wire::generated::get(p, 12),
+            sensor_size_v: wire::generated::get(p, 16),
+            resolution_h: wire::generated::get(p, 24),
+            resolution_v: wire::generated::get(p, 26),
+            lens_id: wire::generated::get(p, 94),
+            flags: wire::generated::get(p, 20),
+            cam_definition_version: wire::generated::get(p, 28),
+            cam_definition_uri: wire::generated::get(p, 95),
+            gimbal_device_id: wire::generated::get(p, 235),
+            camera_device_id: wire::generated::get(p, 236),
         }
     }
 }
@@ -261,21 +261,21 @@ impl wire::Encode for CameraInformation {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_boot_ms);
-        wire::put(p, 4, self.firmware_version);
-        wire::put(p, 8, self.focal_length);
-        wire::put(p, 12, self.sensor_size_h);
-        wire::put(p, 16, self.sensor_size_v);
-        wire::put(p, 20, self.flags);
-        wire::put(p, 24, self.resolution_h);
-        wire::put(p, 26, self.resolution_v);
-        wire::put(p, 28, self.cam_definition_version);
-        wire::put(p, 30, self.vendor_name);
-        wire::put(p, 62, self.model_name);
-        wire::put(p, 94, self.lens_id);
-        wire::put(p, 95, self.cam_definition_uri);
-        wire::put(p, 235, self.gimbal_device_id);
-        wire::put(p, 236, self.camera_device_id);
+        wire::generated::put(p, 0, self.time_boot_ms);
+        wire::generated::put(p, 4, self.firmware_version);
+        wire::generated::put(p, 8, self.focal_length);
+        wire::generated::put(p, 12, self.sensor_size_h);
+        wire::generated::put(p, 16, self.sensor_size_v);
+        wire::generated::put(p, 20, self.flags);
+        wire::generated::put(p, 24, self.resolution_h);
+        wire::generated::put(p, 26, self.resolution_v);
+        wire::generated::put(p, 28, self.cam_definition_version);
+        wire::generated::put(p, 30, self.vendor_name);
+        wire::generated::put(p, 62, self.model_name);
+        wire::generated::put(p, 94, self.lens_id);
+        wire::generated::put(p, 95, self.cam_definition_uri);
+        wire::generated::put(p, 235, self.gimbal_device_id);
+        wire::generated::put(p, 236, self.camera_device_id);
     }
 }
 

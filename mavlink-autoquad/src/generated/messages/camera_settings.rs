@@ -99,16 +99,16 @@ impl wire::Message for CameraSettings {
         let p = match payload.first_chunk::<14>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<14>(payload);
+                padded = wire::generated::zero_extended::<14>(payload);
                 &padded
             }
         };
         Self {
-            time_boot_ms: wire::get(p, 0),
-            mode_id: wire::get(p, 4),
-            zoom_level: wire::get(p, 5),
-            focus_level: wire::get(p, 9),
-            camera_device_id: wire::get(p, 13),
+            time_boot_ms: wire::generated::get(p, 0),
+            mode_id: wire::generated::get(p, 4),
+            zoom_level: wire::generated::get(p, 5),
+            focus_level: wire::generated::get(p, 9),
+            camera_device_id: wire::generated::get(p, 13),
         }
     }
 }
@@ -120,11 +120,11 @@ impl wire::Encode for CameraSettings {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_boot_ms);
-        wire::put(p, 4, self.mode_id);
-        wire::put(p, 5, self.zoom_level);
-        wire::put(p, 9, self.focus_level);
-        wire::put(p, 13, self.camera_device_id);
+        wire::generated::put(p, 0, self.time_boot_ms);
+        wire::generated::put(p, 4, self.mode_id);
+        wire::generated::put(p, 5, self.zoom_level);
+        wire::generated::put(p, 9, self.focus_level);
+        wire::generated::put(p, 13, self.camera_device_id);
     }
 }
 

@@ -140,20 +140,20 @@ impl wire::Message for CameraThermalRange {
         let p = match payload.first_chunk::<30>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<30>(payload);
+                padded = wire::generated::zero_extended::<30>(payload);
                 &padded
             }
         };
         Self {
-            time_boot_ms: wire::get(p, 0),
-            stream_id: wire::get(p, 28),
-            camera_device_id: wire::get(p, 29),
-            max: wire::get(p, 4),
-            max_point_x: wire::get(p, 8),
-            max_point_y: wire::get(p, 12),
-            min: wire::get(p, 16),
-            min_point_x: wire::get(p, 20),
-            min_point_y: wire::get(p, 24),
+            time_boot_ms: wire::generated::get(p, 0),
+            stream_id: wire::generated::get(p, 28),
+            camera_device_id: wire::generated::get(p, 29),
+            max: wire::generated::get(p, 4),
+            max_point_x: wire::generated::get(p, 8),
+            max_point_y: wire::generated::get(p, 12),
+            min: wire::generated::get(p, 16),
+            min_point_x: wire::generated::get(p, 20),
+            min_point_y: wire::generated::get(p, 24),
         }
     }
 }
@@ -165,15 +165,15 @@ impl wire::Encode for CameraThermalRange {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_boot_ms);
-        wire::put(p, 4, self.max);
-        wire::put(p, 8, self.max_point_x);
-        wire::put(p, 12, self.max_point_y);
-        wire::put(p, 16, self.min);
-        wire::put(p, 20, self.min_point_x);
-        wire::put(p, 24, self.min_point_y);
-        wire::put(p, 28, self.stream_id);
-        wire::put(p, 29, self.camera_device_id);
+        wire::generated::put(p, 0, self.time_boot_ms);
+        wire::generated::put(p, 4, self.max);
+        wire::generated::put(p, 8, self.max_point_x);
+        wire::generated::put(p, 12, self.max_point_y);
+        wire::generated::put(p, 16, self.min);
+        wire::generated::put(p, 20, self.min_point_x);
+        wire::generated::put(p, 24, self.min_point_y);
+        wire::generated::put(p, 28, self.stream_id);
+        wire::generated::put(p, 29, self.camera_device_id);
     }
 }
 

@@ -240,25 +240,25 @@ impl wire::Message for CameraTrackingGeoStatus {
         let p = match payload.first_chunk::<50>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<50>(payload);
+                padded = wire::generated::zero_extended::<50>(payload);
                 &padded
             }
         };
         Self {
-            tracking_status: wire::get(p, 48),
-            lat: wire::get(p, 0),
-            lon: wire::get(p, 4),
-            alt: wire::get(p, 8),
-            h_acc: wire::get(p, 12),
-            v_acc: wire::get(p, 16),
-            vel_n: wire::get(p, 20),
-            vel_e: wire::get(p, 24),
-            vel_d: wire::get(p, 28),
-            vel_acc: wire::get(p, 32),
-            dist: wire::get(p, 36),
-            hdg: wire::get(p, 40),
-            hdg_acc: wire::get(p, 44),
-            camera_device_id: wire::get(p, 49),
+            tracking_status: wire::generated::get(p, 48),
+            lat: wire::generated::get(p, 0),
+            lon: wire::generated::get(p, 4),
+            alt: wire::generated::get(p, 8),
+            h_acc: wire::generated::get(p, 12),
+            v_acc: wire::generated::get(p, 16),
+            vel_n: wire::generated::get(p, 20),
+            vel_e: wire::generated::get(p, 24),
+            vel_d: wire::generated::get(p, 28),
+            vel_acc: wire::generated::get(p, 32),
+            dist: wire::generated::get(p, 36),
+            hdg: wire::generated::get(p, 40),
+            hdg_acc: wire::generated::get(p, 44),
+            camera_device_id: wire::generated::get(p, 49),
         }
     }
 }
@@ -270,20 +270,20 @@ impl wire::Encode for CameraTrackingGeoStatus {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.lat);
-        wire::put(p, 4, self.lon);
-        wire::put(p, 8, self.alt);
-        wire::put(p, 12, self.h_acc);
-        wire::put(p, 16, self.v_acc);
-        wire::put(p, 20, self.vel_n);
-        wire::put(p, 24, self.vel_e);
-        wire::put(p, 28, self.vel_d);
-        wire::put(p, 32, self.vel_acc);
-        wire::put(p, 36, self.dist);
-        wire::put(p, 40, self.hdg);
-        wire::put(p, 44, self.hdg_acc);
-        wire::put(p, 48, self.tracking_status);
-        wire::put(p, 49, self.camera_device_id);
+        wire::generated::put(p, 0, self.lat);
+        wire::generated::put(p, 4, self.lon);
+        wire::generated::put(p, 8, self.alt);
+        wire::generated::put(p, 12, self.h_acc);
+        wire::generated::put(p, 16, self.v_acc);
+        wire::generated::put(p, 20, self.vel_n);
+        wire::generated::put(p, 24, self.vel_e);
+        wire::generated::put(p, 28, self.vel_d);
+        wire::generated::put(p, 32, self.vel_acc);
+        wire::generated::put(p, 36, self.dist);
+        wire::generated::put(p, 40, self.hdg);
+        wire::generated::put(p, 44, self.hdg_acc);
+        wire::generated::put(p, 48, self.tracking_status);
+        wire::generated::put(p, 49, self.camera_device_id);
     }
 }
 

@@ -194,22 +194,22 @@ impl wire::Message for CameraTrackingImageStatus {
         let p = match payload.first_chunk::<32>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<32>(payload);
+                padded = wire::generated::zero_extended::<32>(payload);
                 &padded
             }
         };
         Self {
-            tracking_status: wire::get(p, 28),
-            tracking_mode: wire::get(p, 29),
-            target_data: wire::get(p, 30),
-            point_x: wire::get(p, 0),
-            point_y: wire::get(p, 4),
-            radius: wire::get(p, 8),
-            rec_top_x: wire::get(p, 12),
-            rec_top_y: wire::get(p, 16),
-            rec_bottom_x: wire::get(p, 20),
-            rec_bottom_y: wire::get(p, 24),
-            camera_device_id: wire::get(p, 31),
+            tracking_status: wire::generated::get(p, 28),
+            tracking_mode: wire::generated::get(p, 29),
+            target_data: wire::generated::get(p, 30),
+            point_x: wire::generated::get(p, 0),
+            point_y: wire::generated::get(p, 4),
+            radius: wire::generated::get(p, 8),
+            rec_top_x: wire::generated::get(p, 12),
+            rec_top_y: wire::generated::get(p, 16),
+            rec_bottom_x: wire::generated::get(p, 20),
+            rec_bottom_y: wire::generated::get(p, 24),
+            camera_device_id: wire::generated::get(p, 31),
         }
     }
 }
@@ -221,17 +221,17 @@ impl wire::Encode for CameraTrackingImageStatus {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.point_x);
-        wire::put(p, 4, self.point_y);
-        wire::put(p, 8, self.radius);
-        wire::put(p, 12, self.rec_top_x);
-        wire::put(p, 16, self.rec_top_y);
-        wire::put(p, 20, self.rec_bottom_x);
-        wire::put(p, 24, self.rec_bottom_y);
-        wire::put(p, 28, self.tracking_status);
-        wire::put(p, 29, self.tracking_mode);
-        wire::put(p, 30, self.target_data);
-        wire::put(p, 31, self.camera_device_id);
+        wire::generated::put(p, 0, self.point_x);
+        wire::generated::put(p, 4, self.point_y);
+        wire::generated::put(p, 8, self.radius);
+        wire::generated::put(p, 12, self.rec_top_x);
+        wire::generated::put(p, 16, self.rec_top_y);
+        wire::generated::put(p, 20, self.rec_bottom_x);
+        wire::generated::put(p, 24, self.rec_bottom_y);
+        wire::generated::put(p, 28, self.tracking_status);
+        wire::generated::put(p, 29, self.tracking_mode);
+        wire::generated::put(p, 30, self.target_data);
+        wire::generated::put(p, 31, self.camera_device_id);
     }
 }
 

@@ -47,13 +47,13 @@ impl wire::Message for CameraTrigger {
         let p = match payload.first_chunk::<12>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<12>(payload);
+                padded = wire::generated::zero_extended::<12>(payload);
                 &padded
             }
         };
         Self {
-            time_usec: wire::get(p, 0),
-            seq: wire::get(p, 8),
+            time_usec: wire::generated::get(p, 0),
+            seq: wire::generated::get(p, 8),
         }
     }
 }
@@ -65,8 +65,8 @@ impl wire::Encode for CameraTrigger {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_usec);
-        wire::put(p, 8, self.seq);
+        wire::generated::put(p, 0, self.time_usec);
+        wire::generated::put(p, 8, self.seq);
     }
 }
 

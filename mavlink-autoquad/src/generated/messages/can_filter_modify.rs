@@ -71,17 +71,17 @@ impl wire::Message for CanFilterModify {
         let p = match payload.first_chunk::<37>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<37>(payload);
+                padded = wire::generated::zero_extended::<37>(payload);
                 &padded
             }
         };
         Self {
-            target_system: wire::get(p, 32),
-            target_component: wire::get(p, 33),
-            bus: wire::get(p, 34),
-            operation: wire::get(p, 35),
-            num_ids: wire::get(p, 36),
-            ids: wire::get(p, 0),
+            target_system: wire::generated::get(p, 32),
+            target_component: wire::generated::get(p, 33),
+            bus: wire::generated::get(p, 34),
+            operation: wire::generated::get(p, 35),
+            num_ids: wire::generated::get(p, 36),
+            ids: wire::generated::get(p, 0),
         }
     }
 
@@ -98,12 +98,12 @@ impl wire::Encode for CanFilterModify {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.ids);
-        wire::put(p, 32, self.target_system);
-        wire::put(p, 33, self.target_component);
-        wire::put(p, 34, self.bus);
-        wire::put(p, 35, self.operation);
-        wire::put(p, 36, self.num_ids);
+        wire::generated::put(p, 0, self.ids);
+        wire::generated::put(p, 32, self.target_system);
+        wire::generated::put(p, 33, self.target_component);
+        wire::generated::put(p, 34, self.bus);
+        wire::generated::put(p, 35, self.operation);
+        wire::generated::put(p, 36, self.num_ids);
     }
 }
 

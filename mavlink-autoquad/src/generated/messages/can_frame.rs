@@ -69,17 +69,17 @@ impl wire::Message for CanFrame {
         let p = match payload.first_chunk::<16>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<16>(payload);
+                padded = wire::generated::zero_extended::<16>(payload);
                 &padded
             }
         };
         Self {
-            target_system: wire::get(p, 4),
-            target_component: wire::get(p, 5),
-            bus: wire::get(p, 6),
-            len: wire::get(p, 7),
-            id: wire::get(p, 0),
-            data: wire::get(p, 8),
+            target_system: wire::generated::get(p, 4),
+            target_component: wire::generated::get(p, 5),
+            bus: wire::generated::get(p, 6),
+            len: wire::generated::get(p, 7),
+            id: wire::generated::get(p, 0),
+            data: wire::generated::get(p, 8),
         }
     }
 
@@ -96,12 +96,12 @@ impl wire::Encode for CanFrame {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.id);
-        wire::put(p, 4, self.target_system);
-        wire::put(p, 5, self.target_component);
-        wire::put(p, 6, self.bus);
-        wire::put(p, 7, self.len);
-        wire::put(p, 8, self.data);
+        wire::generated::put(p, 0, self.id);
+        wire::generated::put(p, 4, self.target_system);
+        wire::generated::put(p, 5, self.target_component);
+        wire::generated::put(p, 6, self.bus);
+        wire::generated::put(p, 7, self.len);
+        wire::generated::put(p, 8, self.data);
     }
 }
 

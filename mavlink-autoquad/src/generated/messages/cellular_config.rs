@@ -81,19 +81,19 @@ impl wire::Message for CellularConfig {
         let p = match payload.first_chunk::<84>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<84>(payload);
+                padded = wire::generated::zero_extended::<84>(payload);
                 &padded
             }
         };
         Self {
-            enable_lte: wire::get(p, 0),
-            enable_pin: wire::get(p, 1),
-            pin: wire::get(p, 2),
-            new_pin: wire::get(p, 18),
-            apn: wire::get(p, 34),
-            puk: wire::get(p, 66),
-            roaming: wire::get(p, 82),
-            response: wire::get(p, 83),
+            enable_lte: wire::generated::get(p, 0),
+            enable_pin: wire::generated::get(p, 1),
+            pin: wire::generated::get(p, 2),
+            new_pin: wire::generated::get(p, 18),
+            apn: wire::generated::get(p, 34),
+            puk: wire::generated::get(p, 66),
+            roaming: wire::generated::get(p, 82),
+            response: wire::generated::get(p, 83),
         }
     }
 }
@@ -105,14 +105,14 @@ impl wire::Encode for CellularConfig {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.enable_lte);
-        wire::put(p, 1, self.enable_pin);
-        wire::put(p, 2, self.pin);
-        wire::put(p, 18, self.new_pin);
-        wire::put(p, 34, self.apn);
-        wire::put(p, 66, self.puk);
-        wire::put(p, 82, self.roaming);
-        wire::put(p, 83, self.response);
+        wire::generated::put(p, 0, self.enable_lte);
+        wire::generated::put(p, 1, self.enable_pin);
+        wire::generated::put(p, 2, self.pin);
+        wire::generated::put(p, 18, self.new_pin);
+        wire::generated::put(p, 34, self.apn);
+        wire::generated::put(p, 66, self.puk);
+        wire::generated::put(p, 82, self.roaming);
+        wire::generated::put(p, 83, self.response);
     }
 }
 

@@ -326,29 +326,29 @@ impl wire::Message for CellularStatus {
         let p = match payload.first_chunk::<53>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<53>(payload);
+                padded = wire::generated::zero_extended::<53>(payload);
                 &padded
             }
         };
         Self {
-            status: wire::get(p, 6),
-            failure_reason: wire::get(p, 7),
-            r#type: wire::get(p, 8),
-            quality: wire::get(p, 9),
-            mcc: wire::get(p, 0),
-            mnc: wire::get(p, 2),
-            lac: wire::get(p, 4),
-            id: wire::get(p, 10),
-            link_tx_rate: wire::get(p, 11),
-            link_rx_rate: wire::get(p, 15),
-            cell_tower_id: wire::get(p, 19),
-            band_number: wire::get(p, 28),
-            band_frequency: wire::get(p, 29),
-            channel_number: wire::get(p, 33),
-            rx_level: wire::get(p, 37),
-            tx_level: wire::get(p, 41),
-            rx_quality: wire::get(p, 45),
-            sinr: wire::get(p, 49),
+            status: wire::generated::get(p, 6),
+            failure_reason: wire::generated::get(p, 7),
+            r#type: wire::generated::get(p, 8),
+            quality: wire::generated::get(p, 9),
+            mcc: wire::generated::get(p, 0),
+            mnc: wire::generated::get(p, 2),
+            lac: wire::generated::get(p, 4),
+            id: wire::generated::get(p, 10),
+            link_tx_rate: wire::generated::get(p, 11),
+            link_rx_rate: wire::generated::get(p, 15),
+            cell_tower_id: wire::generated::get(p, 19),
+            band_number: wire::generated::get(p, 28),
+            band_frequency: wire::generated::get(p, 29),
+            channel_number: wire::generated::get(p, 33),
+            rx_level: wire::generated::get(p, 37),
+            tx_level: wire::generated::get(p, 41),
+            rx_quality: wire::generated::get(p, 45),
+            sinr: wire::generated::get(p, 49),
         }
     }
 }
@@ -360,24 +360,24 @@ impl wire::Encode for CellularStatus {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.mcc);
-        wire::put(p, 2, self.mnc);
-        wire::put(p, 4, self.lac);
-        wire::put(p, 6, self.status);
-        wire::put(p, 7, self.failure_reason);
-        wire::put(p, 8, self.r#type);
-        wire::put(p, 9, self.quality);
-        wire::put(p, 10, self.id);
-        wire::put(p, 11, self.link_tx_rate);
-        wire::put(p, 15, self.link_rx_rate);
-        wire::put(p, 19, self.cell_tower_id);
-        wire::put(p, 28, self.band_number);
-        wire::put(p, 29, self.band_frequency);
-        wire::put(p, 33, self.channel_number);
-        wire::put(p, 37, self.rx_level);
-        wire::put(p, 41, self.tx_level);
-        wire::put(p, 45, self.rx_quality);
-        wire::put(p, 49, self.sinr);
+        wire::generated::put(p, 0, self.mcc);
+        wire::generated::put(p, 2, self.mnc);
+        wire::generated::put(p, 4, self.lac);
+        wire::generated::put(p, 6, self.status);
+        wire::generated::put(p, 7, self.failure_reason);
+        wire::generated::put(p, 8, self.r#type);
+        wire::generated::put(p, 9, self.quality);
+        wire::generated::put(p, 10, self.id);
+        wire::generated::put(p, 11, self.link_tx_rate);
+        wire::generated::put(p, 15, self.link_rx_rate);
+        wire::generated::put(p, 19, self.cell_tower_id);
+        wire::generated::put(p, 28, self.band_number);
+        wire::generated::put(p, 29, self.band_frequency);
+        wire::generated::put(p, 33, self.channel_number);
+        wire::generated::put(p, 37, self.rx_level);
+        wire::generated::put(p, 41, self.tx_level);
+        wire::generated::put(p, 45, self.rx_quality);
+        wire::generated::put(p, 49, self.sinr);
     }
 }
 

@@ -59,15 +59,15 @@ impl wire::Message for ChangeOperatorControl {
         let p = match payload.first_chunk::<28>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<28>(payload);
+                padded = wire::generated::zero_extended::<28>(payload);
                 &padded
             }
         };
         Self {
-            target_system: wire::get(p, 0),
-            control_request: wire::get(p, 1),
-            version: wire::get(p, 2),
-            passkey: wire::get(p, 3),
+            target_system: wire::generated::get(p, 0),
+            control_request: wire::generated::get(p, 1),
+            version: wire::generated::get(p, 2),
+            passkey: wire::generated::get(p, 3),
         }
     }
 
@@ -84,10 +84,10 @@ impl wire::Encode for ChangeOperatorControl {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.target_system);
-        wire::put(p, 1, self.control_request);
-        wire::put(p, 2, self.version);
-        wire::put(p, 3, self.passkey);
+        wire::generated::put(p, 0, self.target_system);
+        wire::generated::put(p, 1, self.control_request);
+        wire::generated::put(p, 2, self.version);
+        wire::generated::put(p, 3, self.passkey);
     }
 }
 

@@ -54,14 +54,14 @@ impl wire::Message for ChangeOperatorControlAck {
         let p = match payload.first_chunk::<3>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<3>(payload);
+                padded = wire::generated::zero_extended::<3>(payload);
                 &padded
             }
         };
         Self {
-            gcs_system_id: wire::get(p, 0),
-            control_request: wire::get(p, 1),
-            ack: wire::get(p, 2),
+            gcs_system_id: wire::generated::get(p, 0),
+            control_request: wire::generated::get(p, 1),
+            ack: wire::generated::get(p, 2),
         }
     }
 }
@@ -73,9 +73,9 @@ impl wire::Encode for ChangeOperatorControlAck {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.gcs_system_id);
-        wire::put(p, 1, self.control_request);
-        wire::put(p, 2, self.ack);
+        wire::generated::put(p, 0, self.gcs_system_id);
+        wire::generated::put(p, 1, self.control_request);
+        wire::generated::put(p, 2, self.ack);
     }
 }
 

@@ -78,18 +78,18 @@ impl wire::Message for Collision {
         let p = match payload.first_chunk::<19>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<19>(payload);
+                padded = wire::generated::zero_extended::<19>(payload);
                 &padded
             }
         };
         Self {
-            src: wire::get(p, 16),
-            id: wire::get(p, 0),
-            action: wire::get(p, 17),
-            threat_level: wire::get(p, 18),
-            time_to_minimum_delta: wire::get(p, 4),
-            altitude_minimum_delta: wire::get(p, 8),
-            horizontal_minimum_delta: wire::get(p, 12),
+            src: wire::generated::get(p, 16),
+            id: wire::generated::get(p, 0),
+            action: wire::generated::get(p, 17),
+            threat_level: wire::generated::get(p, 18),
+            time_to_minimum_delta: wire::generated::get(p, 4),
+            altitude_minimum_delta: wire::generated::get(p, 8),
+            horizontal_minimum_delta: wire::generated::get(p, 12),
         }
     }
 }
@@ -101,13 +101,13 @@ impl wire::Encode for Collision {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.id);
-        wire::put(p, 4, self.time_to_minimum_delta);
-        wire::put(p, 8, self.altitude_minimum_delta);
-        wire::put(p, 12, self.horizontal_minimum_delta);
-        wire::put(p, 16, self.src);
-        wire::put(p, 17, self.action);
-        wire::put(p, 18, self.threat_level);
+        wire::generated::put(p, 0, self.id);
+        wire::generated::put(p, 4, self.time_to_minimum_delta);
+        wire::generated::put(p, 8, self.altitude_minimum_delta);
+        wire::generated::put(p, 12, self.horizontal_minimum_delta);
+        wire::generated::put(p, 16, self.src);
+        wire::generated::put(p, 17, self.action);
+        wire::generated::put(p, 18, self.threat_level);
     }
 }
 

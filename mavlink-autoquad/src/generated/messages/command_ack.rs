@@ -90,17 +90,17 @@ impl wire::Message for CommandAck {
         let p = match payload.first_chunk::<10>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<10>(payload);
+                padded = wire::generated::zero_extended::<10>(payload);
                 &padded
             }
         };
         Self {
-            command: wire::get(p, 0),
-            result: wire::get(p, 2),
-            progress: wire::get(p, 3),
-            result_param2: wire::get(p, 4),
-            target_system: wire::get(p, 8),
-            target_component: wire::get(p, 9),
+            command: wire::generated::get(p, 0),
+            result: wire::generated::get(p, 2),
+            progress: wire::generated::get(p, 3),
+            result_param2: wire::generated::get(p, 4),
+            target_system: wire::generated::get(p, 8),
+            target_component: wire::generated::get(p, 9),
         }
     }
 
@@ -117,12 +117,12 @@ impl wire::Encode for CommandAck {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.command);
-        wire::put(p, 2, self.result);
-        wire::put(p, 3, self.progress);
-        wire::put(p, 4, self.result_param2);
-        wire::put(p, 8, self.target_system);
-        wire::put(p, 9, self.target_component);
+        wire::generated::put(p, 0, self.command);
+        wire::generated::put(p, 2, self.result);
+        wire::generated::put(p, 3, self.progress);
+        wire::generated::put(p, 4, self.result_param2);
+        wire::generated::put(p, 8, self.target_system);
+        wire::generated::put(p, 9, self.target_component);
     }
 }
 

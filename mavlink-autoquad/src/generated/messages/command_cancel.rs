@@ -58,14 +58,14 @@ impl wire::Message for CommandCancel {
         let p = match payload.first_chunk::<4>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<4>(payload);
+                padded = wire::generated::zero_extended::<4>(payload);
                 &padded
             }
         };
         Self {
-            target_system: wire::get(p, 2),
-            target_component: wire::get(p, 3),
-            command: wire::get(p, 0),
+            target_system: wire::generated::get(p, 2),
+            target_component: wire::generated::get(p, 3),
+            command: wire::generated::get(p, 0),
         }
     }
 
@@ -82,9 +82,9 @@ impl wire::Encode for CommandCancel {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.command);
-        wire::put(p, 2, self.target_system);
-        wire::put(p, 3, self.target_component);
+        wire::generated::put(p, 0, self.command);
+        wire::generated::put(p, 2, self.target_system);
+        wire::generated::put(p, 3, self.target_component);
     }
 }
 

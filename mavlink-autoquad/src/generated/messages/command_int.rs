@@ -204,24 +204,24 @@ impl wire::Message for CommandInt {
         let p = match payload.first_chunk::<35>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<35>(payload);
+                padded = wire::generated::zero_extended::<35>(payload);
                 &padded
             }
         };
         Self {
-            target_system: wire::get(p, 30),
-            target_component: wire::get(p, 31),
-            frame: wire::get(p, 32),
-            command: wire::get(p, 28),
-            current: wire::get(p, 33),
-            autocontinue: wire::get(p, 34),
-            param1: wire::get(p, 0),
-            param2: wire::get(p, 4),
-            param3: wire::get(p, 8),
-            param4: wire::get(p, 12),
-            x: wire::get(p, 16),
-            y: wire::get(p, 20),
-            z: wire::get(p, 24),
+            target_system: wire::generated::get(p, 30),
+            target_component: wire::generated::get(p, 31),
+            frame: wire::generated::get(p, 32),
+            command: wire::generated::get(p, 28),
+            current: wire::generated::get(p, 33),
+            autocontinue: wire::generated::get(p, 34),
+            param1: wire::generated::get(p, 0),
+            param2: wire::generated::get(p, 4),
+            param3: wire::generated::get(p, 8),
+            param4: wire::generated::get(p, 12),
+            x: wire::generated::get(p, 16),
+            y: wire::generated::get(p, 20),
+            z: wire::generated::get(p, 24),
         }
     }
 
@@ -238,19 +238,19 @@ impl wire::Encode for CommandInt {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.param1);
-        wire::put(p, 4, self.param2);
-        wire::put(p, 8, self.param3);
-        wire::put(p, 12, self.param4);
-        wire::put(p, 16, self.x);
-        wire::put(p, 20, self.y);
-        wire::put(p, 24, self.z);
-        wire::put(p, 28, self.command);
-        wire::put(p, 30, self.target_system);
-        wire::put(p, 31, self.target_component);
-        wire::put(p, 32, self.frame);
-        wire::put(p, 33, self.current);
-        wire::put(p, 34, self.autocontinue);
+        wire::generated::put(p, 0, self.param1);
+        wire::generated::put(p, 4, self.param2);
+        wire::generated::put(p, 8, self.param3);
+        wire::generated::put(p, 12, self.param4);
+        wire::generated::put(p, 16, self.x);
+        wire::generated::put(p, 20, self.y);
+        wire::generated::put(p, 24, self.z);
+        wire::generated::put(p, 28, self.command);
+        wire::generated::put(p, 30, self.target_system);
+        wire::generated::put(p, 31, self.target_component);
+        wire::generated::put(p, 32, self.frame);
+        wire::generated::put(p, 33, self.current);
+        wire::generated::put(p, 34, self.autocontinue);
     }
 }
 

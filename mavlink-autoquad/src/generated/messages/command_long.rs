@@ -189,22 +189,22 @@ impl wire::Message for CommandLong {
         let p = match payload.first_chunk::<33>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<33>(payload);
+                padded = wire::generated::zero_extended::<33>(payload);
                 &padded
             }
         };
         Self {
-            target_system: wire::get(p, 30),
-            target_component: wire::get(p, 31),
-            command: wire::get(p, 28),
-            confirmation: wire::get(p, 32),
-            param1: wire::get(p, 0),
-            param2: wire::get(p, 4),
-            param3: wire::get(p, 8),
-            param4: wire::get(p, 12),
-            param5: wire::get(p, 16),
-            param6: wire::get(p, 20),
-            param7: wire::get(p, 24),
+            target_system: wire::generated::get(p, 30),
+            target_component: wire::generated::get(p, 31),
+            command: wire::generated::get(p, 28),
+            confirmation: wire::generated::get(p, 32),
+            param1: wire::generated::get(p, 0),
+            param2: wire::generated::get(p, 4),
+            param3: wire::generated::get(p, 8),
+            param4: wire::generated::get(p, 12),
+            param5: wire::generated::get(p, 16),
+            param6: wire::generated::get(p, 20),
+            param7: wire::generated::get(p, 24),
         }
     }
 
@@ -221,17 +221,17 @@ impl wire::Encode for CommandLong {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.param1);
-        wire::put(p, 4, self.param2);
-        wire::put(p, 8, self.param3);
-        wire::put(p, 12, self.param4);
-        wire::put(p, 16, self.param5);
-        wire::put(p, 20, self.param6);
-        wire::put(p, 24, self.param7);
-        wire::put(p, 28, self.command);
-        wire::put(p, 30, self.target_system);
-        wire::put(p, 31, self.target_component);
-        wire::put(p, 32, self.confirmation);
+        wire::generated::put(p, 0, self.param1);
+        wire::generated::put(p, 4, self.param2);
+        wire::generated::put(p, 8, self.param3);
+        wire::generated::put(p, 12, self.param4);
+        wire::generated::put(p, 16, self.param5);
+        wire::generated::put(p, 20, self.param6);
+        wire::generated::put(p, 24, self.param7);
+        wire::generated::put(p, 28, self.command);
+        wire::generated::put(p, 30, self.target_system);
+        wire::generated::put(p, 31, self.target_component);
+        wire::generated::put(p, 32, self.confirmation);
     }
 }
 

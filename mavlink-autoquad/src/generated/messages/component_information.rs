@@ -67,16 +67,16 @@ impl wire::Message for ComponentInformation {
         let p = match payload.first_chunk::<212>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<212>(payload);
+                padded = wire::generated::zero_extended::<212>(payload);
                 &padded
             }
         };
         Self {
-            time_boot_ms: wire::get(p, 0),
-            general_metadata_file_crc: wire::get(p, 4),
-            general_metadata_uri: wire::get(p, 12),
-            peripherals_metadata_file_crc: wire::get(p, 8),
-            peripherals_metadata_uri: wire::get(p, 112),
+            time_boot_ms: wire::generated::get(p, 0),
+            general_metadata_file_crc: wire::generated::get(p, 4),
+            general_metadata_uri: wire::generated::get(p, 12),
+            peripherals_metadata_file_crc: wire::generated::get(p, 8),
+            peripherals_metadata_uri: wire::generated::get(p, 112),
         }
     }
 }
@@ -88,11 +88,11 @@ impl wire::Encode for ComponentInformation {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_boot_ms);
-        wire::put(p, 4, self.general_metadata_file_crc);
-        wire::put(p, 8, self.peripherals_metadata_file_crc);
-        wire::put(p, 12, self.general_metadata_uri);
-        wire::put(p, 112, self.peripherals_metadata_uri);
+        wire::generated::put(p, 0, self.time_boot_ms);
+        wire::generated::put(p, 4, self.general_metadata_file_crc);
+        wire::generated::put(p, 8, self.peripherals_metadata_file_crc);
+        wire::generated::put(p, 12, self.general_metadata_uri);
+        wire::generated::put(p, 112, self.peripherals_metadata_uri);
     }
 }
 

@@ -97,19 +97,19 @@ impl wire::Message for ComponentInformationBasic {
         let p = match payload.first_chunk::<160>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<160>(payload);
+                padded = wire::generated::zero_extended::<160>(payload);
                 &padded
             }
         };
         Self {
-            time_boot_ms: wire::get(p, 8),
-            capabilities: wire::get(p, 0),
-            time_manufacture_s: wire::get(p, 12),
-            vendor_name: wire::get(p, 16),
-            model_name: wire::get(p, 48),
-            software_version: wire::get(p, 80),
-            hardware_version: wire::get(p, 104),
-            serial_number: wire::get(p, 128),
+            time_boot_ms: wire::generated::get(p, 8),
+            capabilities: wire::generated::get(p, 0),
+            time_manufacture_s: wire::generated::get(p, 12),
+            vendor_name: wire::generated::get(p, 16),
+            model_name: wire::generated::get(p, 48),
+            software_version: wire::generated::get(p, 80),
+            hardware_version: wire::generated::get(p, 104),
+            serial_number: wire::generated::get(p, 128),
         }
     }
 }
@@ -121,14 +121,14 @@ impl wire::Encode for ComponentInformationBasic {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.capabilities);
-        wire::put(p, 8, self.time_boot_ms);
-        wire::put(p, 12, self.time_manufacture_s);
-        wire::put(p, 16, self.vendor_name);
-        wire::put(p, 48, self.model_name);
-        wire::put(p, 80, self.software_version);
-        wire::put(p, 104, self.hardware_version);
-        wire::put(p, 128, self.serial_number);
+        wire::generated::put(p, 0, self.capabilities);
+        wire::generated::put(p, 8, self.time_boot_ms);
+        wire::generated::put(p, 12, self.time_manufacture_s);
+        wire::generated::put(p, 16, self.vendor_name);
+        wire::generated::put(p, 48, self.model_name);
+        wire::generated::put(p, 80, self.software_version);
+        wire::generated::put(p, 104, self.hardware_version);
+        wire::generated::put(p, 128, self.serial_number);
     }
 }
 

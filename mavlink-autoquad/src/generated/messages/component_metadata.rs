@@ -54,14 +54,14 @@ impl wire::Message for ComponentMetadata {
         let p = match payload.first_chunk::<108>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<108>(payload);
+                padded = wire::generated::zero_extended::<108>(payload);
                 &padded
             }
         };
         Self {
-            time_boot_ms: wire::get(p, 0),
-            file_crc: wire::get(p, 4),
-            uri: wire::get(p, 8),
+            time_boot_ms: wire::generated::get(p, 0),
+            file_crc: wire::generated::get(p, 4),
+            uri: wire::generated::get(p, 8),
         }
     }
 }
@@ -73,9 +73,9 @@ impl wire::Encode for ComponentMetadata {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_boot_ms);
-        wire::put(p, 4, self.file_crc);
-        wire::put(p, 8, self.uri);
+        wire::generated::put(p, 0, self.time_boot_ms);
+        wire::generated::put(p, 4, self.file_crc);
+        wire::generated::put(p, 8, self.uri);
     }
 }
 

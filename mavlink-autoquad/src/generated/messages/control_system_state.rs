@@ -141,28 +141,28 @@ impl wire::Message for ControlSystemState {
         let p = match payload.first_chunk::<100>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<100>(payload);
+                padded = wire::generated::zero_extended::<100>(payload);
                 &padded
             }
         };
         Self {
-            time_usec: wire::get(p, 0),
-            x_acc: wire::get(p, 8),
-            y_acc: wire::get(p, 12),
-            z_acc: wire::get(p, 16),
-            x_vel: wire::get(p, 20),
-            y_vel: wire::get(p, 24),
-            z_vel: wire::get(p, 28),
-            x_pos: wire::get(p, 32),
-            y_pos: wire::get(p, 36),
-            z_pos: wire::get(p, 40),
-            airspeed: wire::get(p, 44),
-            vel_variance: wire::get(p, 48),
-            pos_variance: wire::get(p, 60),
-            q: wire::get(p, 72),
-            roll_rate: wire::get(p, 88),
-            pitch_rate: wire::get(p, 92),
-            yaw_rate: wire::get(p, 96),
+            time_usec: wire::generated::get(p, 0),
+            x_acc: wire::generated::get(p, 8),
+            y_acc: wire::generated::get(p, 12),
+            z_acc: wire::generated::get(p, 16),
+            x_vel: wire::generated::get(p, 20),
+            y_vel: wire::generated::get(p, 24),
+            z_vel: wire::generated::get(p, 28),
+            x_pos: wire::generated::get(p, 32),
+            y_pos: wire::generated::get(p, 36),
+            z_pos: wire::generated::get(p, 40),
+            airspeed: wire::generated::get(p, 44),
+            vel_variance: wire::generated::get(p, 48),
+            pos_variance: wire::generated::get(p, 60),
+            q: wire::generated::get(p, 72),
+            roll_rate: wire::generated::get(p, 88),
+            pitch_rate: wire::generated::get(p, 92),
+            yaw_rate: wire::generated::get(p, 96),
         }
     }
 }
@@ -174,23 +174,23 @@ impl wire::Encode for ControlSystemState {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_usec);
-        wire::put(p, 8, self.x_acc);
-        wire::put(p, 12, self.y_acc);
-        wire::put(p, 16, self.z_acc);
-        wire::put(p, 20, self.x_vel);
-        wire::put(p, 24, self.y_vel);
-        wire::put(p, 28, self.z_vel);
-        wire::put(p, 32, self.x_pos);
-        wire::put(p, 36, self.y_pos);
-        wire::put(p, 40, self.z_pos);
-        wire::put(p, 44, self.airspeed);
-        wire::put(p, 48, self.vel_variance);
-        wire::put(p, 60, self.pos_variance);
-        wire::put(p, 72, self.q);
-        wire::put(p, 88, self.roll_rate);
-        wire::put(p, 92, self.pitch_rate);
-        wire::put(p, 96, self.yaw_rate);
+        wire::generated::put(p, 0, self.time_usec);
+        wire::generated::put(p, 8, self.x_acc);
+        wire::generated::put(p, 12, self.y_acc);
+        wire::generated::put(p, 16, self.z_acc);
+        wire::generated::put(p, 20, self.x_vel);
+        wire::generated::put(p, 24, self.y_vel);
+        wire::generated::put(p, 28, self.z_vel);
+        wire::generated::put(p, 32, self.x_pos);
+        wire::generated::put(p, 36, self.y_pos);
+        wire::generated::put(p, 40, self.z_pos);
+        wire::generated::put(p, 44, self.airspeed);
+        wire::generated::put(p, 48, self.vel_variance);
+        wire::generated::put(p, 60, self.pos_variance);
+        wire::generated::put(p, 72, self.q);
+        wire::generated::put(p, 88, self.roll_rate);
+        wire::generated::put(p, 92, self.pitch_rate);
+        wire::generated::put(p, 96, self.yaw_rate);
     }
 }
 

@@ -53,13 +53,13 @@ impl wire::Message for CurrentEventSequence {
         let p = match payload.first_chunk::<3>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<3>(payload);
+                padded = wire::generated::zero_extended::<3>(payload);
                 &padded
             }
         };
         Self {
-            sequence: wire::get(p, 0),
-            flags: wire::get(p, 2),
+            sequence: wire::generated::get(p, 0),
+            flags: wire::generated::get(p, 2),
         }
     }
 }
@@ -71,8 +71,8 @@ impl wire::Encode for CurrentEventSequence {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.sequence);
-        wire::put(p, 2, self.flags);
+        wire::generated::put(p, 0, self.sequence);
+        wire::generated::put(p, 2, self.flags);
     }
 }
 

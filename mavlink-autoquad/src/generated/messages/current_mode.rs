@@ -76,14 +76,14 @@ impl wire::Message for CurrentMode {
         let p = match payload.first_chunk::<9>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<9>(payload);
+                padded = wire::generated::zero_extended::<9>(payload);
                 &padded
             }
         };
         Self {
-            standard_mode: wire::get(p, 8),
-            custom_mode: wire::get(p, 0),
-            intended_custom_mode: wire::get(p, 4),
+            standard_mode: wire::generated::get(p, 8),
+            custom_mode: wire::generated::get(p, 0),
+            intended_custom_mode: wire::generated::get(p, 4),
         }
     }
 }
@@ -95,9 +95,9 @@ impl wire::Encode for CurrentMode {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.custom_mode);
-        wire::put(p, 4, self.intended_custom_mode);
-        wire::put(p, 8, self.standard_mode);
+        wire::generated::put(p, 0, self.custom_mode);
+        wire::generated::put(p, 4, self.intended_custom_mode);
+        wire::generated::put(p, 8, self.standard_mode);
     }
 }
 

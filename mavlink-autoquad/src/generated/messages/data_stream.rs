@@ -58,14 +58,14 @@ impl wire::Message for DataStream {
         let p = match payload.first_chunk::<4>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<4>(payload);
+                padded = wire::generated::zero_extended::<4>(payload);
                 &padded
             }
         };
         Self {
-            stream_id: wire::get(p, 2),
-            message_rate: wire::get(p, 0),
-            on_off: wire::get(p, 3),
+            stream_id: wire::generated::get(p, 2),
+            message_rate: wire::generated::get(p, 0),
+            on_off: wire::generated::get(p, 3),
         }
     }
 }
@@ -77,9 +77,9 @@ impl wire::Encode for DataStream {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.message_rate);
-        wire::put(p, 2, self.stream_id);
-        wire::put(p, 3, self.on_off);
+        wire::generated::put(p, 0, self.message_rate);
+        wire::generated::put(p, 2, self.stream_id);
+        wire::generated::put(p, 3, self.on_off);
     }
 }
 

@@ -76,18 +76,18 @@ impl wire::Message for DataTransmissionHandshake {
         let p = match payload.first_chunk::<13>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<13>(payload);
+                padded = wire::generated::zero_extended::<13>(payload);
                 &padded
             }
         };
         Self {
-            r#type: wire::get(p, 10),
-            size: wire::get(p, 0),
-            width: wire::get(p, 4),
-            height: wire::get(p, 6),
-            packets: wire::get(p, 8),
-            payload: wire::get(p, 11),
-            jpg_quality: wire::get(p, 12),
+            r#type: wire::generated::get(p, 10),
+            size: wire::generated::get(p, 0),
+            width: wire::generated::get(p, 4),
+            height: wire::generated::get(p, 6),
+            packets: wire::generated::get(p, 8),
+            payload: wire::generated::get(p, 11),
+            jpg_quality: wire::generated::get(p, 12),
         }
     }
 }
@@ -99,13 +99,13 @@ impl wire::Encode for DataTransmissionHandshake {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.size);
-        wire::put(p, 4, self.width);
-        wire::put(p, 6, self.height);
-        wire::put(p, 8, self.packets);
-        wire::put(p, 10, self.r#type);
-        wire::put(p, 11, self.payload);
-        wire::put(p, 12, self.jpg_quality);
+        wire::generated::put(p, 0, self.size);
+        wire::generated::put(p, 4, self.width);
+        wire::generated::put(p, 6, self.height);
+        wire::generated::put(p, 8, self.packets);
+        wire::generated::put(p, 10, self.r#type);
+        wire::generated::put(p, 11, self.payload);
+        wire::generated::put(p, 12, self.jpg_quality);
     }
 }
 

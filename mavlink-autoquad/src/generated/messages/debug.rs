@@ -54,14 +54,14 @@ impl wire::Message for Debug {
         let p = match payload.first_chunk::<9>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<9>(payload);
+                padded = wire::generated::zero_extended::<9>(payload);
                 &padded
             }
         };
         Self {
-            time_boot_ms: wire::get(p, 0),
-            ind: wire::get(p, 8),
-            value: wire::get(p, 4),
+            time_boot_ms: wire::generated::get(p, 0),
+            ind: wire::generated::get(p, 8),
+            value: wire::generated::get(p, 4),
         }
     }
 }
@@ -73,9 +73,9 @@ impl wire::Encode for Debug {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_boot_ms);
-        wire::put(p, 4, self.value);
-        wire::put(p, 8, self.ind);
+        wire::generated::put(p, 0, self.time_boot_ms);
+        wire::generated::put(p, 4, self.value);
+        wire::generated::put(p, 8, self.ind);
     }
 }
 

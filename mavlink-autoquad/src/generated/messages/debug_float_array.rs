@@ -61,15 +61,15 @@ impl wire::Message for DebugFloatArray {
         let p = match payload.first_chunk::<252>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<252>(payload);
+                padded = wire::generated::zero_extended::<252>(payload);
                 &padded
             }
         };
         Self {
-            time_usec: wire::get(p, 0),
-            name: wire::get(p, 10),
-            array_id: wire::get(p, 8),
-            data: wire::get(p, 20),
+            time_usec: wire::generated::get(p, 0),
+            name: wire::generated::get(p, 10),
+            array_id: wire::generated::get(p, 8),
+            data: wire::generated::get(p, 20),
         }
     }
 }
@@ -81,10 +81,10 @@ impl wire::Encode for DebugFloatArray {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_usec);
-        wire::put(p, 8, self.array_id);
-        wire::put(p, 10, self.name);
-        wire::put(p, 20, self.data);
+        wire::generated::put(p, 0, self.time_usec);
+        wire::generated::put(p, 8, self.array_id);
+        wire::generated::put(p, 10, self.name);
+        wire::generated::put(p, 20, self.data);
     }
 }
 

@@ -65,16 +65,16 @@ impl wire::Message for DebugVect {
         let p = match payload.first_chunk::<30>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<30>(payload);
+                padded = wire::generated::zero_extended::<30>(payload);
                 &padded
             }
         };
         Self {
-            name: wire::get(p, 20),
-            time_usec: wire::get(p, 0),
-            x: wire::get(p, 8),
-            y: wire::get(p, 12),
-            z: wire::get(p, 16),
+            name: wire::generated::get(p, 20),
+            time_usec: wire::generated::get(p, 0),
+            x: wire::generated::get(p, 8),
+            y: wire::generated::get(p, 12),
+            z: wire::generated::get(p, 16),
         }
     }
 }
@@ -86,11 +86,11 @@ impl wire::Encode for DebugVect {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_usec);
-        wire::put(p, 8, self.x);
-        wire::put(p, 12, self.y);
-        wire::put(p, 16, self.z);
-        wire::put(p, 20, self.name);
+        wire::generated::put(p, 0, self.time_usec);
+        wire::generated::put(p, 8, self.x);
+        wire::generated::put(p, 12, self.y);
+        wire::generated::put(p, 16, self.z);
+        wire::generated::put(p, 20, self.name);
     }
 }
 

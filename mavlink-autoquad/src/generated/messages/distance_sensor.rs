@@ -185,23 +185,23 @@ impl wire::Message for DistanceSensor {
         let p = match payload.first_chunk::<39>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<39>(payload);
+                padded = wire::generated::zero_extended::<39>(payload);
                 &padded
             }
         };
         Self {
-            time_boot_ms: wire::get(p, 0),
-            min_distance: wire::get(p, 4),
-            max_distance: wire::get(p, 6),
-            current_distance: wire::get(p, 8),
-            r#type: wire::get(p, 10),
-            id: wire::get(p, 11),
-            orientation: wire::get(p, 12),
-            covariance: wire::get(p, 13),
-            horizontal_fov: wire::get(p, 14),
-            vertical_fov: wire::get(p, 18),
-            quaternion: wire::get(p, 22),
-            signal_quality: wire::get(p, 38),
+            time_boot_ms: wire::generated::get(p, 0),
+            min_distance: wire::generated::get(p, 4),
+            max_distance: wire::generated::get(p, 6),
+            current_distance: wire::generated::get(p, 8),
+            r#type: wire::generated::get(p, 10),
+            id: wire::generated::get(p, 11),
+            orientation: wire::generated::get(p, 12),
+            covariance: wire::generated::get(p, 13),
+            horizontal_fov: wire::generated::get(p, 14),
+            vertical_fov: wire::generated::get(p, 18),
+            quaternion: wire::generated::get(p, 22),
+            signal_quality: wire::generated::get(p, 38),
         }
     }
 }
@@ -213,18 +213,18 @@ impl wire::Encode for DistanceSensor {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_boot_ms);
-        wire::put(p, 4, self.min_distance);
-        wire::put(p, 6, self.max_distance);
-        wire::put(p, 8, self.current_distance);
-        wire::put(p, 10, self.r#type);
-        wire::put(p, 11, self.id);
-        wire::put(p, 12, self.orientation);
-        wire::put(p, 13, self.covariance);
-        wire::put(p, 14, self.horizontal_fov);
-        wire::put(p, 18, self.vertical_fov);
-        wire::put(p, 22, self.quaternion);
-        wire::put(p, 38, self.signal_quality);
+        wire::generated::put(p, 0, self.time_boot_ms);
+        wire::generated::put(p, 4, self.min_distance);
+        wire::generated::put(p, 6, self.max_distance);
+        wire::generated::put(p, 8, self.current_distance);
+        wire::generated::put(p, 10, self.r#type);
+        wire::generated::put(p, 11, self.id);
+        wire::generated::put(p, 12, self.orientation);
+        wire::generated::put(p, 13, self.covariance);
+        wire::generated::put(p, 14, self.horizontal_fov);
+        wire::generated::put(p, 18, self.vertical_fov);
+        wire::generated::put(p, 22, self.quaternion);
+        wire::generated::put(p, 38, self.signal_quality);
     }
 }
 

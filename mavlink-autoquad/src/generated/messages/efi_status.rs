@@ -142,30 +142,30 @@ impl wire::Message for EfiStatus {
         let p = match payload.first_chunk::<73>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<73>(payload);
+                padded = wire::generated::zero_extended::<73>(payload);
                 &padded
             }
         };
         Self {
-            health: wire::get(p, 64),
-            ecu_index: wire::get(p, 0),
-            rpm: wire::get(p, 4),
-            fuel_consumed: wire::get(p, 8),
-            fuel_flow: wire::get(p, 12),
-            engine_load: wire::get(p, 16),
-            throttle_position: wire::get(p, 20),
-            spark_dwell_time: wire::get(p, 24),
-            barometric_pressure: wire::get(p, 28),
-            intake_manifold_pressure: wire::get(p, 32),
-            intake_manifold_temperature: wire::get(p, 36),
-            cylinder_head_temperature: wire::get(p, 40),
-            ignition_timing: wire::get(p, 44),
-            injection_time: wire::get(p, 48),
-            exhaust_gas_temperature: wire::get(p, 52),
-            throttle_out: wire::get(p, 56),
-            pt_compensation: wire::get(p, 60),
-            ignition_voltage: wire::get(p, 65),
-            fuel_pressure: wire::get(p, 69),
+            health: wire::generated::get(p, 64),
+            ecu_index: wire::generated::get(p, 0),
+            rpm: wire::generated::get(p, 4),
+            fuel_consumed: wire::generated::get(p, 8),
+            fuel_flow: wire::generated::get(p, 12),
+            engine_load: wire::generated::get(p, 16),
+            throttle_position: wire::generated::get(p, 20),
+            spark_dwell_time: wire::generated::get(p, 24),
+            barometric_pressure: wire::generated::get(p, 28),
+            intake_manifold_pressure: wire::generated::get(p, 32),
+            intake_manifold_temperature: wire::generated::get(p, 36),
+            cylinder_head_temperature: wire::generated::get(p, 40),
+            ignition_timing: wire::generated::get(p, 44),
+            injection_time: wire::generated::get(p, 48),
+            exhaust_gas_temperature: wire::generated::get(p, 52),
+            throttle_out: wire::generated::get(p, 56),
+            pt_compensation: wire::generated::get(p, 60),
+            ignition_voltage: wire::generated::get(p, 65),
+            fuel_pressure: wire::generated::get(p, 69),
         }
     }
 }
@@ -177,25 +177,25 @@ impl wire::Encode for EfiStatus {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.ecu_index);
-        wire::put(p, 4, self.rpm);
-        wire::put(p, 8, self.fuel_consumed);
-        wire::put(p, 12, self.fuel_flow);
-        wire::put(p, 16, self.engine_load);
-        wire::put(p, 20, self.throttle_position);
-        wire::put(p, 24, self.spark_dwell_time);
-        wire::put(p, 28, self.barometric_pressure);
-        wire::put(p, 32, self.intake_manifold_pressure);
-        wire::put(p, 36, self.intake_manifold_temperature);
-        wire::put(p, 40, self.cylinder_head_temperature);
-        wire::put(p, 44, self.ignition_timing);
-        wire::put(p, 48, self.injection_time);
-        wire::put(p, 52, self.exhaust_gas_temperature);
-        wire::put(p, 56, self.throttle_out);
-        wire::put(p, 60, self.pt_compensation);
-        wire::put(p, 64, self.health);
-        wire::put(p, 65, self.ignition_voltage);
-        wire::put(p, 69, self.fuel_pressure);
+        wire::generated::put(p, 0, self.ecu_index);
+        wire::generated::put(p, 4, self.rpm);
+        wire::generated::put(p, 8, self.fuel_consumed);
+        wire::generated::put(p, 12, self.fuel_flow);
+        wire::generated::put(p, 16, self.engine_load);
+        wire::generated::put(p, 20, self.throttle_position);
+        wire::generated::put(p, 24, self.spark_dwell_time);
+        wire::generated::put(p, 28, self.barometric_pressure);
+        wire::generated::put(p, 32, self.intake_manifold_pressure);
+        wire::generated::put(p, 36, self.intake_manifold_temperature);
+        wire::generated::put(p, 40, self.cylinder_head_temperature);
+        wire::generated::put(p, 44, self.ignition_timing);
+        wire::generated::put(p, 48, self.injection_time);
+        wire::generated::put(p, 52, self.exhaust_gas_temperature);
+        wire::generated::put(p, 56, self.throttle_out);
+        wire::generated::put(p, 60, self.pt_compensation);
+        wire::generated::put(p, 64, self.health);
+        wire::generated::put(p, 65, self.ignition_voltage);
+        wire::generated::put(p, 69, self.fuel_pressure);
     }
 }
 

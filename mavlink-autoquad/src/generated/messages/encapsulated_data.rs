@@ -46,13 +46,13 @@ impl wire::Message for EncapsulatedData {
         let p = match payload.first_chunk::<255>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<255>(payload);
+                padded = wire::generated::zero_extended::<255>(payload);
                 &padded
             }
         };
         Self {
-            seqnr: wire::get(p, 0),
-            data: wire::get(p, 2),
+            seqnr: wire::generated::get(p, 0),
+            data: wire::generated::get(p, 2),
         }
     }
 }
@@ -64,8 +64,8 @@ impl wire::Encode for EncapsulatedData {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.seqnr);
-        wire::put(p, 2, self.data);
+        wire::generated::put(p, 0, self.seqnr);
+        wire::generated::put(p, 2, self.data);
     }
 }
 

@@ -113,20 +113,20 @@ impl wire::Message for EscInfo {
         let p = match payload.first_chunk::<46>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<46>(payload);
+                padded = wire::generated::zero_extended::<46>(payload);
                 &padded
             }
         };
         Self {
-            index: wire::get(p, 42),
-            time_usec: wire::get(p, 0),
-            counter: wire::get(p, 24),
-            count: wire::get(p, 43),
-            connection_type: wire::get(p, 44),
-            info: wire::get(p, 45),
-            failure_flags: wire::get(p, 26),
-            error_count: wire::get(p, 8),
-            temperature: wire::get(p, 34),
+            index: wire::generated::get(p, 42),
+            time_usec: wire::generated::get(p, 0),
+            counter: wire::generated::get(p, 24),
+            count: wire::generated::get(p, 43),
+            connection_type: wire::generated::get(p, 44),
+            info: wire::generated::get(p, 45),
+            failure_flags: wire::generated::get(p, 26),
+            error_count: wire::generated::get(p, 8),
+            temperature: wire::generated::get(p, 34),
         }
     }
 }
@@ -138,15 +138,15 @@ impl wire::Encode for EscInfo {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_usec);
-        wire::put(p, 8, self.error_count);
-        wire::put(p, 24, self.counter);
-        wire::put(p, 26, self.failure_flags);
-        wire::put(p, 34, self.temperature);
-        wire::put(p, 42, self.index);
-        wire::put(p, 43, self.count);
-        wire::put(p, 44, self.connection_type);
-        wire::put(p, 45, self.info);
+        wire::generated::put(p, 0, self.time_usec);
+        wire::generated::put(p, 8, self.error_count);
+        wire::generated::put(p, 24, self.counter);
+        wire::generated::put(p, 26, self.failure_flags);
+        wire::generated::put(p, 34, self.temperature);
+        wire::generated::put(p, 42, self.index);
+        wire::generated::put(p, 43, self.count);
+        wire::generated::put(p, 44, self.connection_type);
+        wire::generated::put(p, 45, self.info);
     }
 }
 

@@ -68,16 +68,16 @@ impl wire::Message for EscStatus {
         let p = match payload.first_chunk::<57>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<57>(payload);
+                padded = wire::generated::zero_extended::<57>(payload);
                 &padded
             }
         };
         Self {
-            index: wire::get(p, 56),
-            time_usec: wire::get(p, 0),
-            rpm: wire::get(p, 8),
-            voltage: wire::get(p, 24),
-            current: wire::get(p, 40),
+            index: wire::generated::get(p, 56),
+            time_usec: wire::generated::get(p, 0),
+            rpm: wire::generated::get(p, 8),
+            voltage: wire::generated::get(p, 24),
+            current: wire::generated::get(p, 40),
         }
     }
 }
@@ -89,11 +89,11 @@ impl wire::Encode for EscStatus {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_usec);
-        wire::put(p, 8, self.rpm);
-        wire::put(p, 24, self.voltage);
-        wire::put(p, 40, self.current);
-        wire::put(p, 56, self.index);
+        wire::generated::put(p, 0, self.time_usec);
+        wire::generated::put(p, 8, self.rpm);
+        wire::generated::put(p, 24, self.voltage);
+        wire::generated::put(p, 40, self.current);
+        wire::generated::put(p, 56, self.index);
     }
 }
 

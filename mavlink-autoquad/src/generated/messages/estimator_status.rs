@@ -92,21 +92,21 @@ impl wire::Message for EstimatorStatus {
         let p = match payload.first_chunk::<42>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<42>(payload);
+                padded = wire::generated::zero_extended::<42>(payload);
                 &padded
             }
         };
         Self {
-            time_usec: wire::get(p, 0),
-            flags: wire::get(p, 40),
-            vel_ratio: wire::get(p, 8),
-            pos_horiz_ratio: wire::get(p, 12),
-            pos_vert_ratio: wire::get(p, 16),
-            mag_ratio: wire::get(p, 20),
-            hagl_ratio: wire::get(p, 24),
-            tas_ratio: wire::get(p, 28),
-            pos_horiz_accuracy: wire::get(p, 32),
-            pos_vert_accuracy: wire::get(p, 36),
+            time_usec: wire::generated::get(p, 0),
+            flags: wire::generated::get(p, 40),
+            vel_ratio: wire::generated::get(p, 8),
+            pos_horiz_ratio: wire::generated::get(p, 12),
+            pos_vert_ratio: wire::generated::get(p, 16),
+            mag_ratio: wire::generated::get(p, 20),
+            hagl_ratio: wire::generated::get(p, 24),
+            tas_ratio: wire::generated::get(p, 28),
+            pos_horiz_accuracy: wire::generated::get(p, 32),
+            pos_vert_accuracy: wire::generated::get(p, 36),
         }
     }
 }
@@ -118,16 +118,16 @@ impl wire::Encode for EstimatorStatus {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_usec);
-        wire::put(p, 8, self.vel_ratio);
-        wire::put(p, 12, self.pos_horiz_ratio);
-        wire::put(p, 16, self.pos_vert_ratio);
-        wire::put(p, 20, self.mag_ratio);
-        wire::put(p, 24, self.hagl_ratio);
-        wire::put(p, 28, self.tas_ratio);
-        wire::put(p, 32, self.pos_horiz_accuracy);
-        wire::put(p, 36, self.pos_vert_accuracy);
-        wire::put(p, 40, self.flags);
+        wire::generated::put(p, 0, self.time_usec);
+        wire::generated::put(p, 8, self.vel_ratio);
+        wire::generated::put(p, 12, self.pos_horiz_ratio);
+        wire::generated::put(p, 16, self.pos_vert_ratio);
+        wire::generated::put(p, 20, self.mag_ratio);
+        wire::generated::put(p, 24, self.hagl_ratio);
+        wire::generated::put(p, 28, self.tas_ratio);
+        wire::generated::put(p, 32, self.pos_horiz_accuracy);
+        wire::generated::put(p, 36, self.pos_vert_accuracy);
+        wire::generated::put(p, 40, self.flags);
     }
 }
 

@@ -76,18 +76,18 @@ impl wire::Message for Event {
         let p = match payload.first_chunk::<53>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<53>(payload);
+                padded = wire::generated::zero_extended::<53>(payload);
                 &padded
             }
         };
         Self {
-            destination_component: wire::get(p, 10),
-            destination_system: wire::get(p, 11),
-            id: wire::get(p, 0),
-            event_time_boot_ms: wire::get(p, 4),
-            sequence: wire::get(p, 8),
-            log_levels: wire::get(p, 12),
-            arguments: wire::get(p, 13),
+            destination_component: wire::generated::get(p, 10),
+            destination_system: wire::generated::get(p, 11),
+            id: wire::generated::get(p, 0),
+            event_time_boot_ms: wire::generated::get(p, 4),
+            sequence: wire::generated::get(p, 8),
+            log_levels: wire::generated::get(p, 12),
+            arguments: wire::generated::get(p, 13),
         }
     }
 }
@@ -99,13 +99,13 @@ impl wire::Encode for Event {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.id);
-        wire::put(p, 4, self.event_time_boot_ms);
-        wire::put(p, 8, self.sequence);
-        wire::put(p, 10, self.destination_component);
-        wire::put(p, 11, self.destination_system);
-        wire::put(p, 12, self.log_levels);
-        wire::put(p, 13, self.arguments);
+        wire::generated::put(p, 0, self.id);
+        wire::generated::put(p, 4, self.event_time_boot_ms);
+        wire::generated::put(p, 8, self.sequence);
+        wire::generated::put(p, 10, self.destination_component);
+        wire::generated::put(p, 11, self.destination_system);
+        wire::generated::put(p, 12, self.log_levels);
+        wire::generated::put(p, 13, self.arguments);
     }
 }
 

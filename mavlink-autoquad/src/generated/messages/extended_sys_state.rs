@@ -52,13 +52,13 @@ impl wire::Message for ExtendedSysState {
         let p = match payload.first_chunk::<2>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<2>(payload);
+                padded = wire::generated::zero_extended::<2>(payload);
                 &padded
             }
         };
         Self {
-            vtol_state: wire::get(p, 0),
-            landed_state: wire::get(p, 1),
+            vtol_state: wire::generated::get(p, 0),
+            landed_state: wire::generated::get(p, 1),
         }
     }
 }
@@ -70,8 +70,8 @@ impl wire::Encode for ExtendedSysState {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.vtol_state);
-        wire::put(p, 1, self.landed_state);
+        wire::generated::put(p, 0, self.vtol_state);
+        wire::generated::put(p, 1, self.landed_state);
     }
 }
 

@@ -68,16 +68,16 @@ impl wire::Message for FenceStatus {
         let p = match payload.first_chunk::<9>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<9>(payload);
+                padded = wire::generated::zero_extended::<9>(payload);
                 &padded
             }
         };
         Self {
-            breach_status: wire::get(p, 6),
-            breach_count: wire::get(p, 4),
-            breach_type: wire::get(p, 7),
-            breach_time: wire::get(p, 0),
-            breach_mitigation: wire::get(p, 8),
+            breach_status: wire::generated::get(p, 6),
+            breach_count: wire::generated::get(p, 4),
+            breach_type: wire::generated::get(p, 7),
+            breach_time: wire::generated::get(p, 0),
+            breach_mitigation: wire::generated::get(p, 8),
         }
     }
 }
@@ -89,11 +89,11 @@ impl wire::Encode for FenceStatus {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.breach_time);
-        wire::put(p, 4, self.breach_count);
-        wire::put(p, 6, self.breach_status);
-        wire::put(p, 7, self.breach_type);
-        wire::put(p, 8, self.breach_mitigation);
+        wire::generated::put(p, 0, self.breach_time);
+        wire::generated::put(p, 4, self.breach_count);
+        wire::generated::put(p, 6, self.breach_status);
+        wire::generated::put(p, 7, self.breach_type);
+        wire::generated::put(p, 8, self.breach_mitigation);
     }
 }
 

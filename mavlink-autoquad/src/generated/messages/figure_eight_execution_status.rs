@@ -82,19 +82,19 @@ impl wire::Message for FigureEightExecutionStatus {
         let p = match payload.first_chunk::<33>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<33>(payload);
+                padded = wire::generated::zero_extended::<33>(payload);
                 &padded
             }
         };
         Self {
-            time_usec: wire::get(p, 0),
-            major_radius: wire::get(p, 8),
-            minor_radius: wire::get(p, 12),
-            orientation: wire::get(p, 16),
-            frame: wire::get(p, 32),
-            x: wire::get(p, 20),
-            y: wire::get(p, 24),
-            z: wire::get(p, 28),
+            time_usec: wire::generated::get(p, 0),
+            major_radius: wire::generated::get(p, 8),
+            minor_radius: wire::generated::get(p, 12),
+            orientation: wire::generated::get(p, 16),
+            frame: wire::generated::get(p, 32),
+            x: wire::generated::get(p, 20),
+            y: wire::generated::get(p, 24),
+            z: wire::generated::get(p, 28),
         }
     }
 }
@@ -106,14 +106,14 @@ impl wire::Encode for FigureEightExecutionStatus {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_usec);
-        wire::put(p, 8, self.major_radius);
-        wire::put(p, 12, self.minor_radius);
-        wire::put(p, 16, self.orientation);
-        wire::put(p, 20, self.x);
-        wire::put(p, 24, self.y);
-        wire::put(p, 28, self.z);
-        wire::put(p, 32, self.frame);
+        wire::generated::put(p, 0, self.time_usec);
+        wire::generated::put(p, 8, self.major_radius);
+        wire::generated::put(p, 12, self.minor_radius);
+        wire::generated::put(p, 16, self.orientation);
+        wire::generated::put(p, 20, self.x);
+        wire::generated::put(p, 24, self.y);
+        wire::generated::put(p, 28, self.z);
+        wire::generated::put(p, 32, self.frame);
     }
 }
 

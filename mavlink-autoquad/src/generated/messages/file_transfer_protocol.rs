@@ -59,15 +59,15 @@ impl wire::Message for FileTransferProtocol {
         let p = match payload.first_chunk::<254>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<254>(payload);
+                padded = wire::generated::zero_extended::<254>(payload);
                 &padded
             }
         };
         Self {
-            target_network: wire::get(p, 0),
-            target_system: wire::get(p, 1),
-            target_component: wire::get(p, 2),
-            payload: wire::get(p, 3),
+            target_network: wire::generated::get(p, 0),
+            target_system: wire::generated::get(p, 1),
+            target_component: wire::generated::get(p, 2),
+            payload: wire::generated::get(p, 3),
         }
     }
 
@@ -84,10 +84,10 @@ impl wire::Encode for FileTransferProtocol {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.target_network);
-        wire::put(p, 1, self.target_system);
-        wire::put(p, 2, self.target_component);
-        wire::put(p, 3, self.payload);
+        wire::generated::put(p, 0, self.target_network);
+        wire::generated::put(p, 1, self.target_system);
+        wire::generated::put(p, 2, self.target_component);
+        wire::generated::put(p, 3, self.payload);
     }
 }
 

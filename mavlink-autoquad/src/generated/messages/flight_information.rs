@@ -125,16 +125,16 @@ impl wire::Message for FlightInformation {
         let p = match payload.first_chunk::<32>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<32>(payload);
+                padded = wire::generated::zero_extended::<32>(payload);
                 &padded
             }
         };
         Self {
-            time_boot_ms: wire::get(p, 24),
-            arming_time_utc: wire::get(p, 0),
-            takeoff_time_utc: wire::get(p, 8),
-            flight_uuid: wire::get(p, 16),
-            landing_time: wire::get(p, 28),
+            time_boot_ms: wire::generated::get(p, 24),
+            arming_time_utc: wire::generated::get(p, 0),
+            takeoff_time_utc: wire::generated::get(p, 8),
+            flight_uuid: wire::generated::get(p, 16),
+            landing_time: wire::generated::get(p, 28),
         }
     }
 }
@@ -146,11 +146,11 @@ impl wire::Encode for FlightInformation {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.arming_time_utc);
-        wire::put(p, 8, self.takeoff_time_utc);
-        wire::put(p, 16, self.flight_uuid);
-        wire::put(p, 24, self.time_boot_ms);
-        wire::put(p, 28, self.landing_time);
+        wire::generated::put(p, 0, self.arming_time_utc);
+        wire::generated::put(p, 8, self.takeoff_time_utc);
+        wire::generated::put(p, 16, self.flight_uuid);
+        wire::generated::put(p, 24, self.time_boot_ms);
+        wire::generated::put(p, 28, self.landing_time);
     }
 }
 

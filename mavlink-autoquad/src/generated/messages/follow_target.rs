@@ -174,22 +174,22 @@ impl wire::Message for FollowTarget {
         let p = match payload.first_chunk::<93>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<93>(payload);
+                padded = wire::generated::zero_extended::<93>(payload);
                 &padded
             }
         };
         Self {
-            timestamp: wire::get(p, 0),
-            est_capabilities: wire::get(p, 92),
-            lat: wire::get(p, 16),
-            lon: wire::get(p, 20),
-            alt: wire::get(p, 24),
-            vel: wire::get(p, 28),
-            acc: wire::get(p, 40),
-            attitude_q: wire::get(p, 52),
-            rates: wire::get(p, 68),
-            position_cov: wire::get(p, 80),
-            custom_state: wire::get(p, 8),
+            timestamp: wire::generated::get(p, 0),
+            est_capabilities: wire::generated::get(p, 92),
+            lat: wire::generated::get(p, 16),
+            lon: wire::generated::get(p, 20),
+            alt: wire::generated::get(p, 24),
+            vel: wire::generated::get(p, 28),
+            acc: wire::generated::get(p, 40),
+            attitude_q: wire::generated::get(p, 52),
+            rates: wire::generated::get(p, 68),
+            position_cov: wire::generated::get(p, 80),
+            custom_state: wire::generated::get(p, 8),
         }
     }
 }
@@ -201,17 +201,17 @@ impl wire::Encode for FollowTarget {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.timestamp);
-        wire::put(p, 8, self.custom_state);
-        wire::put(p, 16, self.lat);
-        wire::put(p, 20, self.lon);
-        wire::put(p, 24, self.alt);
-        wire::put(p, 28, self.vel);
-        wire::put(p, 40, self.acc);
-        wire::put(p, 52, self.attitude_q);
-        wire::put(p, 68, self.rates);
-        wire::put(p, 80, self.position_cov);
-        wire::put(p, 92, self.est_capabilities);
+        wire::generated::put(p, 0, self.timestamp);
+        wire::generated::put(p, 8, self.custom_state);
+        wire::generated::put(p, 16, self.lat);
+        wire::generated::put(p, 20, self.lon);
+        wire::generated::put(p, 24, self.alt);
+        wire::generated::put(p, 28, self.vel);
+        wire::generated::put(p, 40, self.acc);
+        wire::generated::put(p, 52, self.attitude_q);
+        wire::generated::put(p, 68, self.rates);
+        wire::generated::put(p, 80, self.position_cov);
+        wire::generated::put(p, 92, self.est_capabilities);
     }
 }
 

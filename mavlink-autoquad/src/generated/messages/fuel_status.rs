@@ -150,19 +150,19 @@ impl wire::Message for FuelStatus {
         let p = match payload.first_chunk::<26>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<26>(payload);
+                padded = wire::generated::zero_extended::<26>(payload);
                 &padded
             }
         };
         Self {
-            id: wire::get(p, 24),
-            maximum_fuel: wire::get(p, 0),
-            consumed_fuel: wire::get(p, 4),
-            remaining_fuel: wire::get(p, 8),
-            percent_remaining: wire::get(p, 25),
-            flow_rate: wire::get(p, 12),
-            temperature: wire::get(p, 16),
-            fuel_type: wire::get(p, 20),
+            id: wire::generated::get(p, 24),
+            maximum_fuel: wire::generated::get(p, 0),
+            consumed_fuel: wire::generated::get(p, 4),
+            remaining_fuel: wire::generated::get(p, 8),
+            percent_remaining: wire::generated::get(p, 25),
+            flow_rate: wire::generated::get(p, 12),
+            temperature: wire::generated::get(p, 16),
+            fuel_type: wire::generated::get(p, 20),
         }
     }
 }
@@ -174,14 +174,14 @@ impl wire::Encode for FuelStatus {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.maximum_fuel);
-        wire::put(p, 4, self.consumed_fuel);
-        wire::put(p, 8, self.remaining_fuel);
-        wire::put(p, 12, self.flow_rate);
-        wire::put(p, 16, self.temperature);
-        wire::put(p, 20, self.fuel_type);
-        wire::put(p, 24, self.id);
-        wire::put(p, 25, self.percent_remaining);
+        wire::generated::put(p, 0, self.maximum_fuel);
+        wire::generated::put(p, 4, self.consumed_fuel);
+        wire::generated::put(p, 8, self.remaining_fuel);
+        wire::generated::put(p, 12, self.flow_rate);
+        wire::generated::put(p, 16, self.temperature);
+        wire::generated::put(p, 20, self.fuel_type);
+        wire::generated::put(p, 24, self.id);
+        wire::generated::put(p, 25, self.percent_remaining);
     }
 }
 

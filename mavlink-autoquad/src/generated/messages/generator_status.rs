@@ -240,22 +240,22 @@ impl wire::Message for GeneratorStatus {
         let p = match payload.first_chunk::<42>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<42>(payload);
+                padded = wire::generated::zero_extended::<42>(payload);
                 &padded
             }
         };
         Self {
-            status: wire::get(p, 0),
-            generator_speed: wire::get(p, 36),
-            battery_current: wire::get(p, 8),
-            load_current: wire::get(p, 12),
-            power_generated: wire::get(p, 16),
-            bus_voltage: wire::get(p, 20),
-            rectifier_temperature: wire::get(p, 38),
-            bat_current_setpoint: wire::get(p, 24),
-            generator_temperature: wire::get(p, 40),
-            runtime: wire::get(p, 28),
-            time_until_maintenance: wire::get(p, 32),
+            status: wire::generated::get(p, 0),
+            generator_speed: wire::generated::get(p, 36),
+            battery_current: wire::generated::get(p, 8),
+            load_current: wire::generated::get(p, 12),
+            power_generated: wire::generated::get(p, 16),
+            bus_voltage: wire::generated::get(p, 20),
+            rectifier_temperature: wire::generated::get(p, 38),
+            bat_current_setpoint: wire::generated::get(p, 24),
+            generator_temperature: wire::generated::get(p, 40),
+            runtime: wire::generated::get(p, 28),
+            time_until_maintenance: wire::generated::get(p, 32),
         }
     }
 }
@@ -267,17 +267,17 @@ impl wire::Encode for GeneratorStatus {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.status);
-        wire::put(p, 8, self.battery_current);
-        wire::put(p, 12, self.load_current);
-        wire::put(p, 16, self.power_generated);
-        wire::put(p, 20, self.bus_voltage);
-        wire::put(p, 24, self.bat_current_setpoint);
-        wire::put(p, 28, self.runtime);
-        wire::put(p, 32, self.time_until_maintenance);
-        wire::put(p, 36, self.generator_speed);
-        wire::put(p, 38, self.rectifier_temperature);
-        wire::put(p, 40, self.generator_temperature);
+        wire::generated::put(p, 0, self.status);
+        wire::generated::put(p, 8, self.battery_current);
+        wire::generated::put(p, 12, self.load_current);
+        wire::generated::put(p, 16, self.power_generated);
+        wire::generated::put(p, 20, self.bus_voltage);
+        wire::generated::put(p, 24, self.bat_current_setpoint);
+        wire::generated::put(p, 28, self.runtime);
+        wire::generated::put(p, 32, self.time_until_maintenance);
+        wire::generated::put(p, 36, self.generator_speed);
+        wire::generated::put(p, 38, self.rectifier_temperature);
+        wire::generated::put(p, 40, self.generator_temperature);
     }
 }
 

@@ -209,23 +209,23 @@ impl wire::Message for GimbalDeviceAttitudeStatus {
         let p = match payload.first_chunk::<49>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<49>(payload);
+                padded = wire::generated::zero_extended::<49>(payload);
                 &padded
             }
         };
         Self {
-            target_system: wire::get(p, 38),
-            target_component: wire::get(p, 39),
-            time_boot_ms: wire::get(p, 0),
-            flags: wire::get(p, 36),
-            q: wire::get(p, 4),
-            angular_velocity_x: wire::get(p, 20),
-            angular_velocity_y: wire::get(p, 24),
-            angular_velocity_z: wire::get(p, 28),
-            failure_flags: wire::get(p, 32),
-            delta_yaw: wire::get(p, 40),
-            delta_yaw_velocity: wire::get(p, 44),
-            gimbal_device_id: wire::get(p, 48),
+            target_system: wire::generated::get(p, 38),
+            target_component: wire::generated::get(p, 39),
+            time_boot_ms: wire::generated::get(p, 0),
+            flags: wire::generated::get(p, 36),
+            q: wire::generated::get(p, 4),
+            angular_velocity_x: wire::generated::get(p, 20),
+            angular_velocity_y: wire::generated::get(p, 24),
+            angular_velocity_z: wire::generated::get(p, 28),
+            failure_flags: wire::generated::get(p, 32),
+            delta_yaw: wire::generated::get(p, 40),
+            delta_yaw_velocity: wire::generated::get(p, 44),
+            gimbal_device_id: wire::generated::get(p, 48),
         }
     }
 
@@ -242,18 +242,18 @@ impl wire::Encode for GimbalDeviceAttitudeStatus {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_boot_ms);
-        wire::put(p, 4, self.q);
-        wire::put(p, 20, self.angular_velocity_x);
-        wire::put(p, 24, self.angular_velocity_y);
-        wire::put(p, 28, self.angular_velocity_z);
-        wire::put(p, 32, self.failure_flags);
-        wire::put(p, 36, self.flags);
-        wire::put(p, 38, self.target_system);
-        wire::put(p, 39, self.target_component);
-        wire::put(p, 40, self.delta_yaw);
-        wire::put(p, 44, self.delta_yaw_velocity);
-        wire::put(p, 48, self.gimbal_device_id);
+        wire::generated::put(p, 0, self.time_boot_ms);
+        wire::generated::put(p, 4, self.q);
+        wire::generated::put(p, 20, self.angular_velocity_x);
+        wire::generated::put(p, 24, self.angular_velocity_y);
+        wire::generated::put(p, 28, self.angular_velocity_z);
+        wire::generated::put(p, 32, self.failure_flags);
+        wire::generated::put(p, 36, self.flags);
+        wire::generated::put(p, 38, self.target_system);
+        wire::generated::put(p, 39, self.target_component);
+        wire::generated::put(p, 40, self.delta_yaw);
+        wire::generated::put(p, 44, self.delta_yaw_velocity);
+        wire::generated::put(p, 48, self.gimbal_device_id);
     }
 }
 

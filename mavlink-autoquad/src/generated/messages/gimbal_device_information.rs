@@ -276,28 +276,28 @@ impl wire::Message for GimbalDeviceInformation {
         let p = match payload.first_chunk::<149>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<149>(payload);
+                padded = wire::generated::zero_extended::<149>(payload);
                 &padded
             }
         };
         Self {
-            time_boot_ms: wire::get(p, 8),
-            vendor_name: wire::get(p, 48),
-            model_name: wire::get(p, 80),
-            custom_name: wire::get(p, 112),
-            firmware_version: wire::get(p, 12),
-            hardware_version: wire::get(p, 16),
-            uid: wire::get(p, 0),
-            cap_flags: wire::get(p, 44),
-            custom_cap_flags: wire::get(p, 46),
-            roll_min: wire::get(p, 20),
-            roll_max: wire::get(p, 24),
-            pitch_min: wire::get(p, 28),
-            pitch_max: wire::get(p, 32),
-            yaw_min: wire::get(p, 36),
-            yaw_max: wire::get(p, 40),
-            gimbal_device_id: wire::get(p, 144),
-            cap_flags2: wire::get(p, 145),
+            time_boot_ms: wire::generated::get(p, 8),
+            vendor_name: wire::generated::get(p, 48),
+            model_name: wire::generated::get(p, 80),
+            custom_name: wire::generated::get(p, 112),
+            firmware_version: wire::generated::get(p, 12),
+            hardware_version: wire::generated::get(p, 16),
+            uid: wire::generated::get(p, 0),
+            cap_flags: wire::generated::get(p, 44),
+            custom_cap_flags: wire::generated::get(p, 46),
+            roll_min: wire::generated::get(p, 20),
+            roll_max: wire::generated::get(p, 24),
+            pitch_min: wire::generated::get(p, 28),
+            pitch_max: wire::generated::get(p, 32),
+            yaw_min: wire::generated::get(p, 36),
+            yaw_max: wire::generated::get(p, 40),
+            gimbal_device_id: wire::generated::get(p, 144),
+            cap_flags2: wire::generated::get(p, 145),
         }
     }
 }
@@ -309,23 +309,23 @@ impl wire::Encode for GimbalDeviceInformation {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.uid);
-        wire::put(p, 8, self.time_boot_ms);
-        wire::put(p, 12, self.firmware_version);
-        wire::put(p, 16, self.hardware_version);
-        wire::put(p, 20, self.roll_min);
-        wire::put(p, 24, self.roll_max);
-        wire::put(p, 28, self.pitch_min);
-        wire::put(p, 32, self.pitch_max);
-        wire::put(p, 36, self.yaw_min);
-        wire::put(p, 40, self.yaw_max);
-        wire::put(p, 44, self.cap_flags);
-        wire::put(p, 46, self.custom_cap_flags);
-        wire::put(p, 48, self.vendor_name);
-        wire::put(p, 80, self.model_name);
-        wire::put(p, 112, self.custom_name);
-        wire::put(p, 144, self.gimbal_device_id);
-        wire::put(p, 145, self.cap_flags2);
+        wire::generated::put(p, 0, self.uid);
+        wire::generated::put(p, 8, self.time_boot_ms);
+        wire::generated::put(p, 12, self.firmware_version);
+        wire::generated::put(p, 16, self.hardware_version);
+        wire::generated::put(p, 20, self.roll_min);
+        wire::generated::put(p, 24, self.roll_max);
+        wire::generated::put(p, 28, self.pitch_min);
+        wire::generated::put(p, 32, self.pitch_max);
+        wire::generated::put(p, 36, self.yaw_min);
+        wire::generated::put(p, 40, self.yaw_max);
+        wire::generated::put(p, 44, self.cap_flags);
+        wire::generated::put(p, 46, self.custom_cap_flags);
+        wire::generated::put(p, 48, self.vendor_name);
+        wire::generated::put(p, 80, self.model_name);
+        wire::generated::put(p, 112, self.custom_name);
+        wire::generated::put(p, 144, self.gimbal_device_id);
+        wire::generated::put(p, 145, self.cap_flags2);
     }
 }
 

@@ -152,18 +152,18 @@ impl wire::Message for GimbalDeviceSetAttitude {
         let p = match payload.first_chunk::<32>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<32>(payload);
+                padded = wire::generated::zero_extended::<32>(payload);
                 &padded
             }
         };
         Self {
-            target_system: wire::get(p, 30),
-            target_component: wire::get(p, 31),
-            flags: wire::get(p, 28),
-            q: wire::get(p, 0),
-            angular_velocity_x: wire::get(p, 16),
-            angular_velocity_y: wire::get(p, 20),
-            angular_velocity_z: wire::get(p, 24),
+            target_system: wire::generated::get(p, 30),
+            target_component: wire::generated::get(p, 31),
+            flags: wire::generated::get(p, 28),
+            q: wire::generated::get(p, 0),
+            angular_velocity_x: wire::generated::get(p, 16),
+            angular_velocity_y: wire::generated::get(p, 20),
+            angular_velocity_z: wire::generated::get(p, 24),
         }
     }
 
@@ -180,13 +180,13 @@ impl wire::Encode for GimbalDeviceSetAttitude {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.q);
-        wire::put(p, 16, self.angular_velocity_x);
-        wire::put(p, 20, self.angular_velocity_y);
-        wire::put(p, 24, self.angular_velocity_z);
-        wire::put(p, 28, self.flags);
-        wire::put(p, 30, self.target_system);
-        wire::put(p, 31, self.target_component);
+        wire::generated::put(p, 0, self.q);
+        wire::generated::put(p, 16, self.angular_velocity_x);
+        wire::generated::put(p, 20, self.angular_velocity_y);
+        wire::generated::put(p, 24, self.angular_velocity_z);
+        wire::generated::put(p, 28, self.flags);
+        wire::generated::put(p, 30, self.target_system);
+        wire::generated::put(p, 31, self.target_component);
     }
 }
 

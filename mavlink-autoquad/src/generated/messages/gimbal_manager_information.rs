@@ -87,20 +87,20 @@ impl wire::Message for GimbalManagerInformation {
         let p = match payload.first_chunk::<33>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<33>(payload);
+                padded = wire::generated::zero_extended::<33>(payload);
                 &padded
             }
         };
         Self {
-            time_boot_ms: wire::get(p, 0),
-            cap_flags: wire::get(p, 4),
-            gimbal_device_id: wire::get(p, 32),
-            roll_min: wire::get(p, 8),
-            roll_max: wire::get(p, 12),
-            pitch_min: wire::get(p, 16),
-            pitch_max: wire::get(p, 20),
-            yaw_min: wire::get(p, 24),
-            yaw_max: wire::get(p, 28),
+            time_boot_ms: wire::generated::get(p, 0),
+            cap_flags: wire::generated::get(p, 4),
+            gimbal_device_id: wire::generated::get(p, 32),
+            roll_min: wire::generated::get(p, 8),
+            roll_max: wire::generated::get(p, 12),
+            pitch_min: wire::generated::get(p, 16),
+            pitch_max: wire::generated::get(p, 20),
+            yaw_min: wire::generated::get(p, 24),
+            yaw_max: wire::generated::get(p, 28),
         }
     }
 }
@@ -112,15 +112,15 @@ impl wire::Encode for GimbalManagerInformation {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_boot_ms);
-        wire::put(p, 4, self.cap_flags);
-        wire::put(p, 8, self.roll_min);
-        wire::put(p, 12, self.roll_max);
-        wire::put(p, 16, self.pitch_min);
-        wire::put(p, 20, self.pitch_max);
-        wire::put(p, 24, self.yaw_min);
-        wire::put(p, 28, self.yaw_max);
-        wire::put(p, 32, self.gimbal_device_id);
+        wire::generated::put(p, 0, self.time_boot_ms);
+        wire::generated::put(p, 4, self.cap_flags);
+        wire::generated::put(p, 8, self.roll_min);
+        wire::generated::put(p, 12, self.roll_max);
+        wire::generated::put(p, 16, self.pitch_min);
+        wire::generated::put(p, 20, self.pitch_max);
+        wire::generated::put(p, 24, self.yaw_min);
+        wire::generated::put(p, 28, self.yaw_max);
+        wire::generated::put(p, 32, self.gimbal_device_id);
     }
 }
 

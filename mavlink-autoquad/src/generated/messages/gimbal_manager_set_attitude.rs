@@ -139,19 +139,19 @@ impl wire::Message for GimbalManagerSetAttitude {
         let p = match payload.first_chunk::<35>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<35>(payload);
+                padded = wire::generated::zero_extended::<35>(payload);
                 &padded
             }
         };
         Self {
-            target_system: wire::get(p, 32),
-            target_component: wire::get(p, 33),
-            flags: wire::get(p, 0),
-            gimbal_device_id: wire::get(p, 34),
-            q: wire::get(p, 4),
-            angular_velocity_x: wire::get(p, 20),
-            angular_velocity_y: wire::get(p, 24),
-            angular_velocity_z: wire::get(p, 28),
+            target_system: wire::generated::get(p, 32),
+            target_component: wire::generated::get(p, 33),
+            flags: wire::generated::get(p, 0),
+            gimbal_device_id: wire::generated::get(p, 34),
+            q: wire::generated::get(p, 4),
+            angular_velocity_x: wire::generated::get(p, 20),
+            angular_velocity_y: wire::generated::get(p, 24),
+            angular_velocity_z: wire::generated::get(p, 28),
         }
     }
 
@@ -168,14 +168,14 @@ impl wire::Encode for GimbalManagerSetAttitude {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.flags);
-        wire::put(p, 4, self.q);
-        wire::put(p, 20, self.angular_velocity_x);
-        wire::put(p, 24, self.angular_velocity_y);
-        wire::put(p, 28, self.angular_velocity_z);
-        wire::put(p, 32, self.target_system);
-        wire::put(p, 33, self.target_component);
-        wire::put(p, 34, self.gimbal_device_id);
+        wire::generated::put(p, 0, self.flags);
+        wire::generated::put(p, 4, self.q);
+        wire::generated::put(p, 20, self.angular_velocity_x);
+        wire::generated::put(p, 24, self.angular_velocity_y);
+        wire::generated::put(p, 28, self.angular_velocity_z);
+        wire::generated::put(p, 32, self.target_system);
+        wire::generated::put(p, 33, self.target_component);
+        wire::generated::put(p, 34, self.gimbal_device_id);
     }
 }
 

@@ -140,19 +140,19 @@ impl wire::Message for GimbalManagerSetPitchyaw {
         let p = match payload.first_chunk::<23>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<23>(payload);
+                padded = wire::generated::zero_extended::<23>(payload);
                 &padded
             }
         };
         Self {
-            target_system: wire::get(p, 20),
-            target_component: wire::get(p, 21),
-            flags: wire::get(p, 0),
-            gimbal_device_id: wire::get(p, 22),
-            pitch: wire::get(p, 4),
-            yaw: wire::get(p, 8),
-            pitch_rate: wire::get(p, 12),
-            yaw_rate: wire::get(p, 16),
+            target_system: wire::generated::get(p, 20),
+            target_component: wire::generated::get(p, 21),
+            flags: wire::generated::get(p, 0),
+            gimbal_device_id: wire::generated::get(p, 22),
+            pitch: wire::generated::get(p, 4),
+            yaw: wire::generated::get(p, 8),
+            pitch_rate: wire::generated::get(p, 12),
+            yaw_rate: wire::generated::get(p, 16),
         }
     }
 
@@ -169,14 +169,14 @@ impl wire::Encode for GimbalManagerSetPitchyaw {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.flags);
-        wire::put(p, 4, self.pitch);
-        wire::put(p, 8, self.yaw);
-        wire::put(p, 12, self.pitch_rate);
-        wire::put(p, 16, self.yaw_rate);
-        wire::put(p, 20, self.target_system);
-        wire::put(p, 21, self.target_component);
-        wire::put(p, 22, self.gimbal_device_id);
+        wire::generated::put(p, 0, self.flags);
+        wire::generated::put(p, 4, self.pitch);
+        wire::generated::put(p, 8, self.yaw);
+        wire::generated::put(p, 12, self.pitch_rate);
+        wire::generated::put(p, 16, self.yaw_rate);
+        wire::generated::put(p, 20, self.target_system);
+        wire::generated::put(p, 21, self.target_component);
+        wire::generated::put(p, 22, self.gimbal_device_id);
     }
 }
 

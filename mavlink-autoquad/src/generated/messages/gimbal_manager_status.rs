@@ -77,18 +77,18 @@ impl wire::Message for GimbalManagerStatus {
         let p = match payload.first_chunk::<13>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<13>(payload);
+                padded = wire::generated::zero_extended::<13>(payload);
                 &padded
             }
         };
         Self {
-            time_boot_ms: wire::get(p, 0),
-            flags: wire::get(p, 4),
-            gimbal_device_id: wire::get(p, 8),
-            primary_control_sysid: wire::get(p, 9),
-            primary_control_compid: wire::get(p, 10),
-            secondary_control_sysid: wire::get(p, 11),
-            secondary_control_compid: wire::get(p, 12),
+            time_boot_ms: wire::generated::get(p, 0),
+            flags: wire::generated::get(p, 4),
+            gimbal_device_id: wire::generated::get(p, 8),
+            primary_control_sysid: wire::generated::get(p, 9),
+            primary_control_compid: wire::generated::get(p, 10),
+            secondary_control_sysid: wire::generated::get(p, 11),
+            secondary_control_compid: wire::generated::get(p, 12),
         }
     }
 }
@@ -100,13 +100,13 @@ impl wire::Encode for GimbalManagerStatus {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_boot_ms);
-        wire::put(p, 4, self.flags);
-        wire::put(p, 8, self.gimbal_device_id);
-        wire::put(p, 9, self.primary_control_sysid);
-        wire::put(p, 10, self.primary_control_compid);
-        wire::put(p, 11, self.secondary_control_sysid);
-        wire::put(p, 12, self.secondary_control_compid);
+        wire::generated::put(p, 0, self.time_boot_ms);
+        wire::generated::put(p, 4, self.flags);
+        wire::generated::put(p, 8, self.gimbal_device_id);
+        wire::generated::put(p, 9, self.primary_control_sysid);
+        wire::generated::put(p, 10, self.primary_control_compid);
+        wire::generated::put(p, 11, self.secondary_control_sysid);
+        wire::generated::put(p, 12, self.secondary_control_compid);
     }
 }
 

@@ -101,20 +101,20 @@ impl wire::Message for GlobalPositionInt {
         let p = match payload.first_chunk::<28>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<28>(payload);
+                padded = wire::generated::zero_extended::<28>(payload);
                 &padded
             }
         };
         Self {
-            time_boot_ms: wire::get(p, 0),
-            lat: wire::get(p, 4),
-            lon: wire::get(p, 8),
-            alt: wire::get(p, 12),
-            relative_alt: wire::get(p, 16),
-            vx: wire::get(p, 20),
-            vy: wire::get(p, 22),
-            vz: wire::get(p, 24),
-            hdg: wire::get(p, 26),
+            time_boot_ms: wire::generated::get(p, 0),
+            lat: wire::generated::get(p, 4),
+            lon: wire::generated::get(p, 8),
+            alt: wire::generated::get(p, 12),
+            relative_alt: wire::generated::get(p, 16),
+            vx: wire::generated::get(p, 20),
+            vy: wire::generated::get(p, 22),
+            vz: wire::generated::get(p, 24),
+            hdg: wire::generated::get(p, 26),
         }
     }
 }
@@ -126,15 +126,15 @@ impl wire::Encode for GlobalPositionInt {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_boot_ms);
-        wire::put(p, 4, self.lat);
-        wire::put(p, 8, self.lon);
-        wire::put(p, 12, self.alt);
-        wire::put(p, 16, self.relative_alt);
-        wire::put(p, 20, self.vx);
-        wire::put(p, 22, self.vy);
-        wire::put(p, 24, self.vz);
-        wire::put(p, 26, self.hdg);
+        wire::generated::put(p, 0, self.time_boot_ms);
+        wire::generated::put(p, 4, self.lat);
+        wire::generated::put(p, 8, self.lon);
+        wire::generated::put(p, 12, self.alt);
+        wire::generated::put(p, 16, self.relative_alt);
+        wire::generated::put(p, 20, self.vx);
+        wire::generated::put(p, 22, self.vy);
+        wire::generated::put(p, 24, self.vz);
+        wire::generated::put(p, 26, self.hdg);
     }
 }
 

@@ -108,21 +108,21 @@ impl wire::Message for GlobalPositionIntCov {
         let p = match payload.first_chunk::<181>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<181>(payload);
+                padded = wire::generated::zero_extended::<181>(payload);
                 &padded
             }
         };
         Self {
-            time_usec: wire::get(p, 0),
-            estimator_type: wire::get(p, 180),
-            lat: wire::get(p, 8),
-            lon: wire::get(p, 12),
-            alt: wire::get(p, 16),
-            relative_alt: wire::get(p, 20),
-            vx: wire::get(p, 24),
-            vy: wire::get(p, 28),
-            vz: wire::get(p, 32),
-            covariance: wire::get(p, 36),
+            time_usec: wire::generated::get(p, 0),
+            estimator_type: wire::generated::get(p, 180),
+            lat: wire::generated::get(p, 8),
+            lon: wire::generated::get(p, 12),
+            alt: wire::generated::get(p, 16),
+            relative_alt: wire::generated::get(p, 20),
+            vx: wire::generated::get(p, 24),
+            vy: wire::generated::get(p, 28),
+            vz: wire::generated::get(p, 32),
+            covariance: wire::generated::get(p, 36),
         }
     }
 }
@@ -134,16 +134,16 @@ impl wire::Encode for GlobalPositionIntCov {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_usec);
-        wire::put(p, 8, self.lat);
-        wire::put(p, 12, self.lon);
-        wire::put(p, 16, self.alt);
-        wire::put(p, 20, self.relative_alt);
-        wire::put(p, 24, self.vx);
-        wire::put(p, 28, self.vy);
-        wire::put(p, 32, self.vz);
-        wire::put(p, 36, self.covariance);
-        wire::put(p, 180, self.estimator_type);
+        wire::generated::put(p, 0, self.time_usec);
+        wire::generated::put(p, 8, self.lat);
+        wire::generated::put(p, 12, self.lon);
+        wire::generated::put(p, 16, self.alt);
+        wire::generated::put(p, 20, self.relative_alt);
+        wire::generated::put(p, 24, self.vx);
+        wire::generated::put(p, 28, self.vy);
+        wire::generated::put(p, 32, self.vz);
+        wire::generated::put(p, 36, self.covariance);
+        wire::generated::put(p, 180, self.estimator_type);
     }
 }
 

@@ -194,24 +194,24 @@ impl wire::Message for GlobalPositionSensor {
         let p = match payload.first_chunk::<41>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<41>(payload);
+                padded = wire::generated::zero_extended::<41>(payload);
                 &padded
             }
         };
         Self {
-            target_system: wire::get(p, 36),
-            target_component: wire::get(p, 37),
-            id: wire::get(p, 38),
-            time_usec: wire::get(p, 0),
-            processing_time: wire::get(p, 8),
-            source: wire::get(p, 39),
-            flags: wire::get(p, 40),
-            lat: wire::get(p, 12),
-            lon: wire::get(p, 16),
-            alt_ellipsoid: wire::get(p, 20),
-            alt: wire::get(p, 24),
-            eph: wire::get(p, 28),
-            epv: wire::get(p, 32),
+            target_system: wire::generated::get(p, 36),
+            target_component: wire::generated::get(p, 37),
+            id: wire::generated::get(p, 38),
+            time_usec: wire::generated::get(p, 0),
+            processing_time: wire::generated::get(p, 8),
+            source: wire::generated::get(p, 39),
+            flags: wire::generated::get(p, 40),
+            lat: wire::generated::get(p, 12),
+            lon: wire::generated::get(p, 16),
+            alt_ellipsoid: wire::generated::get(p, 20),
+            alt: wire::generated::get(p, 24),
+            eph: wire::generated::get(p, 28),
+            epv: wire::generated::get(p, 32),
         }
     }
 
@@ -228,19 +228,19 @@ impl wire::Encode for GlobalPositionSensor {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_usec);
-        wire::put(p, 8, self.processing_time);
-        wire::put(p, 12, self.lat);
-        wire::put(p, 16, self.lon);
-        wire::put(p, 20, self.alt_ellipsoid);
-        wire::put(p, 24, self.alt);
-        wire::put(p, 28, self.eph);
-        wire::put(p, 32, self.epv);
-        wire::put(p, 36, self.target_system);
-        wire::put(p, 37, self.target_component);
-        wire::put(p, 38, self.id);
-        wire::put(p, 39, self.source);
-        wire::put(p, 40, self.flags);
+        wire::generated::put(p, 0, self.time_usec);
+        wire::generated::put(p, 8, self.processing_time);
+        wire::generated::put(p, 12, self.lat);
+        wire::generated::put(p, 16, self.lon);
+        wire::generated::put(p, 20, self.alt_ellipsoid);
+        wire::generated::put(p, 24, self.alt);
+        wire::generated::put(p, 28, self.eph);
+        wire::generated::put(p, 32, self.epv);
+        wire::generated::put(p, 36, self.target_system);
+        wire::generated::put(p, 37, self.target_component);
+        wire::generated::put(p, 38, self.id);
+        wire::generated::put(p, 39, self.source);
+        wire::generated::put(p, 40, self.flags);
     }
 }
 

@@ -103,20 +103,20 @@ impl wire::Message for GlobalVisionPositionEstimate {
         let p = match payload.first_chunk::<117>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<117>(payload);
+                padded = wire::generated::zero_extended::<117>(payload);
                 &padded
             }
         };
         Self {
-            usec: wire::get(p, 0),
-            x: wire::get(p, 8),
-            y: wire::get(p, 12),
-            z: wire::get(p, 16),
-            roll: wire::get(p, 20),
-            pitch: wire::get(p, 24),
-            yaw: wire::get(p, 28),
-            covariance: wire::get(p, 32),
-            reset_counter: wire::get(p, 116),
+            usec: wire::generated::get(p, 0),
+            x: wire::generated::get(p, 8),
+            y: wire::generated::get(p, 12),
+            z: wire::generated::get(p, 16),
+            roll: wire::generated::get(p, 20),
+            pitch: wire::generated::get(p, 24),
+            yaw: wire::generated::get(p, 28),
+            covariance: wire::generated::get(p, 32),
+            reset_counter: wire::generated::get(p, 116),
         }
     }
 }
@@ -128,15 +128,15 @@ impl wire::Encode for GlobalVisionPositionEstimate {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.usec);
-        wire::put(p, 8, self.x);
-        wire::put(p, 12, self.y);
-        wire::put(p, 16, self.z);
-        wire::put(p, 20, self.roll);
-        wire::put(p, 24, self.pitch);
-        wire::put(p, 28, self.yaw);
-        wire::put(p, 32, self.covariance);
-        wire::put(p, 116, self.reset_counter);
+        wire::generated::put(p, 0, self.usec);
+        wire::generated::put(p, 8, self.x);
+        wire::generated::put(p, 12, self.y);
+        wire::generated::put(p, 16, self.z);
+        wire::generated::put(p, 20, self.roll);
+        wire::generated::put(p, 24, self.pitch);
+        wire::generated::put(p, 28, self.yaw);
+        wire::generated::put(p, 32, self.covariance);
+        wire::generated::put(p, 116, self.reset_counter);
     }
 }
 

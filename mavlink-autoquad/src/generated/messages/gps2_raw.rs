@@ -220,29 +220,29 @@ impl wire::Message for Gps2Raw {
         let p = match payload.first_chunk::<57>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<57>(payload);
+                padded = wire::generated::zero_extended::<57>(payload);
                 &padded
             }
         };
         Self {
-            time_usec: wire::get(p, 0),
-            fix_type: wire::get(p, 32),
-            lat: wire::get(p, 8),
-            lon: wire::get(p, 12),
-            alt: wire::get(p, 16),
-            eph: wire::get(p, 24),
-            epv: wire::get(p, 26),
-            vel: wire::get(p, 28),
-            cog: wire::get(p, 30),
-            satellites_visible: wire::get(p, 33),
-            dgps_numch: wire::get(p, 34),
-            dgps_age: wire::get(p, 20),
-            yaw: wire::get(p, 35),
-            alt_ellipsoid: wire::get(p, 37),
-            h_acc: wire::get(p, 41),
-            v_acc: wire::get(p, 45),
-            vel_acc: wire::get(p, 49),
-            hdg_acc: wire::get(p, 53),
+            time_usec: wire::generated::get(p, 0),
+            fix_type: wire::generated::get(p, 32),
+            lat: wire::generated::get(p, 8),
+            lon: wire::generated::get(p, 12),
+            alt: wire::generated::get(p, 16),
+            eph: wire::generated::get(p, 24),
+            epv: wire::generated::get(p, 26),
+            vel: wire::generated::get(p, 28),
+            cog: wire::generated::get(p, 30),
+            satellites_visible: wire::generated::get(p, 33),
+            dgps_numch: wire::generated::get(p, 34),
+            dgps_age: wire::generated::get(p, 20),
+            yaw: wire::generated::get(p, 35),
+            alt_ellipsoid: wire::generated::get(p, 37),
+            h_acc: wire::generated::get(p, 41),
+            v_acc: wire::generated::get(p, 45),
+            vel_acc: wire::generated::get(p, 49),
+            hdg_acc: wire::generated::get(p, 53),
         }
     }
 }
@@ -254,24 +254,24 @@ impl wire::Encode for Gps2Raw {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_usec);
-        wire::put(p, 8, self.lat);
-        wire::put(p, 12, self.lon);
-        wire::put(p, 16, self.alt);
-        wire::put(p, 20, self.dgps_age);
-        wire::put(p, 24, self.eph);
-        wire::put(p, 26, self.epv);
-        wire::put(p, 28, self.vel);
-        wire::put(p, 30, self.cog);
-        wire::put(p, 32, self.fix_type);
-        wire::put(p, 33, self.satellites_visible);
-        wire::put(p, 34, self.dgps_numch);
-        wire::put(p, 35, self.yaw);
-        wire::put(p, 37, self.alt_ellipsoid);
-        wire::put(p, 41, self.h_acc);
-        wire::put(p, 45, self.v_acc);
-        wire::put(p, 49, self.vel_acc);
-        wire::put(p, 53, self.hdg_acc);
+        wire::generated::put(p, 0, self.time_usec);
+        wire::generated::put(p, 8, self.lat);
+        wire::generated::put(p, 12, self.lon);
+        wire::generated::put(p, 16, self.alt);
+        wire::generated::put(p, 20, self.dgps_age);
+        wire::generated::put(p, 24, self.eph);
+        wire::generated::put(p, 26, self.epv);
+        wire::generated::put(p, 28, self.vel);
+        wire::generated::put(p, 30, self.cog);
+        wire::generated::put(p, 32, self.fix_type);
+        wire::generated::put(p, 33, self.satellites_visible);
+        wire::generated::put(p, 34, self.dgps_numch);
+        wire::generated::put(p, 35, self.yaw);
+        wire::generated::put(p, 37, self.alt_ellipsoid);
+        wire::generated::put(p, 41, self.h_acc);
+        wire::generated::put(p, 45, self.v_acc);
+        wire::generated::put(p, 49, self.vel_acc);
+        wire::generated::put(p, 53, self.hdg_acc);
     }
 }
 

@@ -60,15 +60,15 @@ impl wire::Message for GpsGlobalOrigin {
         let p = match payload.first_chunk::<20>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<20>(payload);
+                padded = wire::generated::zero_extended::<20>(payload);
                 &padded
             }
         };
         Self {
-            latitude: wire::get(p, 0),
-            longitude: wire::get(p, 4),
-            altitude: wire::get(p, 8),
-            time_usec: wire::get(p, 12),
+            latitude: wire::generated::get(p, 0),
+            longitude: wire::generated::get(p, 4),
+            altitude: wire::generated::get(p, 8),
+            time_usec: wire::generated::get(p, 12),
         }
     }
 }
@@ -80,10 +80,10 @@ impl wire::Encode for GpsGlobalOrigin {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.latitude);
-        wire::put(p, 4, self.longitude);
-        wire::put(p, 8, self.altitude);
-        wire::put(p, 12, self.time_usec);
+        wire::generated::put(p, 0, self.latitude);
+        wire::generated::put(p, 4, self.longitude);
+        wire::generated::put(p, 8, self.altitude);
+        wire::generated::put(p, 12, self.time_usec);
     }
 }
 

@@ -61,15 +61,15 @@ impl wire::Message for GpsInjectData {
         let p = match payload.first_chunk::<113>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<113>(payload);
+                padded = wire::generated::zero_extended::<113>(payload);
                 &padded
             }
         };
         Self {
-            target_system: wire::get(p, 0),
-            target_component: wire::get(p, 1),
-            len: wire::get(p, 2),
-            data: wire::get(p, 3),
+            target_system: wire::generated::get(p, 0),
+            target_component: wire::generated::get(p, 1),
+            len: wire::generated::get(p, 2),
+            data: wire::generated::get(p, 3),
         }
     }
 
@@ -86,10 +86,10 @@ impl wire::Encode for GpsInjectData {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.target_system);
-        wire::put(p, 1, self.target_component);
-        wire::put(p, 2, self.len);
-        wire::put(p, 3, self.data);
+        wire::generated::put(p, 0, self.target_system);
+        wire::generated::put(p, 1, self.target_component);
+        wire::generated::put(p, 2, self.len);
+        wire::generated::put(p, 3, self.data);
     }
 }
 

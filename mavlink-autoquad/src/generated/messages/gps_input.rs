@@ -182,30 +182,30 @@ impl wire::Message for GpsInput {
         let p = match payload.first_chunk::<65>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<65>(payload);
+                padded = wire::generated::zero_extended::<65>(payload);
                 &padded
             }
         };
         Self {
-            time_usec: wire::get(p, 0),
-            gps_id: wire::get(p, 60),
-            ignore_flags: wire::get(p, 56),
-            time_week_ms: wire::get(p, 8),
-            time_week: wire::get(p, 58),
-            fix_type: wire::get(p, 61),
-            lat: wire::get(p, 12),
-            lon: wire::get(p, 16),
-            alt: wire::get(p, 20),
-            hdop: wire::get(p, 24),
-            vdop: wire::get(p, 28),
-            vn: wire::get(p, 32),
-            ve: wire::get(p, 36),
-            vd: wire::get(p, 40),
-            speed_accuracy: wire::get(p, 44),
-            horiz_accuracy: wire::get(p, 48),
-            vert_accuracy: wire::get(p, 52),
-            satellites_visible: wire::get(p, 62),
-            yaw: wire::get(p, 63),
+            time_usec: wire::generated::get(p, 0),
+            gps_id: wire::generated::get(p, 60),
+            ignore_flags: wire::generated::get(p, 56),
+            time_week_ms: wire::generated::get(p, 8),
+            time_week: wire::generated::get(p, 58),
+            fix_type: wire::generated::get(p, 61),
+            lat: wire::generated::get(p, 12),
+            lon: wire::generated::get(p, 16),
+            alt: wire::generated::get(p, 20),
+            hdop: wire::generated::get(p, 24),
+            vdop: wire::generated::get(p, 28),
+            vn: wire::generated::get(p, 32),
+            ve: wire::generated::get(p, 36),
+            vd: wire::generated::get(p, 40),
+            speed_accuracy: wire::generated::get(p, 44),
+            horiz_accuracy: wire::generated::get(p, 48),
+            vert_accuracy: wire::generated::get(p, 52),
+            satellites_visible: wire::generated::get(p, 62),
+            yaw: wire::generated::get(p, 63),
         }
     }
 }
@@ -217,25 +217,25 @@ impl wire::Encode for GpsInput {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_usec);
-        wire::put(p, 8, self.time_week_ms);
-        wire::put(p, 12, self.lat);
-        wire::put(p, 16, self.lon);
-        wire::put(p, 20, self.alt);
-        wire::put(p, 24, self.hdop);
-        wire::put(p, 28, self.vdop);
-        wire::put(p, 32, self.vn);
-        wire::put(p, 36, self.ve);
-        wire::put(p, 40, self.vd);
-        wire::put(p, 44, self.speed_accuracy);
-        wire::put(p, 48, self.horiz_accuracy);
-        wire::put(p, 52, self.vert_accuracy);
-        wire::put(p, 56, self.ignore_flags);
-        wire::put(p, 58, self.time_week);
-        wire::put(p, 60, self.gps_id);
-        wire::put(p, 61, self.fix_type);
-        wire::put(p, 62, self.satellites_visible);
-        wire::put(p, 63, self.yaw);
+        wire::generated::put(p, 0, self.time_usec);
+        wire::generated::put(p, 8, self.time_week_ms);
+        wire::generated::put(p, 12, self.lat);
+        wire::generated::put(p, 16, self.lon);
+        wire::generated::put(p, 20, self.alt);
+        wire::generated::put(p, 24, self.hdop);
+        wire::generated::put(p, 28, self.vdop);
+        wire::generated::put(p, 32, self.vn);
+        wire::generated::put(p, 36, self.ve);
+        wire::generated::put(p, 40, self.vd);
+        wire::generated::put(p, 44, self.speed_accuracy);
+        wire::generated::put(p, 48, self.horiz_accuracy);
+        wire::generated::put(p, 52, self.vert_accuracy);
+        wire::generated::put(p, 56, self.ignore_flags);
+        wire::generated::put(p, 58, self.time_week);
+        wire::generated::put(p, 60, self.gps_id);
+        wire::generated::put(p, 61, self.fix_type);
+        wire::generated::put(p, 62, self.satellites_visible);
+        wire::generated::put(p, 63, self.yaw);
     }
 }
 

@@ -210,27 +210,27 @@ impl wire::Message for GpsRawInt {
         let p = match payload.first_chunk::<52>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<52>(payload);
+                padded = wire::generated::zero_extended::<52>(payload);
                 &padded
             }
         };
         Self {
-            time_usec: wire::get(p, 0),
-            fix_type: wire::get(p, 28),
-            lat: wire::get(p, 8),
-            lon: wire::get(p, 12),
-            alt: wire::get(p, 16),
-            eph: wire::get(p, 20),
-            epv: wire::get(p, 22),
-            vel: wire::get(p, 24),
-            cog: wire::get(p, 26),
-            satellites_visible: wire::get(p, 29),
-            alt_ellipsoid: wire::get(p, 30),
-            h_acc: wire::get(p, 34),
-            v_acc: wire::get(p, 38),
-            vel_acc: wire::get(p, 42),
-            hdg_acc: wire::get(p, 46),
-            yaw: wire::get(p, 50),
+            time_usec: wire::generated::get(p, 0),
+            fix_type: wire::generated::get(p, 28),
+            lat: wire::generated::get(p, 8),
+            lon: wire::generated::get(p, 12),
+            alt: wire::generated::get(p, 16),
+            eph: wire::generated::get(p, 20),
+            epv: wire::generated::get(p, 22),
+            vel: wire::generated::get(p, 24),
+            cog: wire::generated::get(p, 26),
+            satellites_visible: wire::generated::get(p, 29),
+            alt_ellipsoid: wire::generated::get(p, 30),
+            h_acc: wire::generated::get(p, 34),
+            v_acc: wire::generated::get(p, 38),
+            vel_acc: wire::generated::get(p, 42),
+            hdg_acc: wire::generated::get(p, 46),
+            yaw: wire::generated::get(p, 50),
         }
     }
 }
@@ -242,22 +242,22 @@ impl wire::Encode for GpsRawInt {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_usec);
-        wire::put(p, 8, self.lat);
-        wire::put(p, 12, self.lon);
-        wire::put(p, 16, self.alt);
-        wire::put(p, 20, self.eph);
-        wire::put(p, 22, self.epv);
-        wire::put(p, 24, self.vel);
-        wire::put(p, 26, self.cog);
-        wire::put(p, 28, self.fix_type);
-        wire::put(p, 29, self.satellites_visible);
-        wire::put(p, 30, self.alt_ellipsoid);
-        wire::put(p, 34, self.h_acc);
-        wire::put(p, 38, self.v_acc);
-        wire::put(p, 42, self.vel_acc);
-        wire::put(p, 46, self.hdg_acc);
-        wire::put(p, 50, self.yaw);
+        wire::generated::put(p, 0, self.time_usec);
+        wire::generated::put(p, 8, self.lat);
+        wire::generated::put(p, 12, self.lon);
+        wire::generated::put(p, 16, self.alt);
+        wire::generated::put(p, 20, self.eph);
+        wire::generated::put(p, 22, self.epv);
+        wire::generated::put(p, 24, self.vel);
+        wire::generated::put(p, 26, self.cog);
+        wire::generated::put(p, 28, self.fix_type);
+        wire::generated::put(p, 29, self.satellites_visible);
+        wire::generated::put(p, 30, self.alt_ellipsoid);
+        wire::generated::put(p, 34, self.h_acc);
+        wire::generated::put(p, 38, self.v_acc);
+        wire::generated::put(p, 42, self.vel_acc);
+        wire::generated::put(p, 46, self.hdg_acc);
+        wire::generated::put(p, 50, self.yaw);
     }
 }
 

@@ -55,14 +55,14 @@ impl wire::Message for GpsRtcmData {
         let p = match payload.first_chunk::<182>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<182>(payload);
+                padded = wire::generated::zero_extended::<182>(payload);
                 &padded
             }
         };
         Self {
-            flags: wire::get(p, 0),
-            len: wire::get(p, 1),
-            data: wire::get(p, 2),
+            flags: wire::generated::get(p, 0),
+            len: wire::generated::get(p, 1),
+            data: wire::generated::get(p, 2),
         }
     }
 }
@@ -74,9 +74,9 @@ impl wire::Encode for GpsRtcmData {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.flags);
-        wire::put(p, 1, self.len);
-        wire::put(p, 2, self.data);
+        wire::generated::put(p, 0, self.flags);
+        wire::generated::put(p, 1, self.len);
+        wire::generated::put(p, 2, self.data);
     }
 }
 

@@ -106,24 +106,24 @@ impl wire::Message for GpsRtk {
         let p = match payload.first_chunk::<35>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<35>(payload);
+                padded = wire::generated::zero_extended::<35>(payload);
                 &padded
             }
         };
         Self {
-            time_last_baseline_ms: wire::get(p, 0),
-            rtk_receiver_id: wire::get(p, 30),
-            wn: wire::get(p, 28),
-            tow: wire::get(p, 4),
-            rtk_health: wire::get(p, 31),
-            rtk_rate: wire::get(p, 32),
-            nsats: wire::get(p, 33),
-            baseline_coords_type: wire::get(p, 34),
-            baseline_a_mm: wire::get(p, 8),
-            baseline_b_mm: wire::get(p, 12),
-            baseline_c_mm: wire::get(p, 16),
-            accuracy: wire::get(p, 20),
-            iar_num_hypotheses: wire::get(p, 24),
+            time_last_baseline_ms: wire::generated::get(p, 0),
+            rtk_receiver_id: wire::generated::get(p, 30),
+            wn: wire::generated::get(p, 28),
+            tow: wire::generated::get(p, 4),
+            rtk_health: wire::generated::get(p, 31),
+            rtk_rate: wire::generated::get(p, 32),
+            nsats: wire::generated::get(p, 33),
+            baseline_coords_type: wire::generated::get(p, 34),
+            baseline_a_mm: wire::generated::get(p, 8),
+            baseline_b_mm: wire::generated::get(p, 12),
+            baseline_c_mm: wire::generated::get(p, 16),
+            accuracy: wire::generated::get(p, 20),
+            iar_num_hypotheses: wire::generated::get(p, 24),
         }
     }
 }
@@ -135,19 +135,19 @@ impl wire::Encode for GpsRtk {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_last_baseline_ms);
-        wire::put(p, 4, self.tow);
-        wire::put(p, 8, self.baseline_a_mm);
-        wire::put(p, 12, self.baseline_b_mm);
-        wire::put(p, 16, self.baseline_c_mm);
-        wire::put(p, 20, self.accuracy);
-        wire::put(p, 24, self.iar_num_hypotheses);
-        wire::put(p, 28, self.wn);
-        wire::put(p, 30, self.rtk_receiver_id);
-        wire::put(p, 31, self.rtk_health);
-        wire::put(p, 32, self.rtk_rate);
-        wire::put(p, 33, self.nsats);
-        wire::put(p, 34, self.baseline_coords_type);
+        wire::generated::put(p, 0, self.time_last_baseline_ms);
+        wire::generated::put(p, 4, self.tow);
+        wire::generated::put(p, 8, self.baseline_a_mm);
+        wire::generated::put(p, 12, self.baseline_b_mm);
+        wire::generated::put(p, 16, self.baseline_c_mm);
+        wire::generated::put(p, 20, self.accuracy);
+        wire::generated::put(p, 24, self.iar_num_hypotheses);
+        wire::generated::put(p, 28, self.wn);
+        wire::generated::put(p, 30, self.rtk_receiver_id);
+        wire::generated::put(p, 31, self.rtk_health);
+        wire::generated::put(p, 32, self.rtk_rate);
+        wire::generated::put(p, 33, self.nsats);
+        wire::generated::put(p, 34, self.baseline_coords_type);
     }
 }
 

@@ -70,17 +70,17 @@ impl wire::Message for GpsStatus {
         let p = match payload.first_chunk::<101>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<101>(payload);
+                padded = wire::generated::zero_extended::<101>(payload);
                 &padded
             }
         };
         Self {
-            satellites_visible: wire::get(p, 0),
-            satellite_prn: wire::get(p, 1),
-            satellite_used: wire::get(p, 21),
-            satellite_elevation: wire::get(p, 41),
-            satellite_azimuth: wire::get(p, 61),
-            satellite_snr: wire::get(p, 81),
+            satellites_visible: wire::generated::get(p, 0),
+            satellite_prn: wire::generated::get(p, 1),
+            satellite_used: wire::generated::get(p, 21),
+            satellite_elevation: wire::generated::get(p, 41),
+            satellite_azimuth: wire::generated::get(p, 61),
+            satellite_snr: wire::generated::get(p, 81),
         }
     }
 }
@@ -92,12 +92,12 @@ impl wire::Encode for GpsStatus {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.satellites_visible);
-        wire::put(p, 1, self.satellite_prn);
-        wire::put(p, 21, self.satellite_used);
-        wire::put(p, 41, self.satellite_elevation);
-        wire::put(p, 61, self.satellite_azimuth);
-        wire::put(p, 81, self.satellite_snr);
+        wire::generated::put(p, 0, self.satellites_visible);
+        wire::generated::put(p, 1, self.satellite_prn);
+        wire::generated::put(p, 21, self.satellite_used);
+        wire::generated::put(p, 41, self.satellite_elevation);
+        wire::generated::put(p, 61, self.satellite_azimuth);
+        wire::generated::put(p, 81, self.satellite_snr);
     }
 }
 

@@ -99,17 +99,17 @@ impl wire::Message for Heartbeat {
         let p = match payload.first_chunk::<9>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<9>(payload);
+                padded = wire::generated::zero_extended::<9>(payload);
                 &padded
             }
         };
         Self {
-            r#type: wire::get(p, 4),
-            autopilot: wire::get(p, 5),
-            base_mode: wire::get(p, 6),
-            custom_mode: wire::get(p, 0),
-            system_status: wire::get(p, 7),
-            mavlink_version: wire::get(p, 8),
+            r#type: wire::generated::get(p, 4),
+            autopilot: wire::generated::get(p, 5),
+            base_mode: wire::generated::get(p, 6),
+            custom_mode: wire::generated::get(p, 0),
+            system_status: wire::generated::get(p, 7),
+            mavlink_version: wire::generated::get(p, 8),
         }
     }
 }
@@ -121,12 +121,12 @@ impl wire::Encode for Heartbeat {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.custom_mode);
-        wire::put(p, 4, self.r#type);
-        wire::put(p, 5, self.autopilot);
-        wire::put(p, 6, self.base_mode);
-        wire::put(p, 7, self.system_status);
-        wire::put(p, 8, self.mavlink_version);
+        wire::generated::put(p, 0, self.custom_mode);
+        wire::generated::put(p, 4, self.r#type);
+        wire::generated::put(p, 5, self.autopilot);
+        wire::generated::put(p, 6, self.base_mode);
+        wire::generated::put(p, 7, self.system_status);
+        wire::generated::put(p, 8, self.mavlink_version);
     }
 }
 

@@ -181,35 +181,35 @@ impl wire::Message for HighLatency {
         let p = match payload.first_chunk::<40>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<40>(payload);
+                padded = wire::generated::zero_extended::<40>(payload);
                 &padded
             }
         };
         Self {
-            base_mode: wire::get(p, 26),
-            custom_mode: wire::get(p, 0),
-            landed_state: wire::get(p, 27),
-            roll: wire::get(p, 12),
-            pitch: wire::get(p, 14),
-            heading: wire::get(p, 16),
-            throttle: wire::get(p, 28),
-            heading_sp: wire::get(p, 18),
-            latitude: wire::get(p, 4),
-            longitude: wire::get(p, 8),
-            altitude_amsl: wire::get(p, 20),
-            altitude_sp: wire::get(p, 22),
-            airspeed: wire::get(p, 29),
-            airspeed_sp: wire::get(p, 30),
-            groundspeed: wire::get(p, 31),
-            climb_rate: wire::get(p, 32),
-            gps_nsat: wire::get(p, 33),
-            gps_fix_type: wire::get(p, 34),
-            battery_remaining: wire::get(p, 35),
-            temperature: wire::get(p, 36),
-            temperature_air: wire::get(p, 37),
-            failsafe: wire::get(p, 38),
-            wp_num: wire::get(p, 39),
-            wp_distance: wire::get(p, 24),
+            base_mode: wire::generated::get(p, 26),
+            custom_mode: wire::generated::get(p, 0),
+            landed_state: wire::generated::get(p, 27),
+            roll: wire::generated::get(p, 12),
+            pitch: wire::generated::get(p, 14),
+            heading: wire::generated::get(p, 16),
+            throttle: wire::generated::get(p, 28),
+            heading_sp: wire::generated::get(p, 18),
+            latitude: wire::generated::get(p, 4),
+            longitude: wire::generated::get(p, 8),
+            altitude_amsl: wire::generated::get(p, 20),
+            altitude_sp: wire::generated::get(p, 22),
+            airspeed: wire::generated::get(p, 29),
+            airspeed_sp: wire::generated::get(p, 30),
+            groundspeed: wire::generated::get(p, 31),
+            climb_rate: wire::generated::get(p, 32),
+            gps_nsat: wire::generated::get(p, 33),
+            gps_fix_type: wire::generated::get(p, 34),
+            battery_remaining: wire::generated::get(p, 35),
+            temperature: wire::generated::get(p, 36),
+            temperature_air: wire::generated::get(p, 37),
+            failsafe: wire::generated::get(p, 38),
+            wp_num: wire::generated::get(p, 39),
+            wp_distance: wire::generated::get(p, 24),
         }
     }
 }
@@ -221,30 +221,30 @@ impl wire::Encode for HighLatency {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.custom_mode);
-        wire::put(p, 4, self.latitude);
-        wire::put(p, 8, self.longitude);
-        wire::put(p, 12, self.roll);
-        wire::put(p, 14, self.pitch);
-        wire::put(p, 16, self.heading);
-        wire::put(p, 18, self.heading_sp);
-        wire::put(p, 20, self.altitude_amsl);
-        wire::put(p, 22, self.altitude_sp);
-        wire::put(p, 24, self.wp_distance);
-        wire::put(p, 26, self.base_mode);
-        wire::put(p, 27, self.landed_state);
-        wire::put(p, 28, self.throttle);
-        wire::put(p, 29, self.airspeed);
-        wire::put(p, 30, self.airspeed_sp);
-        wire::put(p, 31, self.groundspeed);
-        wire::put(p, 32, self.climb_rate);
-        wire::put(p, 33, self.gps_nsat);
-        wire::put(p, 34, self.gps_fix_type);
-        wire::put(p, 35, self.battery_remaining);
-        wire::put(p, 36, self.temperature);
-        wire::put(p, 37, self.temperature_air);
-        wire::put(p, 38, self.failsafe);
-        wire::put(p, 39, self.wp_num);
+        wire::generated::put(p, 0, self.custom_mode);
+        wire::generated::put(p, 4, self.latitude);
+        wire::generated::put(p, 8, self.longitude);
+        wire::generated::put(p, 12, self.roll);
+        wire::generated::put(p, 14, self.pitch);
+        wire::generated::put(p, 16, self.heading);
+        wire::generated::put(p, 18, self.heading_sp);
+        wire::generated::put(p, 20, self.altitude_amsl);
+        wire::generated::put(p, 22, self.altitude_sp);
+        wire::generated::put(p, 24, self.wp_distance);
+        wire::generated::put(p, 26, self.base_mode);
+        wire::generated::put(p, 27, self.landed_state);
+        wire::generated::put(p, 28, self.throttle);
+        wire::generated::put(p, 29, self.airspeed);
+        wire::generated::put(p, 30, self.airspeed_sp);
+        wire::generated::put(p, 31, self.groundspeed);
+        wire::generated::put(p, 32, self.climb_rate);
+        wire::generated::put(p, 33, self.gps_nsat);
+        wire::generated::put(p, 34, self.gps_fix_type);
+        wire::generated::put(p, 35, self.battery_remaining);
+        wire::generated::put(p, 36, self.temperature);
+        wire::generated::put(p, 37, self.temperature_air);
+        wire::generated::put(p, 38, self.failsafe);
+        wire::generated::put(p, 39, self.wp_num);
     }
 }
 

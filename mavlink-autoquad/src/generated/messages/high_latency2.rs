@@ -194,38 +194,38 @@ impl wire::Message for HighLatency2 {
         let p = match payload.first_chunk::<42>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<42>(payload);
+                padded = wire::generated::zero_extended::<42>(payload);
                 &padded
             }
         };
         Self {
-            timestamp: wire::get(p, 0),
-            r#type: wire::get(p, 24),
-            autopilot: wire::get(p, 25),
-            custom_mode: wire::get(p, 12),
-            latitude: wire::get(p, 4),
-            longitude: wire::get(p, 8),
-            altitude: wire::get(p, 14),
-            target_altitude: wire::get(p, 16),
-            heading: wire::get(p, 26),
-            target_heading: wire::get(p, 27),
-            target_distance: wire::get(p, 18),
-            throttle: wire::get(p, 28),
-            airspeed: wire::get(p, 29),
-            airspeed_sp: wire::get(p, 30),
-            groundspeed: wire::get(p, 31),
-            windspeed: wire::get(p, 32),
-            wind_heading: wire::get(p, 33),
-            eph: wire::get(p, 34),
-            epv: wire::get(p, 35),
-            temperature_air: wire::get(p, 36),
-            climb_rate: wire::get(p, 37),
-            battery: wire::get(p, 38),
-            wp_num: wire::get(p, 20),
-            failure_flags: wire::get(p, 22),
-            custom0: wire::get(p, 39),
-            custom1: wire::get(p, 40),
-            custom2: wire::get(p, 41),
+            timestamp: wire::generated::get(p, 0),
+            r#type: wire::generated::get(p, 24),
+            autopilot: wire::generated::get(p, 25),
+            custom_mode: wire::generated::get(p, 12),
+            latitude: wire::generated::get(p, 4),
+            longitude: wire::generated::get(p, 8),
+            altitude: wire::generated::get(p, 14),
+            target_altitude: wire::generated::get(p, 16),
+            heading: wire::generated::get(p, 26),
+            target_heading: wire::generated::get(p, 27),
+            target_distance: wire::generated::get(p, 18),
+            throttle: wire::generated::get(p, 28),
+            airspeed: wire::generated::get(p, 29),
+            airspeed_sp: wire::generated::get(p, 30),
+            groundspeed: wire::generated::get(p, 31),
+            windspeed: wire::generated::get(p, 32),
+            wind_heading: wire::generated::get(p, 33),
+            eph: wire::generated::get(p, 34),
+            epv: wire::generated::get(p, 35),
+            temperature_air: wire::generated::get(p, 36),
+            climb_rate: wire::generated::get(p, 37),
+            battery: wire::generated::get(p, 38),
+            wp_num: wire::generated::get(p, 20),
+            failure_flags: wire::generated::get(p, 22),
+            custom0: wire::generated::get(p, 39),
+            custom1: wire::generated::get(p, 40),
+            custom2: wire::generated::get(p, 41),
         }
     }
 }
@@ -237,33 +237,33 @@ impl wire::Encode for HighLatency2 {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.timestamp);
-        wire::put(p, 4, self.latitude);
-        wire::put(p, 8, self.longitude);
-        wire::put(p, 12, self.custom_mode);
-        wire::put(p, 14, self.altitude);
-        wire::put(p, 16, self.target_altitude);
-        wire::put(p, 18, self.target_distance);
-        wire::put(p, 20, self.wp_num);
-        wire::put(p, 22, self.failure_flags);
-        wire::put(p, 24, self.r#type);
-        wire::put(p, 25, self.autopilot);
-        wire::put(p, 26, self.heading);
-        wire::put(p, 27, self.target_heading);
-        wire::put(p, 28, self.throttle);
-        wire::put(p, 29, self.airspeed);
-        wire::put(p, 30, self.airspeed_sp);
-        wire::put(p, 31, self.groundspeed);
-        wire::put(p, 32, self.windspeed);
-        wire::put(p, 33, self.wind_heading);
-        wire::put(p, 34, self.eph);
-        wire::put(p, 35, self.epv);
-        wire::put(p, 36, self.temperature_air);
-        wire::put(p, 37, self.climb_rate);
-        wire::put(p, 38, self.battery);
-        wire::put(p, 39, self.custom0);
-        wire::put(p, 40, self.custom1);
-        wire::put(p, 41, self.custom2);
+        wire::generated::put(p, 0, self.timestamp);
+        wire::generated::put(p, 4, self.latitude);
+        wire::generated::put(p, 8, self.longitude);
+        wire::generated::put(p, 12, self.custom_mode);
+        wire::generated::put(p, 14, self.altitude);
+        wire::generated::put(p, 16, self.target_altitude);
+        wire::generated::put(p, 18, self.target_distance);
+        wire::generated::put(p, 20, self.wp_num);
+        wire::generated::put(p, 22, self.failure_flags);
+        wire::generated::put(p, 24, self.r#type);
+        wire::generated::put(p, 25, self.autopilot);
+        wire::generated::put(p, 26, self.heading);
+        wire::generated::put(p, 27, self.target_heading);
+        wire::generated::put(p, 28, self.throttle);
+        wire::generated::put(p, 29, self.airspeed);
+        wire::generated::put(p, 30, self.airspeed_sp);
+        wire::generated::put(p, 31, self.groundspeed);
+        wire::generated::put(p, 32, self.windspeed);
+        wire::generated::put(p, 33, self.wind_heading);
+        wire::generated::put(p, 34, self.eph);
+        wire::generated::put(p, 35, self.epv);
+        wire::generated::put(p, 36, self.temperature_air);
+        wire::generated::put(p, 37, self.climb_rate);
+        wire::generated::put(p, 38, self.battery);
+        wire::generated::put(p, 39, self.custom0);
+        wire::generated::put(p, 40, self.custom1);
+        wire::generated::put(p, 41, self.custom2);
     }
 }
 

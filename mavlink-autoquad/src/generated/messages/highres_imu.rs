@@ -124,27 +124,27 @@ impl wire::Message for HighresImu {
         let p = match payload.first_chunk::<63>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<63>(payload);
+                padded = wire::generated::zero_extended::<63>(payload);
                 &padded
             }
         };
         Self {
-            time_usec: wire::get(p, 0),
-            xacc: wire::get(p, 8),
-            yacc: wire::get(p, 12),
-            zacc: wire::get(p, 16),
-            xgyro: wire::get(p, 20),
-            ygyro: wire::get(p, 24),
-            zgyro: wire::get(p, 28),
-            xmag: wire::get(p, 32),
-            ymag: wire::get(p, 36),
-            zmag: wire::get(p, 40),
-            abs_pressure: wire::get(p, 44),
-            diff_pressure: wire::get(p, 48),
-            pressure_alt: wire::get(p, 52),
-            temperature: wire::get(p, 56),
-            fields_updated: wire::get(p, 60),
-            id: wire::get(p, 62),
+            time_usec: wire::generated::get(p, 0),
+            xacc: wire::generated::get(p, 8),
+            yacc: wire::generated::get(p, 12),
+            zacc: wire::generated::get(p, 16),
+            xgyro: wire::generated::get(p, 20),
+            ygyro: wire::generated::get(p, 24),
+            zgyro: wire::generated::get(p, 28),
+            xmag: wire::generated::get(p, 32),
+            ymag: wire::generated::get(p, 36),
+            zmag: wire::generated::get(p, 40),
+            abs_pressure: wire::generated::get(p, 44),
+            diff_pressure: wire::generated::get(p, 48),
+            pressure_alt: wire::generated::get(p, 52),
+            temperature: wire::generated::get(p, 56),
+            fields_updated: wire::generated::get(p, 60),
+            id: wire::generated::get(p, 62),
         }
     }
 }
@@ -156,22 +156,22 @@ impl wire::Encode for HighresImu {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_usec);
-        wire::put(p, 8, self.xacc);
-        wire::put(p, 12, self.yacc);
-        wire::put(p, 16, self.zacc);
-        wire::put(p, 20, self.xgyro);
-        wire::put(p, 24, self.ygyro);
-        wire::put(p, 28, self.zgyro);
-        wire::put(p, 32, self.xmag);
-        wire::put(p, 36, self.ymag);
-        wire::put(p, 40, self.zmag);
-        wire::put(p, 44, self.abs_pressure);
-        wire::put(p, 48, self.diff_pressure);
-        wire::put(p, 52, self.pressure_alt);
-        wire::put(p, 56, self.temperature);
-        wire::put(p, 60, self.fields_updated);
-        wire::put(p, 62, self.id);
+        wire::generated::put(p, 0, self.time_usec);
+        wire::generated::put(p, 8, self.xacc);
+        wire::generated::put(p, 12, self.yacc);
+        wire::generated::put(p, 16, self.zacc);
+        wire::generated::put(p, 20, self.xgyro);
+        wire::generated::put(p, 24, self.ygyro);
+        wire::generated::put(p, 28, self.zgyro);
+        wire::generated::put(p, 32, self.xmag);
+        wire::generated::put(p, 36, self.ymag);
+        wire::generated::put(p, 40, self.zmag);
+        wire::generated::put(p, 44, self.abs_pressure);
+        wire::generated::put(p, 48, self.diff_pressure);
+        wire::generated::put(p, 52, self.pressure_alt);
+        wire::generated::put(p, 56, self.temperature);
+        wire::generated::put(p, 60, self.fields_updated);
+        wire::generated::put(p, 62, self.id);
     }
 }
 

@@ -63,15 +63,15 @@ impl wire::Message for HilActuatorControls {
         let p = match payload.first_chunk::<81>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<81>(payload);
+                padded = wire::generated::zero_extended::<81>(payload);
                 &padded
             }
         };
         Self {
-            time_usec: wire::get(p, 0),
-            controls: wire::get(p, 16),
-            mode: wire::get(p, 80),
-            flags: wire::get(p, 8),
+            time_usec: wire::generated::get(p, 0),
+            controls: wire::generated::get(p, 16),
+            mode: wire::generated::get(p, 80),
+            flags: wire::generated::get(p, 8),
         }
     }
 }
@@ -83,10 +83,10 @@ impl wire::Encode for HilActuatorControls {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_usec);
-        wire::put(p, 8, self.flags);
-        wire::put(p, 16, self.controls);
-        wire::put(p, 80, self.mode);
+        wire::generated::put(p, 0, self.time_usec);
+        wire::generated::put(p, 8, self.flags);
+        wire::generated::put(p, 16, self.controls);
+        wire::generated::put(p, 80, self.mode);
     }
 }
 

@@ -97,22 +97,22 @@ impl wire::Message for HilControls {
         let p = match payload.first_chunk::<42>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<42>(payload);
+                padded = wire::generated::zero_extended::<42>(payload);
                 &padded
             }
         };
         Self {
-            time_usec: wire::get(p, 0),
-            roll_ailerons: wire::get(p, 8),
-            pitch_elevator: wire::get(p, 12),
-            yaw_rudder: wire::get(p, 16),
-            throttle: wire::get(p, 20),
-            aux1: wire::get(p, 24),
-            aux2: wire::get(p, 28),
-            aux3: wire::get(p, 32),
-            aux4: wire::get(p, 36),
-            mode: wire::get(p, 40),
-            nav_mode: wire::get(p, 41),
+            time_usec: wire::generated::get(p, 0),
+            roll_ailerons: wire::generated::get(p, 8),
+            pitch_elevator: wire::generated::get(p, 12),
+            yaw_rudder: wire::generated::get(p, 16),
+            throttle: wire::generated::get(p, 20),
+            aux1: wire::generated::get(p, 24),
+            aux2: wire::generated::get(p, 28),
+            aux3: wire::generated::get(p, 32),
+            aux4: wire::generated::get(p, 36),
+            mode: wire::generated::get(p, 40),
+            nav_mode: wire::generated::get(p, 41),
         }
     }
 }
@@ -124,17 +124,17 @@ impl wire::Encode for HilControls {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_usec);
-        wire::put(p, 8, self.roll_ailerons);
-        wire::put(p, 12, self.pitch_elevator);
-        wire::put(p, 16, self.yaw_rudder);
-        wire::put(p, 20, self.throttle);
-        wire::put(p, 24, self.aux1);
-        wire::put(p, 28, self.aux2);
-        wire::put(p, 32, self.aux3);
-        wire::put(p, 36, self.aux4);
-        wire::put(p, 40, self.mode);
-        wire::put(p, 41, self.nav_mode);
+        wire::generated::put(p, 0, self.time_usec);
+        wire::generated::put(p, 8, self.roll_ailerons);
+        wire::generated::put(p, 12, self.pitch_elevator);
+        wire::generated::put(p, 16, self.yaw_rudder);
+        wire::generated::put(p, 20, self.throttle);
+        wire::generated::put(p, 24, self.aux1);
+        wire::generated::put(p, 28, self.aux2);
+        wire::generated::put(p, 32, self.aux3);
+        wire::generated::put(p, 36, self.aux4);
+        wire::generated::put(p, 40, self.mode);
+        wire::generated::put(p, 41, self.nav_mode);
     }
 }
 

@@ -185,26 +185,26 @@ impl wire::Message for HilGps {
         let p = match payload.first_chunk::<39>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<39>(payload);
+                padded = wire::generated::zero_extended::<39>(payload);
                 &padded
             }
         };
         Self {
-            time_usec: wire::get(p, 0),
-            fix_type: wire::get(p, 34),
-            lat: wire::get(p, 8),
-            lon: wire::get(p, 12),
-            alt: wire::get(p, 16),
-            eph: wire::get(p, 20),
-            epv: wire::get(p, 22),
-            vel: wire::get(p, 24),
-            vn: wire::get(p, 26),
-            ve: wire::get(p, 28),
-            vd: wire::get(p, 30),
-            cog: wire::get(p, 32),
-            satellites_visible: wire::get(p, 35),
-            id: wire::get(p, 36),
-            yaw: wire::get(p, 37),
+            time_usec: wire::generated::get(p, 0),
+            fix_type: wire::generated::get(p, 34),
+            lat: wire::generated::get(p, 8),
+            lon: wire::generated::get(p, 12),
+            alt: wire::generated::get(p, 16),
+            eph: wire::generated::get(p, 20),
+            epv: wire::generated::get(p, 22),
+            vel: wire::generated::get(p, 24),
+            vn: wire::generated::get(p, 26),
+            ve: wire::generated::get(p, 28),
+            vd: wire::generated::get(p, 30),
+            cog: wire::generated::get(p, 32),
+            satellites_visible: wire::generated::get(p, 35),
+            id: wire::generated::get(p, 36),
+            yaw: wire::generated::get(p, 37),
         }
     }
 }
@@ -216,21 +216,21 @@ impl wire::Encode for HilGps {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_usec);
-        wire::put(p, 8, self.lat);
-        wire::put(p, 12, self.lon);
-        wire::put(p, 16, self.alt);
-        wire::put(p, 20, self.eph);
-        wire::put(p, 22, self.epv);
-        wire::put(p, 24, self.vel);
-        wire::put(p, 26, self.vn);
-        wire::put(p, 28, self.ve);
-        wire::put(p, 30, self.vd);
-        wire::put(p, 32, self.cog);
-        wire::put(p, 34, self.fix_type);
-        wire::put(p, 35, self.satellites_visible);
-        wire::put(p, 36, self.id);
-        wire::put(p, 37, self.yaw);
+        wire::generated::put(p, 0, self.time_usec);
+        wire::generated::put(p, 8, self.lat);
+        wire::generated::put(p, 12, self.lon);
+        wire::generated::put(p, 16, self.alt);
+        wire::generated::put(p, 20, self.eph);
+        wire::generated::put(p, 22, self.epv);
+        wire::generated::put(p, 24, self.vel);
+        wire::generated::put(p, 26, self.vn);
+        wire::generated::put(p, 28, self.ve);
+        wire::generated::put(p, 30, self.vd);
+        wire::generated::put(p, 32, self.cog);
+        wire::generated::put(p, 34, self.fix_type);
+        wire::generated::put(p, 35, self.satellites_visible);
+        wire::generated::put(p, 36, self.id);
+        wire::generated::put(p, 37, self.yaw);
     }
 }
 

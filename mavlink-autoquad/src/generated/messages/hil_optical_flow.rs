@@ -118,23 +118,23 @@ impl wire::Message for HilOpticalFlow {
         let p = match payload.first_chunk::<44>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<44>(payload);
+                padded = wire::generated::zero_extended::<44>(payload);
                 &padded
             }
         };
         Self {
-            time_usec: wire::get(p, 0),
-            sensor_id: wire::get(p, 42),
-            integration_time_us: wire::get(p, 8),
-            integrated_x: wire::get(p, 12),
-            integrated_y: wire::get(p, 16),
-            integrated_xgyro: wire::get(p, 20),
-            integrated_ygyro: wire::get(p, 24),
-            integrated_zgyro: wire::get(p, 28),
-            temperature: wire::get(p, 40),
-            quality: wire::get(p, 43),
-            time_delta_distance_us: wire::get(p, 32),
-            distance: wire::get(p, 36),
+            time_usec: wire::generated::get(p, 0),
+            sensor_id: wire::generated::get(p, 42),
+            integration_time_us: wire::generated::get(p, 8),
+            integrated_x: wire::generated::get(p, 12),
+            integrated_y: wire::generated::get(p, 16),
+            integrated_xgyro: wire::generated::get(p, 20),
+            integrated_ygyro: wire::generated::get(p, 24),
+            integrated_zgyro: wire::generated::get(p, 28),
+            temperature: wire::generated::get(p, 40),
+            quality: wire::generated::get(p, 43),
+            time_delta_distance_us: wire::generated::get(p, 32),
+            distance: wire::generated::get(p, 36),
         }
     }
 }
@@ -146,18 +146,18 @@ impl wire::Encode for HilOpticalFlow {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_usec);
-        wire::put(p, 8, self.integration_time_us);
-        wire::put(p, 12, self.integrated_x);
-        wire::put(p, 16, self.integrated_y);
-        wire::put(p, 20, self.integrated_xgyro);
-        wire::put(p, 24, self.integrated_ygyro);
-        wire::put(p, 28, self.integrated_zgyro);
-        wire::put(p, 32, self.time_delta_distance_us);
-        wire::put(p, 36, self.distance);
-        wire::put(p, 40, self.temperature);
-        wire::put(p, 42, self.sensor_id);
-        wire::put(p, 43, self.quality);
+        wire::generated::put(p, 0, self.time_usec);
+        wire::generated::put(p, 8, self.integration_time_us);
+        wire::generated::put(p, 12, self.integrated_x);
+        wire::generated::put(p, 16, self.integrated_y);
+        wire::generated::put(p, 20, self.integrated_xgyro);
+        wire::generated::put(p, 24, self.integrated_ygyro);
+        wire::generated::put(p, 28, self.integrated_zgyro);
+        wire::generated::put(p, 32, self.time_delta_distance_us);
+        wire::generated::put(p, 36, self.distance);
+        wire::generated::put(p, 40, self.temperature);
+        wire::generated::put(p, 42, self.sensor_id);
+        wire::generated::put(p, 43, self.quality);
     }
 }
 

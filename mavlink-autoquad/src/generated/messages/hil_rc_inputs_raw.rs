@@ -125,25 +125,25 @@ impl wire::Message for HilRcInputsRaw {
         let p = match payload.first_chunk::<33>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<33>(payload);
+                padded = wire::generated::zero_extended::<33>(payload);
                 &padded
             }
         };
         Self {
-            time_usec: wire::get(p, 0),
-            chan1_raw: wire::get(p, 8),
-            chan2_raw: wire::get(p, 10),
-            chan3_raw: wire::get(p, 12),
-            chan4_raw: wire::get(p, 14),
-            chan5_raw: wire::get(p, 16),
-            chan6_raw: wire::get(p, 18),
-            chan7_raw: wire::get(p, 20),
-            chan8_raw: wire::get(p, 22),
-            chan9_raw: wire::get(p, 24),
-            chan10_raw: wire::get(p, 26),
-            chan11_raw: wire::get(p, 28),
-            chan12_raw: wire::get(p, 30),
-            rssi: wire::get(p, 32),
+            time_usec: wire::generated::get(p, 0),
+            chan1_raw: wire::generated::get(p, 8),
+            chan2_raw: wire::generated::get(p, 10),
+            chan3_raw: wire::generated::get(p, 12),
+            chan4_raw: wire::generated::get(p, 14),
+            chan5_raw: wire::generated::get(p, 16),
+            chan6_raw: wire::generated::get(p, 18),
+            chan7_raw: wire::generated::get(p, 20),
+            chan8_raw: wire::generated::get(p, 22),
+            chan9_raw: wire::generated::get(p, 24),
+            chan10_raw: wire::generated::get(p, 26),
+            chan11_raw: wire::generated::get(p, 28),
+            chan12_raw: wire::generated::get(p, 30),
+            rssi: wire::generated::get(p, 32),
         }
     }
 }
@@ -155,20 +155,20 @@ impl wire::Encode for HilRcInputsRaw {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_usec);
-        wire::put(p, 8, self.chan1_raw);
-        wire::put(p, 10, self.chan2_raw);
-        wire::put(p, 12, self.chan3_raw);
-        wire::put(p, 14, self.chan4_raw);
-        wire::put(p, 16, self.chan5_raw);
-        wire::put(p, 18, self.chan6_raw);
-        wire::put(p, 20, self.chan7_raw);
-        wire::put(p, 22, self.chan8_raw);
-        wire::put(p, 24, self.chan9_raw);
-        wire::put(p, 26, self.chan10_raw);
-        wire::put(p, 28, self.chan11_raw);
-        wire::put(p, 30, self.chan12_raw);
-        wire::put(p, 32, self.rssi);
+        wire::generated::put(p, 0, self.time_usec);
+        wire::generated::put(p, 8, self.chan1_raw);
+        wire::generated::put(p, 10, self.chan2_raw);
+        wire::generated::put(p, 12, self.chan3_raw);
+        wire::generated::put(p, 14, self.chan4_raw);
+        wire::generated::put(p, 16, self.chan5_raw);
+        wire::generated::put(p, 18, self.chan6_raw);
+        wire::generated::put(p, 20, self.chan7_raw);
+        wire::generated::put(p, 22, self.chan8_raw);
+        wire::generated::put(p, 24, self.chan9_raw);
+        wire::generated::put(p, 26, self.chan10_raw);
+        wire::generated::put(p, 28, self.chan11_raw);
+        wire::generated::put(p, 30, self.chan12_raw);
+        wire::generated::put(p, 32, self.rssi);
     }
 }
 

@@ -122,27 +122,27 @@ impl wire::Message for HilState {
         let p = match payload.first_chunk::<56>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<56>(payload);
+                padded = wire::generated::zero_extended::<56>(payload);
                 &padded
             }
         };
         Self {
-            time_usec: wire::get(p, 0),
-            roll: wire::get(p, 8),
-            pitch: wire::get(p, 12),
-            yaw: wire::get(p, 16),
-            rollspeed: wire::get(p, 20),
-            pitchspeed: wire::get(p, 24),
-            yawspeed: wire::get(p, 28),
-            lat: wire::get(p, 32),
-            lon: wire::get(p, 36),
-            alt: wire::get(p, 40),
-            vx: wire::get(p, 44),
-            vy: wire::get(p, 46),
-            vz: wire::get(p, 48),
-            xacc: wire::get(p, 50),
-            yacc: wire::get(p, 52),
-            zacc: wire::get(p, 54),
+            time_usec: wire::generated::get(p, 0),
+            roll: wire::generated::get(p, 8),
+            pitch: wire::generated::get(p, 12),
+            yaw: wire::generated::get(p, 16),
+            rollspeed: wire::generated::get(p, 20),
+            pitchspeed: wire::generated::get(p, 24),
+            yawspeed: wire::generated::get(p, 28),
+            lat: wire::generated::get(p, 32),
+            lon: wire::generated::get(p, 36),
+            alt: wire::generated::get(p, 40),
+            vx: wire::generated::get(p, 44),
+            vy: wire::generated::get(p, 46),
+            vz: wire::generated::get(p, 48),
+            xacc: wire::generated::get(p, 50),
+            yacc: wire::generated::get(p, 52),
+            zacc: wire::generated::get(p, 54),
         }
     }
 }
@@ -154,22 +154,22 @@ impl wire::Encode for HilState {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_usec);
-        wire::put(p, 8, self.roll);
-        wire::put(p, 12, self.pitch);
-        wire::put(p, 16, self.yaw);
-        wire::put(p, 20, self.rollspeed);
-        wire::put(p, 24, self.pitchspeed);
-        wire::put(p, 28, self.yawspeed);
-        wire::put(p, 32, self.lat);
-        wire::put(p, 36, self.lon);
-        wire::put(p, 40, self.alt);
-        wire::put(p, 44, self.vx);
-        wire::put(p, 46, self.vy);
-        wire::put(p, 48, self.vz);
-        wire::put(p, 50, self.xacc);
-        wire::put(p, 52, self.yacc);
-        wire::put(p, 54, self.zacc);
+        wire::generated::put(p, 0, self.time_usec);
+        wire::generated::put(p, 8, self.roll);
+        wire::generated::put(p, 12, self.pitch);
+        wire::generated::put(p, 16, self.yaw);
+        wire::generated::put(p, 20, self.rollspeed);
+        wire::generated::put(p, 24, self.pitchspeed);
+        wire::generated::put(p, 28, self.yawspeed);
+        wire::generated::put(p, 32, self.lat);
+        wire::generated::put(p, 36, self.lon);
+        wire::generated::put(p, 40, self.alt);
+        wire::generated::put(p, 44, self.vx);
+        wire::generated::put(p, 46, self.vy);
+        wire::generated::put(p, 48, self.vz);
+        wire::generated::put(p, 50, self.xacc);
+        wire::generated::put(p, 52, self.yacc);
+        wire::generated::put(p, 54, self.zacc);
     }
 }
 

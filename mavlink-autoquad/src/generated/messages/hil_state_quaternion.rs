@@ -120,27 +120,27 @@ impl wire::Message for HilStateQuaternion {
         let p = match payload.first_chunk::<64>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<64>(payload);
+                padded = wire::generated::zero_extended::<64>(payload);
                 &padded
             }
         };
         Self {
-            time_usec: wire::get(p, 0),
-            attitude_quaternion: wire::get(p, 8),
-            rollspeed: wire::get(p, 24),
-            pitchspeed: wire::get(p, 28),
-            yawspeed: wire::get(p, 32),
-            lat: wire::get(p, 36),
-            lon: wire::get(p, 40),
-            alt: wire::get(p, 44),
-            vx: wire::get(p, 48),
-            vy: wire::get(p, 50),
-            vz: wire::get(p, 52),
-            ind_airspeed: wire::get(p, 54),
-            true_airspeed: wire::get(p, 56),
-            xacc: wire::get(p, 58),
-            yacc: wire::get(p, 60),
-            zacc: wire::get(p, 62),
+            time_usec: wire::generated::get(p, 0),
+            attitude_quaternion: wire::generated::get(p, 8),
+            rollspeed: wire::generated::get(p, 24),
+            pitchspeed: wire::generated::get(p, 28),
+            yawspeed: wire::generated::get(p, 32),
+            lat: wire::generated::get(p, 36),
+            lon: wire::generated::get(p, 40),
+            alt: wire::generated::get(p, 44),
+            vx: wire::generated::get(p, 48),
+            vy: wire::generated::get(p, 50),
+            vz: wire::generated::get(p, 52),
+            ind_airspeed: wire::generated::get(p, 54),
+            true_airspeed: wire::generated::get(p, 56),
+            xacc: wire::generated::get(p, 58),
+            yacc: wire::generated::get(p, 60),
+            zacc: wire::generated::get(p, 62),
         }
     }
 }
@@ -152,22 +152,22 @@ impl wire::Encode for HilStateQuaternion {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_usec);
-        wire::put(p, 8, self.attitude_quaternion);
-        wire::put(p, 24, self.rollspeed);
-        wire::put(p, 28, self.pitchspeed);
-        wire::put(p, 32, self.yawspeed);
-        wire::put(p, 36, self.lat);
-        wire::put(p, 40, self.lon);
-        wire::put(p, 44, self.alt);
-        wire::put(p, 48, self.vx);
-        wire::put(p, 50, self.vy);
-        wire::put(p, 52, self.vz);
-        wire::put(p, 54, self.ind_airspeed);
-        wire::put(p, 56, self.true_airspeed);
-        wire::put(p, 58, self.xacc);
-        wire::put(p, 60, self.yacc);
-        wire::put(p, 62, self.zacc);
+        wire::generated::put(p, 0, self.time_usec);
+        wire::generated::put(p, 8, self.attitude_quaternion);
+        wire::generated::put(p, 24, self.rollspeed);
+        wire::generated::put(p, 28, self.pitchspeed);
+        wire::generated::put(p, 32, self.yawspeed);
+        wire::generated::put(p, 36, self.lat);
+        wire::generated::put(p, 40, self.lon);
+        wire::generated::put(p, 44, self.alt);
+        wire::generated::put(p, 48, self.vx);
+        wire::generated::put(p, 50, self.vy);
+        wire::generated::put(p, 52, self.vz);
+        wire::generated::put(p, 54, self.ind_airspeed);
+        wire::generated::put(p, 56, self.true_airspeed);
+        wire::generated::put(p, 58, self.xacc);
+        wire::generated::put(p, 60, self.yacc);
+        wire::generated::put(p, 62, self.zacc);
     }
 }
 

@@ -54,14 +54,14 @@ impl wire::Message for HygrometerSensor {
         let p = match payload.first_chunk::<5>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<5>(payload);
+                padded = wire::generated::zero_extended::<5>(payload);
                 &padded
             }
         };
         Self {
-            id: wire::get(p, 4),
-            temperature: wire::get(p, 0),
-            humidity: wire::get(p, 2),
+            id: wire::generated::get(p, 4),
+            temperature: wire::generated::get(p, 0),
+            humidity: wire::generated::get(p, 2),
         }
     }
 }
@@ -73,9 +73,9 @@ impl wire::Encode for HygrometerSensor {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.temperature);
-        wire::put(p, 2, self.humidity);
-        wire::put(p, 4, self.id);
+        wire::generated::put(p, 0, self.temperature);
+        wire::generated::put(p, 2, self.humidity);
+        wire::generated::put(p, 4, self.id);
     }
 }
 

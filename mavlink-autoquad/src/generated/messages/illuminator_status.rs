@@ -98,22 +98,22 @@ impl wire::Message for IlluminatorStatus {
         let p = match payload.first_chunk::<35>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<35>(payload);
+                padded = wire::generated::zero_extended::<35>(payload);
                 &padded
             }
         };
         Self {
-            uptime_ms: wire::get(p, 0),
-            enable: wire::get(p, 32),
-            mode_bitmask: wire::get(p, 33),
-            error_status: wire::get(p, 4),
-            mode: wire::get(p, 34),
-            brightness: wire::get(p, 8),
-            strobe_period: wire::get(p, 12),
-            strobe_duty_cycle: wire::get(p, 16),
-            temp_c: wire::get(p, 20),
-            min_strobe_period: wire::get(p, 24),
-            max_strobe_period: wire::get(p, 28),
+            uptime_ms: wire::generated::get(p, 0),
+            enable: wire::generated::get(p, 32),
+            mode_bitmask: wire::generated::get(p, 33),
+            error_status: wire::generated::get(p, 4),
+            mode: wire::generated::get(p, 34),
+            brightness: wire::generated::get(p, 8),
+            strobe_period: wire::generated::get(p, 12),
+            strobe_duty_cycle: wire::generated::get(p, 16),
+            temp_c: wire::generated::get(p, 20),
+            min_strobe_period: wire::generated::get(p, 24),
+            max_strobe_period: wire::generated::get(p, 28),
         }
     }
 }
@@ -125,17 +125,17 @@ impl wire::Encode for IlluminatorStatus {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.uptime_ms);
-        wire::put(p, 4, self.error_status);
-        wire::put(p, 8, self.brightness);
-        wire::put(p, 12, self.strobe_period);
-        wire::put(p, 16, self.strobe_duty_cycle);
-        wire::put(p, 20, self.temp_c);
-        wire::put(p, 24, self.min_strobe_period);
-        wire::put(p, 28, self.max_strobe_period);
-        wire::put(p, 32, self.enable);
-        wire::put(p, 33, self.mode_bitmask);
-        wire::put(p, 34, self.mode);
+        wire::generated::put(p, 0, self.uptime_ms);
+        wire::generated::put(p, 4, self.error_status);
+        wire::generated::put(p, 8, self.brightness);
+        wire::generated::put(p, 12, self.strobe_period);
+        wire::generated::put(p, 16, self.strobe_duty_cycle);
+        wire::generated::put(p, 20, self.temp_c);
+        wire::generated::put(p, 24, self.min_strobe_period);
+        wire::generated::put(p, 28, self.max_strobe_period);
+        wire::generated::put(p, 32, self.enable);
+        wire::generated::put(p, 33, self.mode_bitmask);
+        wire::generated::put(p, 34, self.mode);
     }
 }
 

@@ -79,19 +79,19 @@ impl wire::Message for IsbdLinkStatus {
         let p = match payload.first_chunk::<24>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<24>(payload);
+                padded = wire::generated::zero_extended::<24>(payload);
                 &padded
             }
         };
         Self {
-            timestamp: wire::get(p, 0),
-            last_heartbeat: wire::get(p, 8),
-            failed_sessions: wire::get(p, 16),
-            successful_sessions: wire::get(p, 18),
-            signal_quality: wire::get(p, 20),
-            ring_pending: wire::get(p, 21),
-            tx_session_pending: wire::get(p, 22),
-            rx_session_pending: wire::get(p, 23),
+            timestamp: wire::generated::get(p, 0),
+            last_heartbeat: wire::generated::get(p, 8),
+            failed_sessions: wire::generated::get(p, 16),
+            successful_sessions: wire::generated::get(p, 18),
+            signal_quality: wire::generated::get(p, 20),
+            ring_pending: wire::generated::get(p, 21),
+            tx_session_pending: wire::generated::get(p, 22),
+            rx_session_pending: wire::generated::get(p, 23),
         }
     }
 }
@@ -103,14 +103,14 @@ impl wire::Encode for IsbdLinkStatus {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.timestamp);
-        wire::put(p, 8, self.last_heartbeat);
-        wire::put(p, 16, self.failed_sessions);
-        wire::put(p, 18, self.successful_sessions);
-        wire::put(p, 20, self.signal_quality);
-        wire::put(p, 21, self.ring_pending);
-        wire::put(p, 22, self.tx_session_pending);
-        wire::put(p, 23, self.rx_session_pending);
+        wire::generated::put(p, 0, self.timestamp);
+        wire::generated::put(p, 8, self.last_heartbeat);
+        wire::generated::put(p, 16, self.failed_sessions);
+        wire::generated::put(p, 18, self.successful_sessions);
+        wire::generated::put(p, 20, self.signal_quality);
+        wire::generated::put(p, 21, self.ring_pending);
+        wire::generated::put(p, 22, self.tx_session_pending);
+        wire::generated::put(p, 23, self.rx_session_pending);
     }
 }
 

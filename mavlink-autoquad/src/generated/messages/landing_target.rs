@@ -116,25 +116,25 @@ impl wire::Message for LandingTarget {
         let p = match payload.first_chunk::<60>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<60>(payload);
+                padded = wire::generated::zero_extended::<60>(payload);
                 &padded
             }
         };
         Self {
-            time_usec: wire::get(p, 0),
-            target_num: wire::get(p, 28),
-            frame: wire::get(p, 29),
-            angle_x: wire::get(p, 8),
-            angle_y: wire::get(p, 12),
-            distance: wire::get(p, 16),
-            size_x: wire::get(p, 20),
-            size_y: wire::get(p, 24),
-            x: wire::get(p, 30),
-            y: wire::get(p, 34),
-            z: wire::get(p, 38),
-            q: wire::get(p, 42),
-            r#type: wire::get(p, 58),
-            position_valid: wire::get(p, 59),
+            time_usec: wire::generated::get(p, 0),
+            target_num: wire::generated::get(p, 28),
+            frame: wire::generated::get(p, 29),
+            angle_x: wire::generated::get(p, 8),
+            angle_y: wire::generated::get(p, 12),
+            distance: wire::generated::get(p, 16),
+            size_x: wire::generated::get(p, 20),
+            size_y: wire::generated::get(p, 24),
+            x: wire::generated::get(p, 30),
+            y: wire::generated::get(p, 34),
+            z: wire::generated::get(p, 38),
+            q: wire::generated::get(p, 42),
+            r#type: wire::generated::get(p, 58),
+            position_valid: wire::generated::get(p, 59),
         }
     }
 }
@@ -146,20 +146,20 @@ impl wire::Encode for LandingTarget {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_usec);
-        wire::put(p, 8, self.angle_x);
-        wire::put(p, 12, self.angle_y);
-        wire::put(p, 16, self.distance);
-        wire::put(p, 20, self.size_x);
-        wire::put(p, 24, self.size_y);
-        wire::put(p, 28, self.target_num);
-        wire::put(p, 29, self.frame);
-        wire::put(p, 30, self.x);
-        wire::put(p, 34, self.y);
-        wire::put(p, 38, self.z);
-        wire::put(p, 42, self.q);
-        wire::put(p, 58, self.r#type);
-        wire::put(p, 59, self.position_valid);
+        wire::generated::put(p, 0, self.time_usec);
+        wire::generated::put(p, 8, self.angle_x);
+        wire::generated::put(p, 12, self.angle_y);
+        wire::generated::put(p, 16, self.distance);
+        wire::generated::put(p, 20, self.size_x);
+        wire::generated::put(p, 24, self.size_y);
+        wire::generated::put(p, 28, self.target_num);
+        wire::generated::put(p, 29, self.frame);
+        wire::generated::put(p, 30, self.x);
+        wire::generated::put(p, 34, self.y);
+        wire::generated::put(p, 38, self.z);
+        wire::generated::put(p, 42, self.q);
+        wire::generated::put(p, 58, self.r#type);
+        wire::generated::put(p, 59, self.position_valid);
     }
 }
 

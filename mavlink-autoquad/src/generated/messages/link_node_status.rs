@@ -96,22 +96,22 @@ impl wire::Message for LinkNodeStatus {
         let p = match payload.first_chunk::<36>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<36>(payload);
+                padded = wire::generated::zero_extended::<36>(payload);
                 &padded
             }
         };
         Self {
-            timestamp: wire::get(p, 0),
-            tx_buf: wire::get(p, 34),
-            rx_buf: wire::get(p, 35),
-            tx_rate: wire::get(p, 8),
-            rx_rate: wire::get(p, 12),
-            rx_parse_err: wire::get(p, 28),
-            tx_overflows: wire::get(p, 30),
-            rx_overflows: wire::get(p, 32),
-            messages_sent: wire::get(p, 16),
-            messages_received: wire::get(p, 20),
-            messages_lost: wire::get(p, 24),
+            timestamp: wire::generated::get(p, 0),
+            tx_buf: wire::generated::get(p, 34),
+            rx_buf: wire::generated::get(p, 35),
+            tx_rate: wire::generated::get(p, 8),
+            rx_rate: wire::generated::get(p, 12),
+            rx_parse_err: wire::generated::get(p, 28),
+            tx_overflows: wire::generated::get(p, 30),
+            rx_overflows: wire::generated::get(p, 32),
+            messages_sent: wire::generated::get(p, 16),
+            messages_received: wire::generated::get(p, 20),
+            messages_lost: wire::generated::get(p, 24),
         }
     }
 }
@@ -123,17 +123,17 @@ impl wire::Encode for LinkNodeStatus {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.timestamp);
-        wire::put(p, 8, self.tx_rate);
-        wire::put(p, 12, self.rx_rate);
-        wire::put(p, 16, self.messages_sent);
-        wire::put(p, 20, self.messages_received);
-        wire::put(p, 24, self.messages_lost);
-        wire::put(p, 28, self.rx_parse_err);
-        wire::put(p, 30, self.tx_overflows);
-        wire::put(p, 32, self.rx_overflows);
-        wire::put(p, 34, self.tx_buf);
-        wire::put(p, 35, self.rx_buf);
+        wire::generated::put(p, 0, self.timestamp);
+        wire::generated::put(p, 8, self.tx_rate);
+        wire::generated::put(p, 12, self.rx_rate);
+        wire::generated::put(p, 16, self.messages_sent);
+        wire::generated::put(p, 20, self.messages_received);
+        wire::generated::put(p, 24, self.messages_lost);
+        wire::generated::put(p, 28, self.rx_parse_err);
+        wire::generated::put(p, 30, self.tx_overflows);
+        wire::generated::put(p, 32, self.rx_overflows);
+        wire::generated::put(p, 34, self.tx_buf);
+        wire::generated::put(p, 35, self.rx_buf);
     }
 }
 

@@ -74,18 +74,18 @@ impl wire::Message for LocalPositionNed {
         let p = match payload.first_chunk::<28>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<28>(payload);
+                padded = wire::generated::zero_extended::<28>(payload);
                 &padded
             }
         };
         Self {
-            time_boot_ms: wire::get(p, 0),
-            x: wire::get(p, 4),
-            y: wire::get(p, 8),
-            z: wire::get(p, 12),
-            vx: wire::get(p, 16),
-            vy: wire::get(p, 20),
-            vz: wire::get(p, 24),
+            time_boot_ms: wire::generated::get(p, 0),
+            x: wire::generated::get(p, 4),
+            y: wire::generated::get(p, 8),
+            z: wire::generated::get(p, 12),
+            vx: wire::generated::get(p, 16),
+            vy: wire::generated::get(p, 20),
+            vz: wire::generated::get(p, 24),
         }
     }
 }
@@ -97,13 +97,13 @@ impl wire::Encode for LocalPositionNed {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_boot_ms);
-        wire::put(p, 4, self.x);
-        wire::put(p, 8, self.y);
-        wire::put(p, 12, self.z);
-        wire::put(p, 16, self.vx);
-        wire::put(p, 20, self.vy);
-        wire::put(p, 24, self.vz);
+        wire::generated::put(p, 0, self.time_boot_ms);
+        wire::generated::put(p, 4, self.x);
+        wire::generated::put(p, 8, self.y);
+        wire::generated::put(p, 12, self.z);
+        wire::generated::put(p, 16, self.vx);
+        wire::generated::put(p, 20, self.vy);
+        wire::generated::put(p, 24, self.vz);
     }
 }
 

@@ -119,23 +119,23 @@ impl wire::Message for LocalPositionNedCov {
         let p = match payload.first_chunk::<225>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<225>(payload);
+                padded = wire::generated::zero_extended::<225>(payload);
                 &padded
             }
         };
         Self {
-            time_usec: wire::get(p, 0),
-            estimator_type: wire::get(p, 224),
-            x: wire::get(p, 8),
-            y: wire::get(p, 12),
-            z: wire::get(p, 16),
-            vx: wire::get(p, 20),
-            vy: wire::get(p, 24),
-            vz: wire::get(p, 28),
-            ax: wire::get(p, 32),
-            ay: wire::get(p, 36),
-            az: wire::get(p, 40),
-            covariance: wire::get(p, 44),
+            time_usec: wire::generated::get(p, 0),
+            estimator_type: wire::generated::get(p, 224),
+            x: wire::generated::get(p, 8),
+            y: wire::generated::get(p, 12),
+            z: wire::generated::get(p, 16),
+            vx: wire::generated::get(p, 20),
+            vy: wire::generated::get(p, 24),
+            vz: wire::generated::get(p, 28),
+            ax: wire::generated::get(p, 32),
+            ay: wire::generated::get(p, 36),
+            az: wire::generated::get(p, 40),
+            covariance: wire::generated::get(p, 44),
         }
     }
 }
@@ -147,18 +147,18 @@ impl wire::Encode for LocalPositionNedCov {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_usec);
-        wire::put(p, 8, self.x);
-        wire::put(p, 12, self.y);
-        wire::put(p, 16, self.z);
-        wire::put(p, 20, self.vx);
-        wire::put(p, 24, self.vy);
-        wire::put(p, 28, self.vz);
-        wire::put(p, 32, self.ax);
-        wire::put(p, 36, self.ay);
-        wire::put(p, 40, self.az);
-        wire::put(p, 44, self.covariance);
-        wire::put(p, 224, self.estimator_type);
+        wire::generated::put(p, 0, self.time_usec);
+        wire::generated::put(p, 8, self.x);
+        wire::generated::put(p, 12, self.y);
+        wire::generated::put(p, 16, self.z);
+        wire::generated::put(p, 20, self.vx);
+        wire::generated::put(p, 24, self.vy);
+        wire::generated::put(p, 28, self.vz);
+        wire::generated::put(p, 32, self.ax);
+        wire::generated::put(p, 36, self.ay);
+        wire::generated::put(p, 40, self.az);
+        wire::generated::put(p, 44, self.covariance);
+        wire::generated::put(p, 224, self.estimator_type);
     }
 }
 

@@ -59,15 +59,15 @@ impl wire::Message for LogData {
         let p = match payload.first_chunk::<97>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<97>(payload);
+                padded = wire::generated::zero_extended::<97>(payload);
                 &padded
             }
         };
         Self {
-            id: wire::get(p, 4),
-            ofs: wire::get(p, 0),
-            count: wire::get(p, 6),
-            data: wire::get(p, 7),
+            id: wire::generated::get(p, 4),
+            ofs: wire::generated::get(p, 0),
+            count: wire::generated::get(p, 6),
+            data: wire::generated::get(p, 7),
         }
     }
 }
@@ -79,10 +79,10 @@ impl wire::Encode for LogData {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.ofs);
-        wire::put(p, 4, self.id);
-        wire::put(p, 6, self.count);
-        wire::put(p, 7, self.data);
+        wire::generated::put(p, 0, self.ofs);
+        wire::generated::put(p, 4, self.id);
+        wire::generated::put(p, 6, self.count);
+        wire::generated::put(p, 7, self.data);
     }
 }
 

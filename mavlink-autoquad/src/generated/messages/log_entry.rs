@@ -80,16 +80,16 @@ impl wire::Message for LogEntry {
         let p = match payload.first_chunk::<14>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<14>(payload);
+                padded = wire::generated::zero_extended::<14>(payload);
                 &padded
             }
         };
         Self {
-            id: wire::get(p, 8),
-            num_logs: wire::get(p, 10),
-            last_log_num: wire::get(p, 12),
-            time_utc: wire::get(p, 0),
-            size: wire::get(p, 4),
+            id: wire::generated::get(p, 8),
+            num_logs: wire::generated::get(p, 10),
+            last_log_num: wire::generated::get(p, 12),
+            time_utc: wire::generated::get(p, 0),
+            size: wire::generated::get(p, 4),
         }
     }
 }
@@ -101,11 +101,11 @@ impl wire::Encode for LogEntry {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_utc);
-        wire::put(p, 4, self.size);
-        wire::put(p, 8, self.id);
-        wire::put(p, 10, self.num_logs);
-        wire::put(p, 12, self.last_log_num);
+        wire::generated::put(p, 0, self.time_utc);
+        wire::generated::put(p, 4, self.size);
+        wire::generated::put(p, 8, self.id);
+        wire::generated::put(p, 10, self.num_logs);
+        wire::generated::put(p, 12, self.last_log_num);
     }
 }
 

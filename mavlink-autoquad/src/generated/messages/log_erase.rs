@@ -49,13 +49,13 @@ impl wire::Message for LogErase {
         let p = match payload.first_chunk::<2>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<2>(payload);
+                padded = wire::generated::zero_extended::<2>(payload);
                 &padded
             }
         };
         Self {
-            target_system: wire::get(p, 0),
-            target_component: wire::get(p, 1),
+            target_system: wire::generated::get(p, 0),
+            target_component: wire::generated::get(p, 1),
         }
     }
 
@@ -72,8 +72,8 @@ impl wire::Encode for LogErase {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.target_system);
-        wire::put(p, 1, self.target_component);
+        wire::generated::put(p, 0, self.target_system);
+        wire::generated::put(p, 1, self.target_component);
     }
 }
 

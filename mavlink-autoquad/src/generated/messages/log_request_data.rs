@@ -64,16 +64,16 @@ impl wire::Message for LogRequestData {
         let p = match payload.first_chunk::<12>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<12>(payload);
+                padded = wire::generated::zero_extended::<12>(payload);
                 &padded
             }
         };
         Self {
-            target_system: wire::get(p, 10),
-            target_component: wire::get(p, 11),
-            id: wire::get(p, 8),
-            ofs: wire::get(p, 0),
-            count: wire::get(p, 4),
+            target_system: wire::generated::get(p, 10),
+            target_component: wire::generated::get(p, 11),
+            id: wire::generated::get(p, 8),
+            ofs: wire::generated::get(p, 0),
+            count: wire::generated::get(p, 4),
         }
     }
 
@@ -90,11 +90,11 @@ impl wire::Encode for LogRequestData {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.ofs);
-        wire::put(p, 4, self.count);
-        wire::put(p, 8, self.id);
-        wire::put(p, 10, self.target_system);
-        wire::put(p, 11, self.target_component);
+        wire::generated::put(p, 0, self.ofs);
+        wire::generated::put(p, 4, self.count);
+        wire::generated::put(p, 8, self.id);
+        wire::generated::put(p, 10, self.target_system);
+        wire::generated::put(p, 11, self.target_component);
     }
 }
 

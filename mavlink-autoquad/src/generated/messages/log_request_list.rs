@@ -59,15 +59,15 @@ impl wire::Message for LogRequestList {
         let p = match payload.first_chunk::<6>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<6>(payload);
+                padded = wire::generated::zero_extended::<6>(payload);
                 &padded
             }
         };
         Self {
-            target_system: wire::get(p, 4),
-            target_component: wire::get(p, 5),
-            start: wire::get(p, 0),
-            end: wire::get(p, 2),
+            target_system: wire::generated::get(p, 4),
+            target_component: wire::generated::get(p, 5),
+            start: wire::generated::get(p, 0),
+            end: wire::generated::get(p, 2),
         }
     }
 
@@ -84,10 +84,10 @@ impl wire::Encode for LogRequestList {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.start);
-        wire::put(p, 2, self.end);
-        wire::put(p, 4, self.target_system);
-        wire::put(p, 5, self.target_component);
+        wire::generated::put(p, 0, self.start);
+        wire::generated::put(p, 2, self.end);
+        wire::generated::put(p, 4, self.target_system);
+        wire::generated::put(p, 5, self.target_component);
     }
 }
 

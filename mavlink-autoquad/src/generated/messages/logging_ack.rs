@@ -54,14 +54,14 @@ impl wire::Message for LoggingAck {
         let p = match payload.first_chunk::<4>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<4>(payload);
+                padded = wire::generated::zero_extended::<4>(payload);
                 &padded
             }
         };
         Self {
-            target_system: wire::get(p, 2),
-            target_component: wire::get(p, 3),
-            sequence: wire::get(p, 0),
+            target_system: wire::generated::get(p, 2),
+            target_component: wire::generated::get(p, 3),
+            sequence: wire::generated::get(p, 0),
         }
     }
 
@@ -78,9 +78,9 @@ impl wire::Encode for LoggingAck {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.sequence);
-        wire::put(p, 2, self.target_system);
-        wire::put(p, 3, self.target_component);
+        wire::generated::put(p, 0, self.sequence);
+        wire::generated::put(p, 2, self.target_system);
+        wire::generated::put(p, 3, self.target_component);
     }
 }
 

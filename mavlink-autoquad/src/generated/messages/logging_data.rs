@@ -90,17 +90,17 @@ impl wire::Message for LoggingData {
         let p = match payload.first_chunk::<255>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<255>(payload);
+                padded = wire::generated::zero_extended::<255>(payload);
                 &padded
             }
         };
         Self {
-            target_system: wire::get(p, 2),
-            target_component: wire::get(p, 3),
-            sequence: wire::get(p, 0),
-            length: wire::get(p, 4),
-            first_message_offset: wire::get(p, 5),
-            data: wire::get(p, 6),
+            target_system: wire::generated::get(p, 2),
+            target_component: wire::generated::get(p, 3),
+            sequence: wire::generated::get(p, 0),
+            length: wire::generated::get(p, 4),
+            first_message_offset: wire::generated::get(p, 5),
+            data: wire::generated::get(p, 6),
         }
     }
 
@@ -117,12 +117,12 @@ impl wire::Encode for LoggingData {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.sequence);
-        wire::put(p, 2, self.target_system);
-        wire::put(p, 3, self.target_component);
-        wire::put(p, 4, self.length);
-        wire::put(p, 5, self.first_message_offset);
-        wire::put(p, 6, self.data);
+        wire::generated::put(p, 0, self.sequence);
+        wire::generated::put(p, 2, self.target_system);
+        wire::generated::put(p, 3, self.target_component);
+        wire::generated::put(p, 4, self.length);
+        wire::generated::put(p, 5, self.first_message_offset);
+        wire::generated::put(p, 6, self.data);
     }
 }
 

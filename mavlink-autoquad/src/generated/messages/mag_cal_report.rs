@@ -135,29 +135,29 @@ impl wire::Message for MagCalReport {
         let p = match payload.first_chunk::<54>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<54>(payload);
+                padded = wire::generated::zero_extended::<54>(payload);
                 &padded
             }
         };
         Self {
-            compass_id: wire::get(p, 40),
-            cal_mask: wire::get(p, 41),
-            cal_status: wire::get(p, 42),
-            autosaved: wire::get(p, 43),
-            fitness: wire::get(p, 0),
-            ofs_x: wire::get(p, 4),
-            ofs_y: wire::get(p, 8),
-            ofs_z: wire::get(p, 12),
-            diag_x: wire::get(p, 16),
-            diag_y: wire::get(p, 20),
-            diag_z: wire::get(p, 24),
-            offdiag_x: wire::get(p, 28),
-            offdiag_y: wire::get(p, 32),
-            offdiag_z: wire::get(p, 36),
-            orientation_confidence: wire::get(p, 44),
-            old_orientation: wire::get(p, 48),
-            new_orientation: wire::get(p, 49),
-            scale_factor: wire::get(p, 50),
+            compass_id: wire::generated::get(p, 40),
+            cal_mask: wire::generated::get(p, 41),
+            cal_status: wire::generated::get(p, 42),
+            autosaved: wire::generated::get(p, 43),
+            fitness: wire::generated::get(p, 0),
+            ofs_x: wire::generated::get(p, 4),
+            ofs_y: wire::generated::get(p, 8),
+            ofs_z: wire::generated::get(p, 12),
+            diag_x: wire::generated::get(p, 16),
+            diag_y: wire::generated::get(p, 20),
+            diag_z: wire::generated::get(p, 24),
+            offdiag_x: wire::generated::get(p, 28),
+            offdiag_y: wire::generated::get(p, 32),
+            offdiag_z: wire::generated::get(p, 36),
+            orientation_confidence: wire::generated::get(p, 44),
+            old_orientation: wire::generated::get(p, 48),
+            new_orientation: wire::generated::get(p, 49),
+            scale_factor: wire::generated::get(p, 50),
         }
     }
 }
@@ -169,24 +169,24 @@ impl wire::Encode for MagCalReport {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.fitness);
-        wire::put(p, 4, self.ofs_x);
-        wire::put(p, 8, self.ofs_y);
-        wire::put(p, 12, self.ofs_z);
-        wire::put(p, 16, self.diag_x);
-        wire::put(p, 20, self.diag_y);
-        wire::put(p, 24, self.diag_z);
-        wire::put(p, 28, self.offdiag_x);
-        wire::put(p, 32, self.offdiag_y);
-        wire::put(p, 36, self.offdiag_z);
-        wire::put(p, 40, self.compass_id);
-        wire::put(p, 41, self.cal_mask);
-        wire::put(p, 42, self.cal_status);
-        wire::put(p, 43, self.autosaved);
-        wire::put(p, 44, self.orientation_confidence);
-        wire::put(p, 48, self.old_orientation);
-        wire::put(p, 49, self.new_orientation);
-        wire::put(p, 50, self.scale_factor);
+        wire::generated::put(p, 0, self.fitness);
+        wire::generated::put(p, 4, self.ofs_x);
+        wire::generated::put(p, 8, self.ofs_y);
+        wire::generated::put(p, 12, self.ofs_z);
+        wire::generated::put(p, 16, self.diag_x);
+        wire::generated::put(p, 20, self.diag_y);
+        wire::generated::put(p, 24, self.diag_z);
+        wire::generated::put(p, 28, self.offdiag_x);
+        wire::generated::put(p, 32, self.offdiag_y);
+        wire::generated::put(p, 36, self.offdiag_z);
+        wire::generated::put(p, 40, self.compass_id);
+        wire::generated::put(p, 41, self.cal_mask);
+        wire::generated::put(p, 42, self.cal_status);
+        wire::generated::put(p, 43, self.autosaved);
+        wire::generated::put(p, 44, self.orientation_confidence);
+        wire::generated::put(p, 48, self.old_orientation);
+        wire::generated::put(p, 49, self.new_orientation);
+        wire::generated::put(p, 50, self.scale_factor);
     }
 }
 

@@ -179,27 +179,27 @@ impl wire::Message for ManualControl {
         let p = match payload.first_chunk::<30>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<30>(payload);
+                padded = wire::generated::zero_extended::<30>(payload);
                 &padded
             }
         };
         Self {
-            target: wire::get(p, 10),
-            x: wire::get(p, 0),
-            y: wire::get(p, 2),
-            z: wire::get(p, 4),
-            r: wire::get(p, 6),
-            buttons: wire::get(p, 8),
-            buttons2: wire::get(p, 11),
-            enabled_extensions: wire::get(p, 13),
-            s: wire::get(p, 14),
-            t: wire::get(p, 16),
-            aux1: wire::get(p, 18),
-            aux2: wire::get(p, 20),
-            aux3: wire::get(p, 22),
-            aux4: wire::get(p, 24),
-            aux5: wire::get(p, 26),
-            aux6: wire::get(p, 28),
+            target: wire::generated::get(p, 10),
+            x: wire::generated::get(p, 0),
+            y: wire::generated::get(p, 2),
+            z: wire::generated::get(p, 4),
+            r: wire::generated::get(p, 6),
+            buttons: wire::generated::get(p, 8),
+            buttons2: wire::generated::get(p, 11),
+            enabled_extensions: wire::generated::get(p, 13),
+            s: wire::generated::get(p, 14),
+            t: wire::generated::get(p, 16),
+            aux1: wire::generated::get(p, 18),
+            aux2: wire::generated::get(p, 20),
+            aux3: wire::generated::get(p, 22),
+            aux4: wire::generated::get(p, 24),
+            aux5: wire::generated::get(p, 26),
+            aux6: wire::generated::get(p, 28),
         }
     }
 
@@ -216,22 +216,22 @@ impl wire::Encode for ManualControl {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.x);
-        wire::put(p, 2, self.y);
-        wire::put(p, 4, self.z);
-        wire::put(p, 6, self.r);
-        wire::put(p, 8, self.buttons);
-        wire::put(p, 10, self.target);
-        wire::put(p, 11, self.buttons2);
-        wire::put(p, 13, self.enabled_extensions);
-        wire::put(p, 14, self.s);
-        wire::put(p, 16, self.t);
-        wire::put(p, 18, self.aux1);
-        wire::put(p, 20, self.aux2);
-        wire::put(p, 22, self.aux3);
-        wire::put(p, 24, self.aux4);
-        wire::put(p, 26, self.aux5);
-        wire::put(p, 28, self.aux6);
+        wire::generated::put(p, 0, self.x);
+        wire::generated::put(p, 2, self.y);
+        wire::generated::put(p, 4, self.z);
+        wire::generated::put(p, 6, self.r);
+        wire::generated::put(p, 8, self.buttons);
+        wire::generated::put(p, 10, self.target);
+        wire::generated::put(p, 11, self.buttons2);
+        wire::generated::put(p, 13, self.enabled_extensions);
+        wire::generated::put(p, 14, self.s);
+        wire::generated::put(p, 16, self.t);
+        wire::generated::put(p, 18, self.aux1);
+        wire::generated::put(p, 20, self.aux2);
+        wire::generated::put(p, 22, self.aux3);
+        wire::generated::put(p, 24, self.aux4);
+        wire::generated::put(p, 26, self.aux5);
+        wire::generated::put(p, 28, self.aux6);
     }
 }
 

@@ -74,18 +74,18 @@ impl wire::Message for ManualSetpoint {
         let p = match payload.first_chunk::<22>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<22>(payload);
+                padded = wire::generated::zero_extended::<22>(payload);
                 &padded
             }
         };
         Self {
-            time_boot_ms: wire::get(p, 0),
-            roll: wire::get(p, 4),
-            pitch: wire::get(p, 8),
-            yaw: wire::get(p, 12),
-            thrust: wire::get(p, 16),
-            mode_switch: wire::get(p, 20),
-            manual_override_switch: wire::get(p, 21),
+            time_boot_ms: wire::generated::get(p, 0),
+            roll: wire::generated::get(p, 4),
+            pitch: wire::generated::get(p, 8),
+            yaw: wire::generated::get(p, 12),
+            thrust: wire::generated::get(p, 16),
+            mode_switch: wire::generated::get(p, 20),
+            manual_override_switch: wire::generated::get(p, 21),
         }
     }
 }
@@ -97,13 +97,13 @@ impl wire::Encode for ManualSetpoint {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_boot_ms);
-        wire::put(p, 4, self.roll);
-        wire::put(p, 8, self.pitch);
-        wire::put(p, 12, self.yaw);
-        wire::put(p, 16, self.thrust);
-        wire::put(p, 20, self.mode_switch);
-        wire::put(p, 21, self.manual_override_switch);
+        wire::generated::put(p, 0, self.time_boot_ms);
+        wire::generated::put(p, 4, self.roll);
+        wire::generated::put(p, 8, self.pitch);
+        wire::generated::put(p, 12, self.yaw);
+        wire::generated::put(p, 16, self.thrust);
+        wire::generated::put(p, 20, self.mode_switch);
+        wire::generated::put(p, 21, self.manual_override_switch);
     }
 }
 

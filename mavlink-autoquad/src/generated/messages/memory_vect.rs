@@ -75,15 +75,15 @@ impl wire::Message for MemoryVect {
         let p = match payload.first_chunk::<36>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<36>(payload);
+                padded = wire::generated::zero_extended::<36>(payload);
                 &padded
             }
         };
         Self {
-            address: wire::get(p, 0),
-            ver: wire::get(p, 2),
-            r#type: wire::get(p, 3),
-            value: wire::get(p, 4),
+            address: wire::generated::get(p, 0),
+            ver: wire::generated::get(p, 2),
+            r#type: wire::generated::get(p, 3),
+            value: wire::generated::get(p, 4),
         }
     }
 }
@@ -95,10 +95,10 @@ impl wire::Encode for MemoryVect {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.address);
-        wire::put(p, 2, self.ver);
-        wire::put(p, 3, self.r#type);
-        wire::put(p, 4, self.value);
+        wire::generated::put(p, 0, self.address);
+        wire::generated::put(p, 2, self.ver);
+        wire::generated::put(p, 3, self.r#type);
+        wire::generated::put(p, 4, self.value);
     }
 }
 

@@ -49,13 +49,13 @@ impl wire::Message for MessageInterval {
         let p = match payload.first_chunk::<6>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<6>(payload);
+                padded = wire::generated::zero_extended::<6>(payload);
                 &padded
             }
         };
         Self {
-            message_id: wire::get(p, 4),
-            interval_us: wire::get(p, 0),
+            message_id: wire::generated::get(p, 4),
+            interval_us: wire::generated::get(p, 0),
         }
     }
 }
@@ -67,8 +67,8 @@ impl wire::Encode for MessageInterval {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.interval_us);
-        wire::put(p, 4, self.message_id);
+        wire::generated::put(p, 0, self.interval_us);
+        wire::generated::put(p, 4, self.message_id);
     }
 }
 

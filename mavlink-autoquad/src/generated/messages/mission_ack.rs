@@ -84,16 +84,16 @@ impl wire::Message for MissionAck {
         let p = match payload.first_chunk::<8>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<8>(payload);
+                padded = wire::generated::zero_extended::<8>(payload);
                 &padded
             }
         };
         Self {
-            target_system: wire::get(p, 0),
-            target_component: wire::get(p, 1),
-            r#type: wire::get(p, 2),
-            mission_type: wire::get(p, 3),
-            opaque_id: wire::get(p, 4),
+            target_system: wire::generated::get(p, 0),
+            target_component: wire::generated::get(p, 1),
+            r#type: wire::generated::get(p, 2),
+            mission_type: wire::generated::get(p, 3),
+            opaque_id: wire::generated::get(p, 4),
         }
     }
 
@@ -110,11 +110,11 @@ impl wire::Encode for MissionAck {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.target_system);
-        wire::put(p, 1, self.target_component);
-        wire::put(p, 2, self.r#type);
-        wire::put(p, 3, self.mission_type);
-        wire::put(p, 4, self.opaque_id);
+        wire::generated::put(p, 0, self.target_system);
+        wire::generated::put(p, 1, self.target_component);
+        wire::generated::put(p, 2, self.r#type);
+        wire::generated::put(p, 3, self.mission_type);
+        wire::generated::put(p, 4, self.opaque_id);
     }
 }
 

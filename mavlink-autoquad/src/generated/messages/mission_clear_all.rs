@@ -57,14 +57,14 @@ impl wire::Message for MissionClearAll {
         let p = match payload.first_chunk::<3>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<3>(payload);
+                padded = wire::generated::zero_extended::<3>(payload);
                 &padded
             }
         };
         Self {
-            target_system: wire::get(p, 0),
-            target_component: wire::get(p, 1),
-            mission_type: wire::get(p, 2),
+            target_system: wire::generated::get(p, 0),
+            target_component: wire::generated::get(p, 1),
+            mission_type: wire::generated::get(p, 2),
         }
     }
 
@@ -81,9 +81,9 @@ impl wire::Encode for MissionClearAll {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.target_system);
-        wire::put(p, 1, self.target_component);
-        wire::put(p, 2, self.mission_type);
+        wire::generated::put(p, 0, self.target_system);
+        wire::generated::put(p, 1, self.target_component);
+        wire::generated::put(p, 2, self.mission_type);
     }
 }
 

@@ -84,16 +84,16 @@ impl wire::Message for MissionCount {
         let p = match payload.first_chunk::<9>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<9>(payload);
+                padded = wire::generated::zero_extended::<9>(payload);
                 &padded
             }
         };
         Self {
-            target_system: wire::get(p, 2),
-            target_component: wire::get(p, 3),
-            count: wire::get(p, 0),
-            mission_type: wire::get(p, 4),
-            opaque_id: wire::get(p, 5),
+            target_system: wire::generated::get(p, 2),
+            target_component: wire::generated::get(p, 3),
+            count: wire::generated::get(p, 0),
+            mission_type: wire::generated::get(p, 4),
+            opaque_id: wire::generated::get(p, 5),
         }
     }
 
@@ -110,11 +110,11 @@ impl wire::Encode for MissionCount {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.count);
-        wire::put(p, 2, self.target_system);
-        wire::put(p, 3, self.target_component);
-        wire::put(p, 4, self.mission_type);
-        wire::put(p, 5, self.opaque_id);
+        wire::generated::put(p, 0, self.count);
+        wire::generated::put(p, 2, self.target_system);
+        wire::generated::put(p, 3, self.target_component);
+        wire::generated::put(p, 4, self.mission_type);
+        wire::generated::put(p, 5, self.opaque_id);
     }
 }
 

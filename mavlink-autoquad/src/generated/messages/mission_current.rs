@@ -171,18 +171,18 @@ impl wire::Message for MissionCurrent {
         let p = match payload.first_chunk::<18>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<18>(payload);
+                padded = wire::generated::zero_extended::<18>(payload);
                 &padded
             }
         };
         Self {
-            seq: wire::get(p, 0),
-            total: wire::get(p, 2),
-            mission_state: wire::get(p, 4),
-            mission_mode: wire::get(p, 5),
-            mission_id: wire::get(p, 6),
-            fence_id: wire::get(p, 10),
-            rally_points_id: wire::get(p, 14),
+            seq: wire::generated::get(p, 0),
+            total: wire::generated::get(p, 2),
+            mission_state: wire::generated::get(p, 4),
+            mission_mode: wire::generated::get(p, 5),
+            mission_id: wire::generated::get(p, 6),
+            fence_id: wire::generated::get(p, 10),
+            rally_points_id: wire::generated::get(p, 14),
         }
     }
 }
@@ -194,13 +194,13 @@ impl wire::Encode for MissionCurrent {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.seq);
-        wire::put(p, 2, self.total);
-        wire::put(p, 4, self.mission_state);
-        wire::put(p, 5, self.mission_mode);
-        wire::put(p, 6, self.mission_id);
-        wire::put(p, 10, self.fence_id);
-        wire::put(p, 14, self.rally_points_id);
+        wire::generated::put(p, 0, self.seq);
+        wire::generated::put(p, 2, self.total);
+        wire::generated::put(p, 4, self.mission_state);
+        wire::generated::put(p, 5, self.mission_mode);
+        wire::generated::put(p, 6, self.mission_id);
+        wire::generated::put(p, 10, self.fence_id);
+        wire::generated::put(p, 14, self.rally_points_id);
     }
 }
 

@@ -124,26 +124,26 @@ impl wire::Message for MissionItem {
         let p = match payload.first_chunk::<38>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<38>(payload);
+                padded = wire::generated::zero_extended::<38>(payload);
                 &padded
             }
         };
         Self {
-            target_system: wire::get(p, 32),
-            target_component: wire::get(p, 33),
-            seq: wire::get(p, 28),
-            frame: wire::get(p, 34),
-            command: wire::get(p, 30),
-            current: wire::get(p, 35),
-            autocontinue: wire::get(p, 36),
-            param1: wire::get(p, 0),
-            param2: wire::get(p, 4),
-            param3: wire::get(p, 8),
-            param4: wire::get(p, 12),
-            x: wire::get(p, 16),
-            y: wire::get(p, 20),
-            z: wire::get(p, 24),
-            mission_type: wire::get(p, 37),
+            target_system: wire::generated::get(p, 32),
+            target_component: wire::generated::get(p, 33),
+            seq: wire::generated::get(p, 28),
+            frame: wire::generated::get(p, 34),
+            command: wire::generated::get(p, 30),
+            current: wire::generated::get(p, 35),
+            autocontinue: wire::generated::get(p, 36),
+            param1: wire::generated::get(p, 0),
+            param2: wire::generated::get(p, 4),
+            param3: wire::generated::get(p, 8),
+            param4: wire::generated::get(p, 12),
+            x: wire::generated::get(p, 16),
+            y: wire::generated::get(p, 20),
+            z: wire::generated::get(p, 24),
+            mission_type: wire::generated::get(p, 37),
         }
     }
 
@@ -160,21 +160,21 @@ impl wire::Encode for MissionItem {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.param1);
-        wire::put(p, 4, self.param2);
-        wire::put(p, 8, self.param3);
-        wire::put(p, 12, self.param4);
-        wire::put(p, 16, self.x);
-        wire::put(p, 20, self.y);
-        wire::put(p, 24, self.z);
-        wire::put(p, 28, self.seq);
-        wire::put(p, 30, self.command);
-        wire::put(p, 32, self.target_system);
-        wire::put(p, 33, self.target_component);
-        wire::put(p, 34, self.frame);
-        wire::put(p, 35, self.current);
-        wire::put(p, 36, self.autocontinue);
-        wire::put(p, 37, self.mission_type);
+        wire::generated::put(p, 0, self.param1);
+        wire::generated::put(p, 4, self.param2);
+        wire::generated::put(p, 8, self.param3);
+        wire::generated::put(p, 12, self.param4);
+        wire::generated::put(p, 16, self.x);
+        wire::generated::put(p, 20, self.y);
+        wire::generated::put(p, 24, self.z);
+        wire::generated::put(p, 28, self.seq);
+        wire::generated::put(p, 30, self.command);
+        wire::generated::put(p, 32, self.target_system);
+        wire::generated::put(p, 33, self.target_component);
+        wire::generated::put(p, 34, self.frame);
+        wire::generated::put(p, 35, self.current);
+        wire::generated::put(p, 36, self.autocontinue);
+        wire::generated::put(p, 37, self.mission_type);
     }
 }
 

@@ -42,11 +42,13 @@ impl wire::Message for MissionItemReached {
         let p = match payload.first_chunk::<2>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<2>(payload);
+                padded = wire::generated::zero_extended::<2>(payload);
                 &padded
             }
         };
-        Self { seq: wire::get(p, 0) }
+        Self {
+            seq: wire::generated::get(p, 0),
+        }
     }
 }
 
@@ -57,7 +59,7 @@ impl wire::Encode for MissionItemReached {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.seq);
+        wire::generated::put(p, 0, self.seq);
     }
 }
 

@@ -65,15 +65,15 @@ impl wire::Message for MissionRequest {
         let p = match payload.first_chunk::<5>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<5>(payload);
+                padded = wire::generated::zero_extended::<5>(payload);
                 &padded
             }
         };
         Self {
-            target_system: wire::get(p, 2),
-            target_component: wire::get(p, 3),
-            seq: wire::get(p, 0),
-            mission_type: wire::get(p, 4),
+            target_system: wire::generated::get(p, 2),
+            target_component: wire::generated::get(p, 3),
+            seq: wire::generated::get(p, 0),
+            mission_type: wire::generated::get(p, 4),
         }
     }
 
@@ -90,10 +90,10 @@ impl wire::Encode for MissionRequest {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.seq);
-        wire::put(p, 2, self.target_system);
-        wire::put(p, 3, self.target_component);
-        wire::put(p, 4, self.mission_type);
+        wire::generated::put(p, 0, self.seq);
+        wire::generated::put(p, 2, self.target_system);
+        wire::generated::put(p, 3, self.target_component);
+        wire::generated::put(p, 4, self.mission_type);
     }
 }
 

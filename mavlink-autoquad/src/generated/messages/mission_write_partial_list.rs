@@ -67,16 +67,16 @@ impl wire::Message for MissionWritePartialList {
         let p = match payload.first_chunk::<7>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<7>(payload);
+                padded = wire::generated::zero_extended::<7>(payload);
                 &padded
             }
         };
         Self {
-            target_system: wire::get(p, 4),
-            target_component: wire::get(p, 5),
-            start_index: wire::get(p, 0),
-            end_index: wire::get(p, 2),
-            mission_type: wire::get(p, 6),
+            target_system: wire::generated::get(p, 4),
+            target_component: wire::generated::get(p, 5),
+            start_index: wire::generated::get(p, 0),
+            end_index: wire::generated::get(p, 2),
+            mission_type: wire::generated::get(p, 6),
         }
     }
 
@@ -93,11 +93,11 @@ impl wire::Encode for MissionWritePartialList {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.start_index);
-        wire::put(p, 2, self.end_index);
-        wire::put(p, 4, self.target_system);
-        wire::put(p, 5, self.target_component);
-        wire::put(p, 6, self.mission_type);
+        wire::generated::put(p, 0, self.start_index);
+        wire::generated::put(p, 2, self.end_index);
+        wire::generated::put(p, 4, self.target_system);
+        wire::generated::put(p, 5, self.target_component);
+        wire::generated::put(p, 6, self.mission_type);
     }
 }
 

@@ -125,16 +125,16 @@ impl wire::Message for MountOrientation {
         let p = match payload.first_chunk::<20>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<20>(payload);
+                padded = wire::generated::zero_extended::<20>(payload);
                 &padded
             }
         };
         Self {
-            time_boot_ms: wire::get(p, 0),
-            roll: wire::get(p, 4),
-            pitch: wire::get(p, 8),
-            yaw: wire::get(p, 12),
-            yaw_absolute: wire::get(p, 16),
+            time_boot_ms: wire::generated::get(p, 0),
+            roll: wire::generated::get(p, 4),
+            pitch: wire::generated::get(p, 8),
+            yaw: wire::generated::get(p, 12),
+            yaw_absolute: wire::generated::get(p, 16),
         }
     }
 }
@@ -146,11 +146,11 @@ impl wire::Encode for MountOrientation {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_boot_ms);
-        wire::put(p, 4, self.roll);
-        wire::put(p, 8, self.pitch);
-        wire::put(p, 12, self.yaw);
-        wire::put(p, 16, self.yaw_absolute);
+        wire::generated::put(p, 0, self.time_boot_ms);
+        wire::generated::put(p, 4, self.roll);
+        wire::generated::put(p, 8, self.pitch);
+        wire::generated::put(p, 12, self.yaw);
+        wire::generated::put(p, 16, self.yaw_absolute);
     }
 }
 

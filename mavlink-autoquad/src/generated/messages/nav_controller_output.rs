@@ -79,19 +79,19 @@ impl wire::Message for NavControllerOutput {
         let p = match payload.first_chunk::<26>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<26>(payload);
+                padded = wire::generated::zero_extended::<26>(payload);
                 &padded
             }
         };
         Self {
-            nav_roll: wire::get(p, 0),
-            nav_pitch: wire::get(p, 4),
-            nav_bearing: wire::get(p, 20),
-            target_bearing: wire::get(p, 22),
-            wp_dist: wire::get(p, 24),
-            alt_error: wire::get(p, 8),
-            aspd_error: wire::get(p, 12),
-            xtrack_error: wire::get(p, 16),
+            nav_roll: wire::generated::get(p, 0),
+            nav_pitch: wire::generated::get(p, 4),
+            nav_bearing: wire::generated::get(p, 20),
+            target_bearing: wire::generated::get(p, 22),
+            wp_dist: wire::generated::get(p, 24),
+            alt_error: wire::generated::get(p, 8),
+            aspd_error: wire::generated::get(p, 12),
+            xtrack_error: wire::generated::get(p, 16),
         }
     }
 }
@@ -103,14 +103,14 @@ impl wire::Encode for NavControllerOutput {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.nav_roll);
-        wire::put(p, 4, self.nav_pitch);
-        wire::put(p, 8, self.alt_error);
-        wire::put(p, 12, self.aspd_error);
-        wire::put(p, 16, self.xtrack_error);
-        wire::put(p, 20, self.nav_bearing);
-        wire::put(p, 22, self.target_bearing);
-        wire::put(p, 24, self.wp_dist);
+        wire::generated::put(p, 0, self.nav_roll);
+        wire::generated::put(p, 4, self.nav_pitch);
+        wire::generated::put(p, 8, self.alt_error);
+        wire::generated::put(p, 12, self.aspd_error);
+        wire::generated::put(p, 16, self.xtrack_error);
+        wire::generated::put(p, 20, self.nav_bearing);
+        wire::generated::put(p, 22, self.target_bearing);
+        wire::generated::put(p, 24, self.wp_dist);
     }
 }
 

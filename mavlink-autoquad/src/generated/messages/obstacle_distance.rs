@@ -119,20 +119,20 @@ impl wire::Message for ObstacleDistance {
         let p = match payload.first_chunk::<167>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<167>(payload);
+                padded = wire::generated::zero_extended::<167>(payload);
                 &padded
             }
         };
         Self {
-            time_usec: wire::get(p, 0),
-            sensor_type: wire::get(p, 156),
-            distances: wire::get(p, 8),
-            increment: wire::get(p, 157),
-            min_distance: wire::get(p, 152),
-            max_distance: wire::get(p, 154),
-            increment_f: wire::get(p, 158),
-            angle_offset: wire::get(p, 162),
-            frame: wire::get(p, 166),
+            time_usec: wire::generated::get(p, 0),
+            sensor_type: wire::generated::get(p, 156),
+            distances: wire::generated::get(p, 8),
+            increment: wire::generated::get(p, 157),
+            min_distance: wire::generated::get(p, 152),
+            max_distance: wire::generated::get(p, 154),
+            increment_f: wire::generated::get(p, 158),
+            angle_offset: wire::generated::get(p, 162),
+            frame: wire::generated::get(p, 166),
         }
     }
 }
@@ -144,15 +144,15 @@ impl wire::Encode for ObstacleDistance {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_usec);
-        wire::put(p, 8, self.distances);
-        wire::put(p, 152, self.min_distance);
-        wire::put(p, 154, self.max_distance);
-        wire::put(p, 156, self.sensor_type);
-        wire::put(p, 157, self.increment);
-        wire::put(p, 158, self.increment_f);
-        wire::put(p, 162, self.angle_offset);
-        wire::put(p, 166, self.frame);
+        wire::generated::put(p, 0, self.time_usec);
+        wire::generated::put(p, 8, self.distances);
+        wire::generated::put(p, 152, self.min_distance);
+        wire::generated::put(p, 154, self.max_distance);
+        wire::generated::put(p, 156, self.sensor_type);
+        wire::generated::put(p, 157, self.increment);
+        wire::generated::put(p, 158, self.increment_f);
+        wire::generated::put(p, 162, self.angle_offset);
+        wire::generated::put(p, 166, self.frame);
     }
 }
 

@@ -186,29 +186,29 @@ impl wire::Message for Odometry {
         let p = match payload.first_chunk::<233>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<233>(payload);
+                padded = wire::generated::zero_extended::<233>(payload);
                 &padded
             }
         };
         Self {
-            time_usec: wire::get(p, 0),
-            frame_id: wire::get(p, 228),
-            child_frame_id: wire::get(p, 229),
-            x: wire::get(p, 8),
-            y: wire::get(p, 12),
-            z: wire::get(p, 16),
-            q: wire::get(p, 20),
-            vx: wire::get(p, 36),
-            vy: wire::get(p, 40),
-            vz: wire::get(p, 44),
-            rollspeed: wire::get(p, 48),
-            pitchspeed: wire::get(p, 52),
-            yawspeed: wire::get(p, 56),
-            pose_covariance: wire::get(p, 60),
-            velocity_covariance: wire::get(p, 144),
-            reset_counter: wire::get(p, 230),
-            estimator_type: wire::get(p, 231),
-            quality: wire::get(p, 232),
+            time_usec: wire::generated::get(p, 0),
+            frame_id: wire::generated::get(p, 228),
+            child_frame_id: wire::generated::get(p, 229),
+            x: wire::generated::get(p, 8),
+            y: wire::generated::get(p, 12),
+            z: wire::generated::get(p, 16),
+            q: wire::generated::get(p, 20),
+            vx: wire::generated::get(p, 36),
+            vy: wire::generated::get(p, 40),
+            vz: wire::generated::get(p, 44),
+            rollspeed: wire::generated::get(p, 48),
+            pitchspeed: wire::generated::get(p, 52),
+            yawspeed: wire::generated::get(p, 56),
+            pose_covariance: wire::generated::get(p, 60),
+            velocity_covariance: wire::generated::get(p, 144),
+            reset_counter: wire::generated::get(p, 230),
+            estimator_type: wire::generated::get(p, 231),
+            quality: wire::generated::get(p, 232),
         }
     }
 }
@@ -220,24 +220,24 @@ impl wire::Encode for Odometry {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_usec);
-        wire::put(p, 8, self.x);
-        wire::put(p, 12, self.y);
-        wire::put(p, 16, self.z);
-        wire::put(p, 20, self.q);
-        wire::put(p, 36, self.vx);
-        wire::put(p, 40, self.vy);
-        wire::put(p, 44, self.vz);
-        wire::put(p, 48, self.rollspeed);
-        wire::put(p, 52, self.pitchspeed);
-        wire::put(p, 56, self.yawspeed);
-        wire::put(p, 60, self.pose_covariance);
-        wire::put(p, 144, self.velocity_covariance);
-        wire::put(p, 228, self.frame_id);
-        wire::put(p, 229, self.child_frame_id);
-        wire::put(p, 230, self.reset_counter);
-        wire::put(p, 231, self.estimator_type);
-        wire::put(p, 232, self.quality);
+        wire::generated::put(p, 0, self.time_usec);
+        wire::generated::put(p, 8, self.x);
+        wire::generated::put(p, 12, self.y);
+        wire::generated::put(p, 16, self.z);
+        wire::generated::put(p, 20, self.q);
+        wire::generated::put(p, 36, self.vx);
+        wire::generated::put(p, 40, self.vy);
+        wire::generated::put(p, 44, self.vz);
+        wire::generated::put(p, 48, self.rollspeed);
+        wire::generated::put(p, 52, self.pitchspeed);
+        wire::generated::put(p, 56, self.yawspeed);
+        wire::generated::put(p, 60, self.pose_covariance);
+        wire::generated::put(p, 144, self.velocity_covariance);
+        wire::generated::put(p, 228, self.frame_id);
+        wire::generated::put(p, 229, self.child_frame_id);
+        wire::generated::put(p, 230, self.reset_counter);
+        wire::generated::put(p, 231, self.estimator_type);
+        wire::generated::put(p, 232, self.quality);
     }
 }
 

@@ -451,32 +451,32 @@ impl wire::Message for OnboardComputerStatus {
         let p = match payload.first_chunk::<240>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<240>(payload);
+                padded = wire::generated::zero_extended::<240>(payload);
                 &padded
             }
         };
         Self {
-            time_usec: wire::get(p, 0),
-            uptime: wire::get(p, 8),
-            r#type: wire::get(p, 196),
-            cpu_cores: wire::get(p, 197),
-            cpu_combined: wire::get(p, 205),
-            gpu_cores: wire::get(p, 215),
-            gpu_combined: wire::get(p, 219),
-            temperature_board: wire::get(p, 229),
-            temperature_core: wire::get(p, 230),
-            fan_speed: wire::get(p, 188),
-            ram_usage: wire::get(p, 12),
-            ram_total: wire::get(p, 16),
-            storage_type: wire::get(p, 20),
-            storage_usage: wire::get(p, 36),
-            storage_total: wire::get(p, 52),
-            link_type: wire::get(p, 68),
-            link_tx_rate: wire::get(p, 92),
-            link_rx_rate: wire::get(p, 116),
-            link_tx_max: wire::get(p, 140),
-            link_rx_max: wire::get(p, 164),
-            status_flags: wire::get(p, 238),
+            time_usec: wire::generated::get(p, 0),
+            uptime: wire::generated::get(p, 8),
+            r#type: wire::generated::get(p, 196),
+            cpu_cores: wire::generated::get(p, 197),
+            cpu_combined: wire::generated::get(p, 205),
+            gpu_cores: wire::generated::get(p, 215),
+            gpu_combined: wire::generated::get(p, 219),
+            temperature_board: wire::generated::get(p, 229),
+            temperature_core: wire::generated::get(p, 230),
+            fan_speed: wire::generated::get(p, 188),
+            ram_usage: wire::generated::get(p, 12),
+            ram_total: wire::generated::get(p, 16),
+            storage_type: wire::generated::get(p, 20),
+            storage_usage: wire::generated::get(p, 36),
+            storage_total: wire::generated::get(p, 52),
+            link_type: wire::generated::get(p, 68),
+            link_tx_rate: wire::generated::get(p, 92),
+            link_rx_rate: wire::generated::get(p, 116),
+            link_tx_max: wire::generated::get(p, 140),
+            link_rx_max: wire::generated::get(p, 164),
+            status_flags: wire::generated::get(p, 238),
         }
     }
 }
@@ -488,27 +488,27 @@ impl wire::Encode for OnboardComputerStatus {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_usec);
-        wire::put(p, 8, self.uptime);
-        wire::put(p, 12, self.ram_usage);
-        wire::put(p, 16, self.ram_total);
-        wire::put(p, 20, self.storage_type);
-        wire::put(p, 36, self.storage_usage);
-        wire::put(p, 52, self.storage_total);
-        wire::put(p, 68, self.link_type);
-        wire::put(p, 92, self.link_tx_rate);
-        wire::put(p, 116, self.link_rx_rate);
-        wire::put(p, 140, self.link_tx_max);
-        wire::put(p, 164, self.link_rx_max);
-        wire::put(p, 188, self.fan_speed);
-        wire::put(p, 196, self.r#type);
-        wire::put(p, 197, self.cpu_cores);
-        wire::put(p, 205, self.cpu_combined);
-        wire::put(p, 215, self.gpu_cores);
-        wire::put(p, 219, self.gpu_combined);
-        wire::put(p, 229, self.temperature_board);
-        wire::put(p, 230, self.temperature_core);
-        wire::put(p, 238, self.status_flags);
+        wire::generated::put(p, 0, self.time_usec);
+        wire::generated::put(p, 8, self.uptime);
+        wire::generated::put(p, 12, self.ram_usage);
+        wire::generated::put(p, 16, self.ram_total);
+        wire::generated::put(p, 20, self.storage_type);
+        wire::generated::put(p, 36, self.storage_usage);
+        wire::generated::put(p, 52, self.storage_total);
+        wire::generated::put(p, 68, self.link_type);
+        wire::generated::put(p, 92, self.link_tx_rate);
+        wire::generated::put(p, 116, self.link_rx_rate);
+        wire::generated::put(p, 140, self.link_tx_max);
+        wire::generated::put(p, 164, self.link_rx_max);
+        wire::generated::put(p, 188, self.fan_speed);
+        wire::generated::put(p, 196, self.r#type);
+        wire::generated::put(p, 197, self.cpu_cores);
+        wire::generated::put(p, 205, self.cpu_combined);
+        wire::generated::put(p, 215, self.gpu_cores);
+        wire::generated::put(p, 219, self.gpu_combined);
+        wire::generated::put(p, 229, self.temperature_board);
+        wire::generated::put(p, 230, self.temperature_core);
+        wire::generated::put(p, 238, self.status_flags);
     }
 }
 

@@ -51,13 +51,13 @@ impl wire::Message for OpenDroneIdArmStatus {
         let p = match payload.first_chunk::<51>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<51>(payload);
+                padded = wire::generated::zero_extended::<51>(payload);
                 &padded
             }
         };
         Self {
-            status: wire::get(p, 0),
-            error: wire::get(p, 1),
+            status: wire::generated::get(p, 0),
+            error: wire::generated::get(p, 1),
         }
     }
 }
@@ -69,8 +69,8 @@ impl wire::Encode for OpenDroneIdArmStatus {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.status);
-        wire::put(p, 1, self.error);
+        wire::generated::put(p, 0, self.status);
+        wire::generated::put(p, 1, self.error);
     }
 }
 

@@ -86,20 +86,20 @@ impl wire::Message for OpenDroneIdAuthentication {
         let p = match payload.first_chunk::<53>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<53>(payload);
+                padded = wire::generated::zero_extended::<53>(payload);
                 &padded
             }
         };
         Self {
-            target_system: wire::get(p, 4),
-            target_component: wire::get(p, 5),
-            id_or_mac: wire::get(p, 6),
-            authentication_type: wire::get(p, 26),
-            data_page: wire::get(p, 27),
-            last_page_index: wire::get(p, 28),
-            length: wire::get(p, 29),
-            timestamp: wire::get(p, 0),
-            authentication_data: wire::get(p, 30),
+            target_system: wire::generated::get(p, 4),
+            target_component: wire::generated::get(p, 5),
+            id_or_mac: wire::generated::get(p, 6),
+            authentication_type: wire::generated::get(p, 26),
+            data_page: wire::generated::get(p, 27),
+            last_page_index: wire::generated::get(p, 28),
+            length: wire::generated::get(p, 29),
+            timestamp: wire::generated::get(p, 0),
+            authentication_data: wire::generated::get(p, 30),
         }
     }
 
@@ -116,15 +116,15 @@ impl wire::Encode for OpenDroneIdAuthentication {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.timestamp);
-        wire::put(p, 4, self.target_system);
-        wire::put(p, 5, self.target_component);
-        wire::put(p, 6, self.id_or_mac);
-        wire::put(p, 26, self.authentication_type);
-        wire::put(p, 27, self.data_page);
-        wire::put(p, 28, self.last_page_index);
-        wire::put(p, 29, self.length);
-        wire::put(p, 30, self.authentication_data);
+        wire::generated::put(p, 0, self.timestamp);
+        wire::generated::put(p, 4, self.target_system);
+        wire::generated::put(p, 5, self.target_component);
+        wire::generated::put(p, 6, self.id_or_mac);
+        wire::generated::put(p, 26, self.authentication_type);
+        wire::generated::put(p, 27, self.data_page);
+        wire::generated::put(p, 28, self.last_page_index);
+        wire::generated::put(p, 29, self.length);
+        wire::generated::put(p, 30, self.authentication_data);
     }
 }
 

@@ -72,17 +72,17 @@ impl wire::Message for OpenDroneIdBasicId {
         let p = match payload.first_chunk::<44>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<44>(payload);
+                padded = wire::generated::zero_extended::<44>(payload);
                 &padded
             }
         };
         Self {
-            target_system: wire::get(p, 0),
-            target_component: wire::get(p, 1),
-            id_or_mac: wire::get(p, 2),
-            id_type: wire::get(p, 22),
-            ua_type: wire::get(p, 23),
-            uas_id: wire::get(p, 24),
+            target_system: wire::generated::get(p, 0),
+            target_component: wire::generated::get(p, 1),
+            id_or_mac: wire::generated::get(p, 2),
+            id_type: wire::generated::get(p, 22),
+            ua_type: wire::generated::get(p, 23),
+            uas_id: wire::generated::get(p, 24),
         }
     }
 
@@ -99,12 +99,12 @@ impl wire::Encode for OpenDroneIdBasicId {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.target_system);
-        wire::put(p, 1, self.target_component);
-        wire::put(p, 2, self.id_or_mac);
-        wire::put(p, 22, self.id_type);
-        wire::put(p, 23, self.ua_type);
-        wire::put(p, 24, self.uas_id);
+        wire::generated::put(p, 0, self.target_system);
+        wire::generated::put(p, 1, self.target_component);
+        wire::generated::put(p, 2, self.id_or_mac);
+        wire::generated::put(p, 22, self.id_type);
+        wire::generated::put(p, 23, self.ua_type);
+        wire::generated::put(p, 24, self.uas_id);
     }
 }
 

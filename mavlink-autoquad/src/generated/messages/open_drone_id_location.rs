@@ -253,30 +253,30 @@ impl wire::Message for OpenDroneIdLocation {
         let p = match payload.first_chunk::<59>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<59>(payload);
+                padded = wire::generated::zero_extended::<59>(payload);
                 &padded
             }
         };
         Self {
-            target_system: wire::get(p, 30),
-            target_component: wire::get(p, 31),
-            id_or_mac: wire::get(p, 32),
-            status: wire::get(p, 52),
-            direction: wire::get(p, 24),
-            speed_horizontal: wire::get(p, 26),
-            speed_vertical: wire::get(p, 28),
-            latitude: wire::get(p, 0),
-            longitude: wire::get(p, 4),
-            altitude_barometric: wire::get(p, 8),
-            altitude_geodetic: wire::get(p, 12),
-            height_reference: wire::get(p, 53),
-            height: wire::get(p, 16),
-            horizontal_accuracy: wire::get(p, 54),
-            vertical_accuracy: wire::get(p, 55),
-            barometer_accuracy: wire::get(p, 56),
-            speed_accuracy: wire::get(p, 57),
-            timestamp: wire::get(p, 20),
-            timestamp_accuracy: wire::get(p, 58),
+            target_system: wire::generated::get(p, 30),
+            target_component: wire::generated::get(p, 31),
+            id_or_mac: wire::generated::get(p, 32),
+            status: wire::generated::get(p, 52),
+            direction: wire::generated::get(p, 24),
+            speed_horizontal: wire::generated::get(p, 26),
+            speed_vertical: wire::generated::get(p, 28),
+            latitude: wire::generated::get(p, 0),
+            longitude: wire::generated::get(p, 4),
+            altitude_barometric: wire::generated::get(p, 8),
+            altitude_geodetic: wire::generated::get(p, 12),
+            height_reference: wire::generated::get(p, 53),
+            height: wire::generated::get(p, 16),
+            horizontal_accuracy: wire::generated::get(p, 54),
+            vertical_accuracy: wire::generated::get(p, 55),
+            barometer_accuracy: wire::generated::get(p, 56),
+            speed_accuracy: wire::generated::get(p, 57),
+            timestamp: wire::generated::get(p, 20),
+            timestamp_accuracy: wire::generated::get(p, 58),
         }
     }
 
@@ -293,25 +293,25 @@ impl wire::Encode for OpenDroneIdLocation {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.latitude);
-        wire::put(p, 4, self.longitude);
-        wire::put(p, 8, self.altitude_barometric);
-        wire::put(p, 12, self.altitude_geodetic);
-        wire::put(p, 16, self.height);
-        wire::put(p, 20, self.timestamp);
-        wire::put(p, 24, self.direction);
-        wire::put(p, 26, self.speed_horizontal);
-        wire::put(p, 28, self.speed_vertical);
-        wire::put(p, 30, self.target_system);
-        wire::put(p, 31, self.target_component);
-        wire::put(p, 32, self.id_or_mac);
-        wire::put(p, 52, self.status);
-        wire::put(p, 53, self.height_reference);
-        wire::put(p, 54, self.horizontal_accuracy);
-        wire::put(p, 55, self.vertical_accuracy);
-        wire::put(p, 56, self.barometer_accuracy);
-        wire::put(p, 57, self.speed_accuracy);
-        wire::put(p, 58, self.timestamp_accuracy);
+        wire::generated::put(p, 0, self.latitude);
+        wire::generated::put(p, 4, self.longitude);
+        wire::generated::put(p, 8, self.altitude_barometric);
+        wire::generated::put(p, 12, self.altitude_geodetic);
+        wire::generated::put(p, 16, self.height);
+        wire::generated::put(p, 20, self.timestamp);
+        wire::generated::put(p, 24, self.direction);
+        wire::generated::put(p, 26, self.speed_horizontal);
+        wire::generated::put(p, 28, self.speed_vertical);
+        wire::generated::put(p, 30, self.target_system);
+        wire::generated::put(p, 31, self.target_component);
+        wire::generated::put(p, 32, self.id_or_mac);
+        wire::generated::put(p, 52, self.status);
+        wire::generated::put(p, 53, self.height_reference);
+        wire::generated::put(p, 54, self.horizontal_accuracy);
+        wire::generated::put(p, 55, self.vertical_accuracy);
+        wire::generated::put(p, 56, self.barometer_accuracy);
+        wire::generated::put(p, 57, self.speed_accuracy);
+        wire::generated::put(p, 58, self.timestamp_accuracy);
     }
 }
 

@@ -69,17 +69,17 @@ impl wire::Message for OpenDroneIdMessagePack {
         let p = match payload.first_chunk::<249>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<249>(payload);
+                padded = wire::generated::zero_extended::<249>(payload);
                 &padded
             }
         };
         Self {
-            target_system: wire::get(p, 0),
-            target_component: wire::get(p, 1),
-            id_or_mac: wire::get(p, 2),
-            single_message_size: wire::get(p, 22),
-            msg_pack_size: wire::get(p, 23),
-            messages: wire::get(p, 24),
+            target_system: wire::generated::get(p, 0),
+            target_component: wire::generated::get(p, 1),
+            id_or_mac: wire::generated::get(p, 2),
+            single_message_size: wire::generated::get(p, 22),
+            msg_pack_size: wire::generated::get(p, 23),
+            messages: wire::generated::get(p, 24),
         }
     }
 
@@ -96,12 +96,12 @@ impl wire::Encode for OpenDroneIdMessagePack {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.target_system);
-        wire::put(p, 1, self.target_component);
-        wire::put(p, 2, self.id_or_mac);
-        wire::put(p, 22, self.single_message_size);
-        wire::put(p, 23, self.msg_pack_size);
-        wire::put(p, 24, self.messages);
+        wire::generated::put(p, 0, self.target_system);
+        wire::generated::put(p, 1, self.target_component);
+        wire::generated::put(p, 2, self.id_or_mac);
+        wire::generated::put(p, 22, self.single_message_size);
+        wire::generated::put(p, 23, self.msg_pack_size);
+        wire::generated::put(p, 24, self.messages);
     }
 }
 

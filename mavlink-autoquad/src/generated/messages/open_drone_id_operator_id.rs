@@ -66,16 +66,16 @@ impl wire::Message for OpenDroneIdOperatorId {
         let p = match payload.first_chunk::<43>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<43>(payload);
+                padded = wire::generated::zero_extended::<43>(payload);
                 &padded
             }
         };
         Self {
-            target_system: wire::get(p, 0),
-            target_component: wire::get(p, 1),
-            id_or_mac: wire::get(p, 2),
-            operator_id_type: wire::get(p, 22),
-            operator_id: wire::get(p, 23),
+            target_system: wire::generated::get(p, 0),
+            target_component: wire::generated::get(p, 1),
+            id_or_mac: wire::generated::get(p, 2),
+            operator_id_type: wire::generated::get(p, 22),
+            operator_id: wire::generated::get(p, 23),
         }
     }
 
@@ -92,11 +92,11 @@ impl wire::Encode for OpenDroneIdOperatorId {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.target_system);
-        wire::put(p, 1, self.target_component);
-        wire::put(p, 2, self.id_or_mac);
-        wire::put(p, 22, self.operator_id_type);
-        wire::put(p, 23, self.operator_id);
+        wire::generated::put(p, 0, self.target_system);
+        wire::generated::put(p, 1, self.target_component);
+        wire::generated::put(p, 2, self.id_or_mac);
+        wire::generated::put(p, 22, self.operator_id_type);
+        wire::generated::put(p, 23, self.operator_id);
     }
 }
 

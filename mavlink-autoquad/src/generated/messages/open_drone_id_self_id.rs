@@ -66,16 +66,16 @@ impl wire::Message for OpenDroneIdSelfId {
         let p = match payload.first_chunk::<46>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<46>(payload);
+                padded = wire::generated::zero_extended::<46>(payload);
                 &padded
             }
         };
         Self {
-            target_system: wire::get(p, 0),
-            target_component: wire::get(p, 1),
-            id_or_mac: wire::get(p, 2),
-            description_type: wire::get(p, 22),
-            description: wire::get(p, 23),
+            target_system: wire::generated::get(p, 0),
+            target_component: wire::generated::get(p, 1),
+            id_or_mac: wire::generated::get(p, 2),
+            description_type: wire::generated::get(p, 22),
+            description: wire::generated::get(p, 23),
         }
     }
 
@@ -92,11 +92,11 @@ impl wire::Encode for OpenDroneIdSelfId {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.target_system);
-        wire::put(p, 1, self.target_component);
-        wire::put(p, 2, self.id_or_mac);
-        wire::put(p, 22, self.description_type);
-        wire::put(p, 23, self.description);
+        wire::generated::put(p, 0, self.target_system);
+        wire::generated::put(p, 1, self.target_component);
+        wire::generated::put(p, 2, self.id_or_mac);
+        wire::generated::put(p, 22, self.description_type);
+        wire::generated::put(p, 23, self.description);
     }
 }
 

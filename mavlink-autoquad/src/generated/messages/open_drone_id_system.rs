@@ -198,26 +198,26 @@ impl wire::Message for OpenDroneIdSystem {
         let p = match payload.first_chunk::<54>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<54>(payload);
+                padded = wire::generated::zero_extended::<54>(payload);
                 &padded
             }
         };
         Self {
-            target_system: wire::get(p, 28),
-            target_component: wire::get(p, 29),
-            id_or_mac: wire::get(p, 30),
-            operator_location_type: wire::get(p, 50),
-            classification_type: wire::get(p, 51),
-            operator_latitude: wire::get(p, 0),
-            operator_longitude: wire::get(p, 4),
-            area_count: wire::get(p, 24),
-            area_radius: wire::get(p, 26),
-            area_ceiling: wire::get(p, 8),
-            area_floor: wire::get(p, 12),
-            category_eu: wire::get(p, 52),
-            class_eu: wire::get(p, 53),
-            operator_altitude_geo: wire::get(p, 16),
-            timestamp: wire::get(p, 20),
+            target_system: wire::generated::get(p, 28),
+            target_component: wire::generated::get(p, 29),
+            id_or_mac: wire::generated::get(p, 30),
+            operator_location_type: wire::generated::get(p, 50),
+            classification_type: wire::generated::get(p, 51),
+            operator_latitude: wire::generated::get(p, 0),
+            operator_longitude: wire::generated::get(p, 4),
+            area_count: wire::generated::get(p, 24),
+            area_radius: wire::generated::get(p, 26),
+            area_ceiling: wire::generated::get(p, 8),
+            area_floor: wire::generated::get(p, 12),
+            category_eu: wire::generated::get(p, 52),
+            class_eu: wire::generated::get(p, 53),
+            operator_altitude_geo: wire::generated::get(p, 16),
+            timestamp: wire::generated::get(p, 20),
         }
     }
 
@@ -234,21 +234,21 @@ impl wire::Encode for OpenDroneIdSystem {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.operator_latitude);
-        wire::put(p, 4, self.operator_longitude);
-        wire::put(p, 8, self.area_ceiling);
-        wire::put(p, 12, self.area_floor);
-        wire::put(p, 16, self.operator_altitude_geo);
-        wire::put(p, 20, self.timestamp);
-        wire::put(p, 24, self.area_count);
-        wire::put(p, 26, self.area_radius);
-        wire::put(p, 28, self.target_system);
-        wire::put(p, 29, self.target_component);
-        wire::put(p, 30, self.id_or_mac);
-        wire::put(p, 50, self.operator_location_type);
-        wire::put(p, 51, self.classification_type);
-        wire::put(p, 52, self.category_eu);
-        wire::put(p, 53, self.class_eu);
+        wire::generated::put(p, 0, self.operator_latitude);
+        wire::generated::put(p, 4, self.operator_longitude);
+        wire::generated::put(p, 8, self.area_ceiling);
+        wire::generated::put(p, 12, self.area_floor);
+        wire::generated::put(p, 16, self.operator_altitude_geo);
+        wire::generated::put(p, 20, self.timestamp);
+        wire::generated::put(p, 24, self.area_count);
+        wire::generated::put(p, 26, self.area_radius);
+        wire::generated::put(p, 28, self.target_system);
+        wire::generated::put(p, 29, self.target_component);
+        wire::generated::put(p, 30, self.id_or_mac);
+        wire::generated::put(p, 50, self.operator_location_type);
+        wire::generated::put(p, 51, self.classification_type);
+        wire::generated::put(p, 52, self.category_eu);
+        wire::generated::put(p, 53, self.class_eu);
     }
 }
 

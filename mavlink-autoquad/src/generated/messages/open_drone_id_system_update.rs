@@ -117,17 +117,17 @@ impl wire::Message for OpenDroneIdSystemUpdate {
         let p = match payload.first_chunk::<18>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<18>(payload);
+                padded = wire::generated::zero_extended::<18>(payload);
                 &padded
             }
         };
         Self {
-            target_system: wire::get(p, 16),
-            target_component: wire::get(p, 17),
-            operator_latitude: wire::get(p, 0),
-            operator_longitude: wire::get(p, 4),
-            operator_altitude_geo: wire::get(p, 8),
-            timestamp: wire::get(p, 12),
+            target_system: wire::generated::get(p, 16),
+            target_component: wire::generated::get(p, 17),
+            operator_latitude: wire::generated::get(p, 0),
+            operator_longitude: wire::generated::get(p, 4),
+            operator_altitude_geo: wire::generated::get(p, 8),
+            timestamp: wire::generated::get(p, 12),
         }
     }
 
@@ -144,12 +144,12 @@ impl wire::Encode for OpenDroneIdSystemUpdate {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.operator_latitude);
-        wire::put(p, 4, self.operator_longitude);
-        wire::put(p, 8, self.operator_altitude_geo);
-        wire::put(p, 12, self.timestamp);
-        wire::put(p, 16, self.target_system);
-        wire::put(p, 17, self.target_component);
+        wire::generated::put(p, 0, self.operator_latitude);
+        wire::generated::put(p, 4, self.operator_longitude);
+        wire::generated::put(p, 8, self.operator_altitude_geo);
+        wire::generated::put(p, 12, self.timestamp);
+        wire::generated::put(p, 16, self.target_system);
+        wire::generated::put(p, 17, self.target_component);
     }
 }
 

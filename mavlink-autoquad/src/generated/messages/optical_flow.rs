@@ -94,21 +94,21 @@ impl wire::Message for OpticalFlow {
         let p = match payload.first_chunk::<34>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<34>(payload);
+                padded = wire::generated::zero_extended::<34>(payload);
                 &padded
             }
         };
         Self {
-            time_usec: wire::get(p, 0),
-            sensor_id: wire::get(p, 24),
-            flow_x: wire::get(p, 20),
-            flow_y: wire::get(p, 22),
-            flow_comp_m_x: wire::get(p, 8),
-            flow_comp_m_y: wire::get(p, 12),
-            quality: wire::get(p, 25),
-            ground_distance: wire::get(p, 16),
-            flow_rate_x: wire::get(p, 26),
-            flow_rate_y: wire::get(p, 30),
+            time_usec: wire::generated::get(p, 0),
+            sensor_id: wire::generated::get(p, 24),
+            flow_x: wire::generated::get(p, 20),
+            flow_y: wire::generated::get(p, 22),
+            flow_comp_m_x: wire::generated::get(p, 8),
+            flow_comp_m_y: wire::generated::get(p, 12),
+            quality: wire::generated::get(p, 25),
+            ground_distance: wire::generated::get(p, 16),
+            flow_rate_x: wire::generated::get(p, 26),
+            flow_rate_y: wire::generated::get(p, 30),
         }
     }
 }
@@ -120,16 +120,16 @@ impl wire::Encode for OpticalFlow {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_usec);
-        wire::put(p, 8, self.flow_comp_m_x);
-        wire::put(p, 12, self.flow_comp_m_y);
-        wire::put(p, 16, self.ground_distance);
-        wire::put(p, 20, self.flow_x);
-        wire::put(p, 22, self.flow_y);
-        wire::put(p, 24, self.sensor_id);
-        wire::put(p, 25, self.quality);
-        wire::put(p, 26, self.flow_rate_x);
-        wire::put(p, 30, self.flow_rate_y);
+        wire::generated::put(p, 0, self.time_usec);
+        wire::generated::put(p, 8, self.flow_comp_m_x);
+        wire::generated::put(p, 12, self.flow_comp_m_y);
+        wire::generated::put(p, 16, self.ground_distance);
+        wire::generated::put(p, 20, self.flow_x);
+        wire::generated::put(p, 22, self.flow_y);
+        wire::generated::put(p, 24, self.sensor_id);
+        wire::generated::put(p, 25, self.quality);
+        wire::generated::put(p, 26, self.flow_rate_x);
+        wire::generated::put(p, 30, self.flow_rate_y);
     }
 }
 

@@ -72,17 +72,17 @@ impl wire::Message for OrbitExecutionStatus {
         let p = match payload.first_chunk::<25>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<25>(payload);
+                padded = wire::generated::zero_extended::<25>(payload);
                 &padded
             }
         };
         Self {
-            time_usec: wire::get(p, 0),
-            radius: wire::get(p, 8),
-            frame: wire::get(p, 24),
-            x: wire::get(p, 12),
-            y: wire::get(p, 16),
-            z: wire::get(p, 20),
+            time_usec: wire::generated::get(p, 0),
+            radius: wire::generated::get(p, 8),
+            frame: wire::generated::get(p, 24),
+            x: wire::generated::get(p, 12),
+            y: wire::generated::get(p, 16),
+            z: wire::generated::get(p, 20),
         }
     }
 }
@@ -94,12 +94,12 @@ impl wire::Encode for OrbitExecutionStatus {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_usec);
-        wire::put(p, 8, self.radius);
-        wire::put(p, 12, self.x);
-        wire::put(p, 16, self.y);
-        wire::put(p, 20, self.z);
-        wire::put(p, 24, self.frame);
+        wire::generated::put(p, 0, self.time_usec);
+        wire::generated::put(p, 8, self.radius);
+        wire::generated::put(p, 12, self.x);
+        wire::generated::put(p, 16, self.y);
+        wire::generated::put(p, 20, self.z);
+        wire::generated::put(p, 24, self.frame);
     }
 }
 

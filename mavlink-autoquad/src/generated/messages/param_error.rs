@@ -68,16 +68,16 @@ impl wire::Message for ParamError {
         let p = match payload.first_chunk::<21>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<21>(payload);
+                padded = wire::generated::zero_extended::<21>(payload);
                 &padded
             }
         };
         Self {
-            target_system: wire::get(p, 2),
-            target_component: wire::get(p, 3),
-            param_id: wire::get(p, 4),
-            param_index: wire::get(p, 0),
-            error: wire::get(p, 20),
+            target_system: wire::generated::get(p, 2),
+            target_component: wire::generated::get(p, 3),
+            param_id: wire::generated::get(p, 4),
+            param_index: wire::generated::get(p, 0),
+            error: wire::generated::get(p, 20),
         }
     }
 
@@ -94,11 +94,11 @@ impl wire::Encode for ParamError {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.param_index);
-        wire::put(p, 2, self.target_system);
-        wire::put(p, 3, self.target_component);
-        wire::put(p, 4, self.param_id);
-        wire::put(p, 20, self.error);
+        wire::generated::put(p, 0, self.param_index);
+        wire::generated::put(p, 2, self.target_system);
+        wire::generated::put(p, 3, self.target_component);
+        wire::generated::put(p, 4, self.param_id);
+        wire::generated::put(p, 20, self.error);
     }
 }
 

@@ -62,15 +62,15 @@ impl wire::Message for ParamExtAck {
         let p = match payload.first_chunk::<146>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<146>(payload);
+                padded = wire::generated::zero_extended::<146>(payload);
                 &padded
             }
         };
         Self {
-            param_id: wire::get(p, 0),
-            param_value: wire::get(p, 16),
-            param_type: wire::get(p, 144),
-            param_result: wire::get(p, 145),
+            param_id: wire::generated::get(p, 0),
+            param_value: wire::generated::get(p, 16),
+            param_type: wire::generated::get(p, 144),
+            param_result: wire::generated::get(p, 145),
         }
     }
 }
@@ -82,10 +82,10 @@ impl wire::Encode for ParamExtAck {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.param_id);
-        wire::put(p, 16, self.param_value);
-        wire::put(p, 144, self.param_type);
-        wire::put(p, 145, self.param_result);
+        wire::generated::put(p, 0, self.param_id);
+        wire::generated::put(p, 16, self.param_value);
+        wire::generated::put(p, 144, self.param_type);
+        wire::generated::put(p, 145, self.param_result);
     }
 }
 

@@ -74,15 +74,15 @@ impl wire::Message for ParamExtRequestRead {
         let p = match payload.first_chunk::<20>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<20>(payload);
+                padded = wire::generated::zero_extended::<20>(payload);
                 &padded
             }
         };
         Self {
-            target_system: wire::get(p, 2),
-            target_component: wire::get(p, 3),
-            param_id: wire::get(p, 4),
-            param_index: wire::get(p, 0),
+            target_system: wire::generated::get(p, 2),
+            target_component: wire::generated::get(p, 3),
+            param_id: wire::generated::get(p, 4),
+            param_index: wire::generated::get(p, 0),
         }
     }
 
@@ -99,10 +99,10 @@ impl wire::Encode for ParamExtRequestRead {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.param_index);
-        wire::put(p, 2, self.target_system);
-        wire::put(p, 3, self.target_component);
-        wire::put(p, 4, self.param_id);
+        wire::generated::put(p, 0, self.param_index);
+        wire::generated::put(p, 2, self.target_system);
+        wire::generated::put(p, 3, self.target_component);
+        wire::generated::put(p, 4, self.param_id);
     }
 }
 

@@ -66,16 +66,16 @@ impl wire::Message for ParamExtSet {
         let p = match payload.first_chunk::<147>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<147>(payload);
+                padded = wire::generated::zero_extended::<147>(payload);
                 &padded
             }
         };
         Self {
-            target_system: wire::get(p, 0),
-            target_component: wire::get(p, 1),
-            param_id: wire::get(p, 2),
-            param_value: wire::get(p, 18),
-            param_type: wire::get(p, 146),
+            target_system: wire::generated::get(p, 0),
+            target_component: wire::generated::get(p, 1),
+            param_id: wire::generated::get(p, 2),
+            param_value: wire::generated::get(p, 18),
+            param_type: wire::generated::get(p, 146),
         }
     }
 
@@ -92,11 +92,11 @@ impl wire::Encode for ParamExtSet {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.target_system);
-        wire::put(p, 1, self.target_component);
-        wire::put(p, 2, self.param_id);
-        wire::put(p, 18, self.param_value);
-        wire::put(p, 146, self.param_type);
+        wire::generated::put(p, 0, self.target_system);
+        wire::generated::put(p, 1, self.target_component);
+        wire::generated::put(p, 2, self.param_id);
+        wire::generated::put(p, 18, self.param_value);
+        wire::generated::put(p, 146, self.param_type);
     }
 }
 

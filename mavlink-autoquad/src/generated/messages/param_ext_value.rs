@@ -66,16 +66,16 @@ impl wire::Message for ParamExtValue {
         let p = match payload.first_chunk::<149>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<149>(payload);
+                padded = wire::generated::zero_extended::<149>(payload);
                 &padded
             }
         };
         Self {
-            param_id: wire::get(p, 4),
-            param_value: wire::get(p, 20),
-            param_type: wire::get(p, 148),
-            param_count: wire::get(p, 0),
-            param_index: wire::get(p, 2),
+            param_id: wire::generated::get(p, 4),
+            param_value: wire::generated::get(p, 20),
+            param_type: wire::generated::get(p, 148),
+            param_count: wire::generated::get(p, 0),
+            param_index: wire::generated::get(p, 2),
         }
     }
 }
@@ -87,11 +87,11 @@ impl wire::Encode for ParamExtValue {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.param_count);
-        wire::put(p, 2, self.param_index);
-        wire::put(p, 4, self.param_id);
-        wire::put(p, 20, self.param_value);
-        wire::put(p, 148, self.param_type);
+        wire::generated::put(p, 0, self.param_count);
+        wire::generated::put(p, 2, self.param_index);
+        wire::generated::put(p, 4, self.param_id);
+        wire::generated::put(p, 20, self.param_value);
+        wire::generated::put(p, 148, self.param_type);
     }
 }
 

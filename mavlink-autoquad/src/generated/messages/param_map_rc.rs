@@ -84,20 +84,20 @@ impl wire::Message for ParamMapRc {
         let p = match payload.first_chunk::<37>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<37>(payload);
+                padded = wire::generated::zero_extended::<37>(payload);
                 &padded
             }
         };
         Self {
-            target_system: wire::get(p, 18),
-            target_component: wire::get(p, 19),
-            param_id: wire::get(p, 20),
-            param_index: wire::get(p, 16),
-            parameter_rc_channel_index: wire::get(p, 36),
-            param_value0: wire::get(p, 0),
-            scale: wire::get(p, 4),
-            param_value_min: wire::get(p, 8),
-            param_value_max: wire::get(p, 12),
+            target_system: wire::generated::get(p, 18),
+            target_component: wire::generated::get(p, 19),
+            param_id: wire::generated::get(p, 20),
+            param_index: wire::generated::get(p, 16),
+            parameter_rc_channel_index: wire::generated::get(p, 36),
+            param_value0: wire::generated::get(p, 0),
+            scale: wire::generated::get(p, 4),
+            param_value_min: wire::generated::get(p, 8),
+            param_value_max: wire::generated::get(p, 12),
         }
     }
 
@@ -114,15 +114,15 @@ impl wire::Encode for ParamMapRc {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.param_value0);
-        wire::put(p, 4, self.scale);
-        wire::put(p, 8, self.param_value_min);
-        wire::put(p, 12, self.param_value_max);
-        wire::put(p, 16, self.param_index);
-        wire::put(p, 18, self.target_system);
-        wire::put(p, 19, self.target_component);
-        wire::put(p, 20, self.param_id);
-        wire::put(p, 36, self.parameter_rc_channel_index);
+        wire::generated::put(p, 0, self.param_value0);
+        wire::generated::put(p, 4, self.scale);
+        wire::generated::put(p, 8, self.param_value_min);
+        wire::generated::put(p, 12, self.param_value_max);
+        wire::generated::put(p, 16, self.param_index);
+        wire::generated::put(p, 18, self.target_system);
+        wire::generated::put(p, 19, self.target_component);
+        wire::generated::put(p, 20, self.param_id);
+        wire::generated::put(p, 36, self.parameter_rc_channel_index);
     }
 }
 

@@ -68,16 +68,16 @@ impl wire::Message for ParamSet {
         let p = match payload.first_chunk::<23>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<23>(payload);
+                padded = wire::generated::zero_extended::<23>(payload);
                 &padded
             }
         };
         Self {
-            target_system: wire::get(p, 4),
-            target_component: wire::get(p, 5),
-            param_id: wire::get(p, 6),
-            param_value: wire::get(p, 0),
-            param_type: wire::get(p, 22),
+            target_system: wire::generated::get(p, 4),
+            target_component: wire::generated::get(p, 5),
+            param_id: wire::generated::get(p, 6),
+            param_value: wire::generated::get(p, 0),
+            param_type: wire::generated::get(p, 22),
         }
     }
 
@@ -94,11 +94,11 @@ impl wire::Encode for ParamSet {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.param_value);
-        wire::put(p, 4, self.target_system);
-        wire::put(p, 5, self.target_component);
-        wire::put(p, 6, self.param_id);
-        wire::put(p, 22, self.param_type);
+        wire::generated::put(p, 0, self.param_value);
+        wire::generated::put(p, 4, self.target_system);
+        wire::generated::put(p, 5, self.target_component);
+        wire::generated::put(p, 6, self.param_id);
+        wire::generated::put(p, 22, self.param_type);
     }
 }
 

@@ -68,16 +68,16 @@ impl wire::Message for ParamValue {
         let p = match payload.first_chunk::<25>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<25>(payload);
+                padded = wire::generated::zero_extended::<25>(payload);
                 &padded
             }
         };
         Self {
-            param_id: wire::get(p, 8),
-            param_value: wire::get(p, 0),
-            param_type: wire::get(p, 24),
-            param_count: wire::get(p, 4),
-            param_index: wire::get(p, 6),
+            param_id: wire::generated::get(p, 8),
+            param_value: wire::generated::get(p, 0),
+            param_type: wire::generated::get(p, 24),
+            param_count: wire::generated::get(p, 4),
+            param_index: wire::generated::get(p, 6),
         }
     }
 }
@@ -89,11 +89,11 @@ impl wire::Encode for ParamValue {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.param_value);
-        wire::put(p, 4, self.param_count);
-        wire::put(p, 6, self.param_index);
-        wire::put(p, 8, self.param_id);
-        wire::put(p, 24, self.param_type);
+        wire::generated::put(p, 0, self.param_value);
+        wire::generated::put(p, 4, self.param_count);
+        wire::generated::put(p, 6, self.param_index);
+        wire::generated::put(p, 8, self.param_id);
+        wire::generated::put(p, 24, self.param_type);
     }
 }
 

@@ -63,15 +63,15 @@ impl wire::Message for Ping {
         let p = match payload.first_chunk::<14>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<14>(payload);
+                padded = wire::generated::zero_extended::<14>(payload);
                 &padded
             }
         };
         Self {
-            time_usec: wire::get(p, 0),
-            seq: wire::get(p, 8),
-            target_system: wire::get(p, 12),
-            target_component: wire::get(p, 13),
+            time_usec: wire::generated::get(p, 0),
+            seq: wire::generated::get(p, 8),
+            target_system: wire::generated::get(p, 12),
+            target_component: wire::generated::get(p, 13),
         }
     }
 
@@ -88,10 +88,10 @@ impl wire::Encode for Ping {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_usec);
-        wire::put(p, 8, self.seq);
-        wire::put(p, 12, self.target_system);
-        wire::put(p, 13, self.target_component);
+        wire::generated::put(p, 0, self.time_usec);
+        wire::generated::put(p, 8, self.seq);
+        wire::generated::put(p, 12, self.target_system);
+        wire::generated::put(p, 13, self.target_component);
     }
 }
 

@@ -61,15 +61,15 @@ impl wire::Message for PlayTune {
         let p = match payload.first_chunk::<232>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<232>(payload);
+                padded = wire::generated::zero_extended::<232>(payload);
                 &padded
             }
         };
         Self {
-            target_system: wire::get(p, 0),
-            target_component: wire::get(p, 1),
-            tune: wire::get(p, 2),
-            tune2: wire::get(p, 32),
+            target_system: wire::generated::get(p, 0),
+            target_component: wire::generated::get(p, 1),
+            tune: wire::generated::get(p, 2),
+            tune2: wire::generated::get(p, 32),
         }
     }
 
@@ -86,10 +86,10 @@ impl wire::Encode for PlayTune {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.target_system);
-        wire::put(p, 1, self.target_component);
-        wire::put(p, 2, self.tune);
-        wire::put(p, 32, self.tune2);
+        wire::generated::put(p, 0, self.target_system);
+        wire::generated::put(p, 1, self.target_component);
+        wire::generated::put(p, 2, self.tune);
+        wire::generated::put(p, 32, self.tune2);
     }
 }
 

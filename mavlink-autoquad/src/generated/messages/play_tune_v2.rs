@@ -61,15 +61,15 @@ impl wire::Message for PlayTuneV2 {
         let p = match payload.first_chunk::<254>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<254>(payload);
+                padded = wire::generated::zero_extended::<254>(payload);
                 &padded
             }
         };
         Self {
-            target_system: wire::get(p, 4),
-            target_component: wire::get(p, 5),
-            format: wire::get(p, 0),
-            tune: wire::get(p, 6),
+            target_system: wire::generated::get(p, 4),
+            target_component: wire::generated::get(p, 5),
+            format: wire::generated::get(p, 0),
+            tune: wire::generated::get(p, 6),
         }
     }
 
@@ -86,10 +86,10 @@ impl wire::Encode for PlayTuneV2 {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.format);
-        wire::put(p, 4, self.target_system);
-        wire::put(p, 5, self.target_component);
-        wire::put(p, 6, self.tune);
+        wire::generated::put(p, 0, self.format);
+        wire::generated::put(p, 4, self.target_system);
+        wire::generated::put(p, 5, self.target_component);
+        wire::generated::put(p, 6, self.tune);
     }
 }
 

@@ -112,25 +112,25 @@ impl wire::Message for PositionTargetGlobalInt {
         let p = match payload.first_chunk::<51>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<51>(payload);
+                padded = wire::generated::zero_extended::<51>(payload);
                 &padded
             }
         };
         Self {
-            time_boot_ms: wire::get(p, 0),
-            coordinate_frame: wire::get(p, 50),
-            type_mask: wire::get(p, 48),
-            lat_int: wire::get(p, 4),
-            lon_int: wire::get(p, 8),
-            alt: wire::get(p, 12),
-            vx: wire::get(p, 16),
-            vy: wire::get(p, 20),
-            vz: wire::get(p, 24),
-            afx: wire::get(p, 28),
-            afy: wire::get(p, 32),
-            afz: wire::get(p, 36),
-            yaw: wire::get(p, 40),
-            yaw_rate: wire::get(p, 44),
+            time_boot_ms: wire::generated::get(p, 0),
+            coordinate_frame: wire::generated::get(p, 50),
+            type_mask: wire::generated::get(p, 48),
+            lat_int: wire::generated::get(p, 4),
+            lon_int: wire::generated::get(p, 8),
+            alt: wire::generated::get(p, 12),
+            vx: wire::generated::get(p, 16),
+            vy: wire::generated::get(p, 20),
+            vz: wire::generated::get(p, 24),
+            afx: wire::generated::get(p, 28),
+            afy: wire::generated::get(p, 32),
+            afz: wire::generated::get(p, 36),
+            yaw: wire::generated::get(p, 40),
+            yaw_rate: wire::generated::get(p, 44),
         }
     }
 }
@@ -142,20 +142,20 @@ impl wire::Encode for PositionTargetGlobalInt {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_boot_ms);
-        wire::put(p, 4, self.lat_int);
-        wire::put(p, 8, self.lon_int);
-        wire::put(p, 12, self.alt);
-        wire::put(p, 16, self.vx);
-        wire::put(p, 20, self.vy);
-        wire::put(p, 24, self.vz);
-        wire::put(p, 28, self.afx);
-        wire::put(p, 32, self.afy);
-        wire::put(p, 36, self.afz);
-        wire::put(p, 40, self.yaw);
-        wire::put(p, 44, self.yaw_rate);
-        wire::put(p, 48, self.type_mask);
-        wire::put(p, 50, self.coordinate_frame);
+        wire::generated::put(p, 0, self.time_boot_ms);
+        wire::generated::put(p, 4, self.lat_int);
+        wire::generated::put(p, 8, self.lon_int);
+        wire::generated::put(p, 12, self.alt);
+        wire::generated::put(p, 16, self.vx);
+        wire::generated::put(p, 20, self.vy);
+        wire::generated::put(p, 24, self.vz);
+        wire::generated::put(p, 28, self.afx);
+        wire::generated::put(p, 32, self.afy);
+        wire::generated::put(p, 36, self.afz);
+        wire::generated::put(p, 40, self.yaw);
+        wire::generated::put(p, 44, self.yaw_rate);
+        wire::generated::put(p, 48, self.type_mask);
+        wire::generated::put(p, 50, self.coordinate_frame);
     }
 }
 

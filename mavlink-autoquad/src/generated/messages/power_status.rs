@@ -56,14 +56,14 @@ impl wire::Message for PowerStatus {
         let p = match payload.first_chunk::<6>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<6>(payload);
+                padded = wire::generated::zero_extended::<6>(payload);
                 &padded
             }
         };
         Self {
-            vcc: wire::get(p, 0),
-            vservo: wire::get(p, 2),
-            flags: wire::get(p, 4),
+            vcc: wire::generated::get(p, 0),
+            vservo: wire::generated::get(p, 2),
+            flags: wire::generated::get(p, 4),
         }
     }
 }
@@ -75,9 +75,9 @@ impl wire::Encode for PowerStatus {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.vcc);
-        wire::put(p, 2, self.vservo);
-        wire::put(p, 4, self.flags);
+        wire::generated::put(p, 0, self.vcc);
+        wire::generated::put(p, 2, self.vservo);
+        wire::generated::put(p, 4, self.flags);
     }
 }
 

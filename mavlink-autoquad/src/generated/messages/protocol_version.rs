@@ -67,16 +67,16 @@ impl wire::Message for ProtocolVersion {
         let p = match payload.first_chunk::<22>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<22>(payload);
+                padded = wire::generated::zero_extended::<22>(payload);
                 &padded
             }
         };
         Self {
-            version: wire::get(p, 0),
-            min_version: wire::get(p, 2),
-            max_version: wire::get(p, 4),
-            spec_version_hash: wire::get(p, 6),
-            library_version_hash: wire::get(p, 14),
+            version: wire::generated::get(p, 0),
+            min_version: wire::generated::get(p, 2),
+            max_version: wire::generated::get(p, 4),
+            spec_version_hash: wire::generated::get(p, 6),
+            library_version_hash: wire::generated::get(p, 14),
         }
     }
 }
@@ -88,11 +88,11 @@ impl wire::Encode for ProtocolVersion {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.version);
-        wire::put(p, 2, self.min_version);
-        wire::put(p, 4, self.max_version);
-        wire::put(p, 6, self.spec_version_hash);
-        wire::put(p, 14, self.library_version_hash);
+        wire::generated::put(p, 0, self.version);
+        wire::generated::put(p, 2, self.min_version);
+        wire::generated::put(p, 4, self.max_version);
+        wire::generated::put(p, 6, self.spec_version_hash);
+        wire::generated::put(p, 14, self.library_version_hash);
     }
 }
 

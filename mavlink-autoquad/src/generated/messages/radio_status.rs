@@ -128,18 +128,18 @@ impl wire::Message for RadioStatus {
         let p = match payload.first_chunk::<9>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<9>(payload);
+                padded = wire::generated::zero_extended::<9>(payload);
                 &padded
             }
         };
         Self {
-            rssi: wire::get(p, 4),
-            remrssi: wire::get(p, 5),
-            txbuf: wire::get(p, 6),
-            noise: wire::get(p, 7),
-            remnoise: wire::get(p, 8),
-            rxerrors: wire::get(p, 0),
-            fixed: wire::get(p, 2),
+            rssi: wire::generated::get(p, 4),
+            remrssi: wire::generated::get(p, 5),
+            txbuf: wire::generated::get(p, 6),
+            noise: wire::generated::get(p, 7),
+            remnoise: wire::generated::get(p, 8),
+            rxerrors: wire::generated::get(p, 0),
+            fixed: wire::generated::get(p, 2),
         }
     }
 }
@@ -151,13 +151,13 @@ impl wire::Encode for RadioStatus {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.rxerrors);
-        wire::put(p, 2, self.fixed);
-        wire::put(p, 4, self.rssi);
-        wire::put(p, 5, self.remrssi);
-        wire::put(p, 6, self.txbuf);
-        wire::put(p, 7, self.noise);
-        wire::put(p, 8, self.remnoise);
+        wire::generated::put(p, 0, self.rxerrors);
+        wire::generated::put(p, 2, self.fixed);
+        wire::generated::put(p, 4, self.rssi);
+        wire::generated::put(p, 5, self.remrssi);
+        wire::generated::put(p, 6, self.txbuf);
+        wire::generated::put(p, 7, self.noise);
+        wire::generated::put(p, 8, self.remnoise);
     }
 }
 

@@ -104,23 +104,23 @@ impl wire::Message for RawImu {
         let p = match payload.first_chunk::<29>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<29>(payload);
+                padded = wire::generated::zero_extended::<29>(payload);
                 &padded
             }
         };
         Self {
-            time_usec: wire::get(p, 0),
-            xacc: wire::get(p, 8),
-            yacc: wire::get(p, 10),
-            zacc: wire::get(p, 12),
-            xgyro: wire::get(p, 14),
-            ygyro: wire::get(p, 16),
-            zgyro: wire::get(p, 18),
-            xmag: wire::get(p, 20),
-            ymag: wire::get(p, 22),
-            zmag: wire::get(p, 24),
-            id: wire::get(p, 26),
-            temperature: wire::get(p, 27),
+            time_usec: wire::generated::get(p, 0),
+            xacc: wire::generated::get(p, 8),
+            yacc: wire::generated::get(p, 10),
+            zacc: wire::generated::get(p, 12),
+            xgyro: wire::generated::get(p, 14),
+            ygyro: wire::generated::get(p, 16),
+            zgyro: wire::generated::get(p, 18),
+            xmag: wire::generated::get(p, 20),
+            ymag: wire::generated::get(p, 22),
+            zmag: wire::generated::get(p, 24),
+            id: wire::generated::get(p, 26),
+            temperature: wire::generated::get(p, 27),
         }
     }
 }
@@ -132,18 +132,18 @@ impl wire::Encode for RawImu {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_usec);
-        wire::put(p, 8, self.xacc);
-        wire::put(p, 10, self.yacc);
-        wire::put(p, 12, self.zacc);
-        wire::put(p, 14, self.xgyro);
-        wire::put(p, 16, self.ygyro);
-        wire::put(p, 18, self.zgyro);
-        wire::put(p, 20, self.xmag);
-        wire::put(p, 22, self.ymag);
-        wire::put(p, 24, self.zmag);
-        wire::put(p, 26, self.id);
-        wire::put(p, 27, self.temperature);
+        wire::generated::put(p, 0, self.time_usec);
+        wire::generated::put(p, 8, self.xacc);
+        wire::generated::put(p, 10, self.yacc);
+        wire::generated::put(p, 12, self.zacc);
+        wire::generated::put(p, 14, self.xgyro);
+        wire::generated::put(p, 16, self.ygyro);
+        wire::generated::put(p, 18, self.zgyro);
+        wire::generated::put(p, 20, self.xmag);
+        wire::generated::put(p, 22, self.ymag);
+        wire::generated::put(p, 24, self.zmag);
+        wire::generated::put(p, 26, self.id);
+        wire::generated::put(p, 27, self.temperature);
     }
 }
 

@@ -93,16 +93,16 @@ impl wire::Message for RawPressure {
         let p = match payload.first_chunk::<16>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<16>(payload);
+                padded = wire::generated::zero_extended::<16>(payload);
                 &padded
             }
         };
         Self {
-            time_usec: wire::get(p, 0),
-            press_abs: wire::get(p, 8),
-            press_diff1: wire::get(p, 10),
-            press_diff2: wire::get(p, 12),
-            temperature: wire::get(p, 14),
+            time_usec: wire::generated::get(p, 0),
+            press_abs: wire::generated::get(p, 8),
+            press_diff1: wire::generated::get(p, 10),
+            press_diff2: wire::generated::get(p, 12),
+            temperature: wire::generated::get(p, 14),
         }
     }
 }
@@ -114,11 +114,11 @@ impl wire::Encode for RawPressure {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_usec);
-        wire::put(p, 8, self.press_abs);
-        wire::put(p, 10, self.press_diff1);
-        wire::put(p, 12, self.press_diff2);
-        wire::put(p, 14, self.temperature);
+        wire::generated::put(p, 0, self.time_usec);
+        wire::generated::put(p, 8, self.press_abs);
+        wire::generated::put(p, 10, self.press_diff1);
+        wire::generated::put(p, 12, self.press_diff2);
+        wire::generated::put(p, 14, self.temperature);
     }
 }
 

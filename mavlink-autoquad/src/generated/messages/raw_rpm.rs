@@ -46,13 +46,13 @@ impl wire::Message for RawRpm {
         let p = match payload.first_chunk::<5>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<5>(payload);
+                padded = wire::generated::zero_extended::<5>(payload);
                 &padded
             }
         };
         Self {
-            index: wire::get(p, 4),
-            frequency: wire::get(p, 0),
+            index: wire::generated::get(p, 4),
+            frequency: wire::generated::get(p, 0),
         }
     }
 }
@@ -64,8 +64,8 @@ impl wire::Encode for RawRpm {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.frequency);
-        wire::put(p, 4, self.index);
+        wire::generated::put(p, 0, self.frequency);
+        wire::generated::put(p, 4, self.index);
     }
 }
 

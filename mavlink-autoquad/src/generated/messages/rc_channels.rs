@@ -411,32 +411,32 @@ impl wire::Message for RcChannels {
         let p = match payload.first_chunk::<42>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<42>(payload);
+                padded = wire::generated::zero_extended::<42>(payload);
                 &padded
             }
         };
         Self {
-            time_boot_ms: wire::get(p, 0),
-            chancount: wire::get(p, 40),
-            chan1_raw: wire::get(p, 4),
-            chan2_raw: wire::get(p, 6),
-            chan3_raw: wire::get(p, 8),
-            chan4_raw: wire::get(p, 10),
-            chan5_raw: wire::get(p, 12),
-            chan6_raw: wire::get(p, 14),
-            chan7_raw: wire::get(p, 16),
-            chan8_raw: wire::get(p, 18),
-            chan9_raw: wire::get(p, 20),
-            chan10_raw: wire::get(p, 22),
-            chan11_raw: wire::get(p, 24),
-            chan12_raw: wire::get(p, 26),
-            chan13_raw: wire::get(p, 28),
-            chan14_raw: wire::get(p, 30),
-            chan15_raw: wire::get(p, 32),
-            chan16_raw: wire::get(p, 34),
-            chan17_raw: wire::get(p, 36),
-            chan18_raw: wire::get(p, 38),
-            rssi: wire::get(p, 41),
+            time_boot_ms: wire::generated::get(p, 0),
+            chancount: wire::generated::get(p, 40),
+            chan1_raw: wire::generated::get(p, 4),
+            chan2_raw: wire::generated::get(p, 6),
+            chan3_raw: wire::generated::get(p, 8),
+            chan4_raw: wire::generated::get(p, 10),
+            chan5_raw: wire::generated::get(p, 12),
+            chan6_raw: wire::generated::get(p, 14),
+            chan7_raw: wire::generated::get(p, 16),
+            chan8_raw: wire::generated::get(p, 18),
+            chan9_raw: wire::generated::get(p, 20),
+            chan10_raw: wire::generated::get(p, 22),
+            chan11_raw: wire::generated::get(p, 24),
+            chan12_raw: wire::generated::get(p, 26),
+            chan13_raw: wire::generated::get(p, 28),
+            chan14_raw: wire::generated::get(p, 30),
+            chan15_raw: wire::generated::get(p, 32),
+            chan16_raw: wire::generated::get(p, 34),
+            chan17_raw: wire::generated::get(p, 36),
+            chan18_raw: wire::generated::get(p, 38),
+            rssi: wire::generated::get(p, 41),
         }
     }
 }
@@ -448,27 +448,27 @@ impl wire::Encode for RcChannels {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_boot_ms);
-        wire::put(p, 4, self.chan1_raw);
-        wire::put(p, 6, self.chan2_raw);
-        wire::put(p, 8, self.chan3_raw);
-        wire::put(p, 10, self.chan4_raw);
-        wire::put(p, 12, self.chan5_raw);
-        wire::put(p, 14, self.chan6_raw);
-        wire::put(p, 16, self.chan7_raw);
-        wire::put(p, 18, self.chan8_raw);
-        wire::put(p, 20, self.chan9_raw);
-        wire::put(p, 22, self.chan10_raw);
-        wire::put(p, 24, self.chan11_raw);
-        wire::put(p, 26, self.chan12_raw);
-        wire::put(p, 28, self.chan13_raw);
-        wire::put(p, 30, self.chan14_raw);
-        wire::put(p, 32, self.chan15_raw);
-        wire::put(p, 34, self.chan16_raw);
-        wire::put(p, 36, self.chan17_raw);
-        wire::put(p, 38, self.chan18_raw);
-        wire::put(p, 40, self.chancount);
-        wire::put(p, 41, self.rssi);
+        wire::generated::put(p, 0, self.time_boot_ms);
+        wire::generated::put(p, 4, self.chan1_raw);
+        wire::generated::put(p, 6, self.chan2_raw);
+        wire::generated::put(p, 8, self.chan3_raw);
+        wire::generated::put(p, 10, self.chan4_raw);
+        wire::generated::put(p, 12, self.chan5_raw);
+        wire::generated::put(p, 14, self.chan6_raw);
+        wire::generated::put(p, 16, self.chan7_raw);
+        wire::generated::put(p, 18, self.chan8_raw);
+        wire::generated::put(p, 20, self.chan9_raw);
+        wire::generated::put(p, 22, self.chan10_raw);
+        wire::generated::put(p, 24, self.chan11_raw);
+        wire::generated::put(p, 26, self.chan12_raw);
+        wire::generated::put(p, 28, self.chan13_raw);
+        wire::generated::put(p, 30, self.chan14_raw);
+        wire::generated::put(p, 32, self.chan15_raw);
+        wire::generated::put(p, 34, self.chan16_raw);
+        wire::generated::put(p, 36, self.chan17_raw);
+        wire::generated::put(p, 38, self.chan18_raw);
+        wire::generated::put(p, 40, self.chancount);
+        wire::generated::put(p, 41, self.rssi);
     }
 }
 

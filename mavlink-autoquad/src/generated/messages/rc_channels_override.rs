@@ -422,31 +422,31 @@ impl wire::Message for RcChannelsOverride {
         let p = match payload.first_chunk::<38>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<38>(payload);
+                padded = wire::generated::zero_extended::<38>(payload);
                 &padded
             }
         };
         Self {
-            target_system: wire::get(p, 16),
-            target_component: wire::get(p, 17),
-            chan1_raw: wire::get(p, 0),
-            chan2_raw: wire::get(p, 2),
-            chan3_raw: wire::get(p, 4),
-            chan4_raw: wire::get(p, 6),
-            chan5_raw: wire::get(p, 8),
-            chan6_raw: wire::get(p, 10),
-            chan7_raw: wire::get(p, 12),
-            chan8_raw: wire::get(p, 14),
-            chan9_raw: wire::get(p, 18),
-            chan10_raw: wire::get(p, 20),
-            chan11_raw: wire::get(p, 22),
-            chan12_raw: wire::get(p, 24),
-            chan13_raw: wire::get(p, 26),
-            chan14_raw: wire::get(p, 28),
-            chan15_raw: wire::get(p, 30),
-            chan16_raw: wire::get(p, 32),
-            chan17_raw: wire::get(p, 34),
-            chan18_raw: wire::get(p, 36),
+            target_system: wire::generated::get(p, 16),
+            target_component: wire::generated::get(p, 17),
+            chan1_raw: wire::generated::get(p, 0),
+            chan2_raw: wire::generated::get(p, 2),
+            chan3_raw: wire::generated::get(p, 4),
+            chan4_raw: wire::generated::get(p, 6),
+            chan5_raw: wire::generated::get(p, 8),
+            chan6_raw: wire::generated::get(p, 10),
+            chan7_raw: wire::generated::get(p, 12),
+            chan8_raw: wire::generated::get(p, 14),
+            chan9_raw: wire::generated::get(p, 18),
+            chan10_raw: wire::generated::get(p, 20),
+            chan11_raw: wire::generated::get(p, 22),
+            chan12_raw: wire::generated::get(p, 24),
+            chan13_raw: wire::generated::get(p, 26),
+            chan14_raw: wire::generated::get(p, 28),
+            chan15_raw: wire::generated::get(p, 30),
+            chan16_raw: wire::generated::get(p, 32),
+            chan17_raw: wire::generated::get(p, 34),
+            chan18_raw: wire::generated::get(p, 36),
         }
     }
 
@@ -463,26 +463,26 @@ impl wire::Encode for RcChannelsOverride {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.chan1_raw);
-        wire::put(p, 2, self.chan2_raw);
-        wire::put(p, 4, self.chan3_raw);
-        wire::put(p, 6, self.chan4_raw);
-        wire::put(p, 8, self.chan5_raw);
-        wire::put(p, 10, self.chan6_raw);
-        wire::put(p, 12, self.chan7_raw);
-        wire::put(p, 14, self.chan8_raw);
-        wire::put(p, 16, self.target_system);
-        wire::put(p, 17, self.target_component);
-        wire::put(p, 18, self.chan9_raw);
-        wire::put(p, 20, self.chan10_raw);
-        wire::put(p, 22, self.chan11_raw);
-        wire::put(p, 24, self.chan12_raw);
-        wire::put(p, 26, self.chan13_raw);
-        wire::put(p, 28, self.chan14_raw);
-        wire::put(p, 30, self.chan15_raw);
-        wire::put(p, 32, self.chan16_raw);
-        wire::put(p, 34, self.chan17_raw);
-        wire::put(p, 36, self.chan18_raw);
+        wire::generated::put(p, 0, self.chan1_raw);
+        wire::generated::put(p, 2, self.chan2_raw);
+        wire::generated::put(p, 4, self.chan3_raw);
+        wire::generated::put(p, 6, self.chan4_raw);
+        wire::generated::put(p, 8, self.chan5_raw);
+        wire::generated::put(p, 10, self.chan6_raw);
+        wire::generated::put(p, 12, self.chan7_raw);
+        wire::generated::put(p, 14, self.chan8_raw);
+        wire::generated::put(p, 16, self.target_system);
+        wire::generated::put(p, 17, self.target_component);
+        wire::generated::put(p, 18, self.chan9_raw);
+        wire::generated::put(p, 20, self.chan10_raw);
+        wire::generated::put(p, 22, self.chan11_raw);
+        wire::generated::put(p, 24, self.chan12_raw);
+        wire::generated::put(p, 26, self.chan13_raw);
+        wire::generated::put(p, 28, self.chan14_raw);
+        wire::generated::put(p, 30, self.chan15_raw);
+        wire::generated::put(p, 32, self.chan16_raw);
+        wire::generated::put(p, 34, self.chan17_raw);
+        wire::generated::put(p, 36, self.chan18_raw);
     }
 }
 

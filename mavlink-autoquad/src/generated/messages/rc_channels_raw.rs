@@ -221,22 +221,22 @@ impl wire::Message for RcChannelsRaw {
         let p = match payload.first_chunk::<22>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<22>(payload);
+                padded = wire::generated::zero_extended::<22>(payload);
                 &padded
             }
         };
         Self {
-            time_boot_ms: wire::get(p, 0),
-            port: wire::get(p, 20),
-            chan1_raw: wire::get(p, 4),
-            chan2_raw: wire::get(p, 6),
-            chan3_raw: wire::get(p, 8),
-            chan4_raw: wire::get(p, 10),
-            chan5_raw: wire::get(p, 12),
-            chan6_raw: wire::get(p, 14),
-            chan7_raw: wire::get(p, 16),
-            chan8_raw: wire::get(p, 18),
-            rssi: wire::get(p, 21),
+            time_boot_ms: wire::generated::get(p, 0),
+            port: wire::generated::get(p, 20),
+            chan1_raw: wire::generated::get(p, 4),
+            chan2_raw: wire::generated::get(p, 6),
+            chan3_raw: wire::generated::get(p, 8),
+            chan4_raw: wire::generated::get(p, 10),
+            chan5_raw: wire::generated::get(p, 12),
+            chan6_raw: wire::generated::get(p, 14),
+            chan7_raw: wire::generated::get(p, 16),
+            chan8_raw: wire::generated::get(p, 18),
+            rssi: wire::generated::get(p, 21),
         }
     }
 }
@@ -248,17 +248,17 @@ impl wire::Encode for RcChannelsRaw {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_boot_ms);
-        wire::put(p, 4, self.chan1_raw);
-        wire::put(p, 6, self.chan2_raw);
-        wire::put(p, 8, self.chan3_raw);
-        wire::put(p, 10, self.chan4_raw);
-        wire::put(p, 12, self.chan5_raw);
-        wire::put(p, 14, self.chan6_raw);
-        wire::put(p, 16, self.chan7_raw);
-        wire::put(p, 18, self.chan8_raw);
-        wire::put(p, 20, self.port);
-        wire::put(p, 21, self.rssi);
+        wire::generated::put(p, 0, self.time_boot_ms);
+        wire::generated::put(p, 4, self.chan1_raw);
+        wire::generated::put(p, 6, self.chan2_raw);
+        wire::generated::put(p, 8, self.chan3_raw);
+        wire::generated::put(p, 10, self.chan4_raw);
+        wire::generated::put(p, 12, self.chan5_raw);
+        wire::generated::put(p, 14, self.chan6_raw);
+        wire::generated::put(p, 16, self.chan7_raw);
+        wire::generated::put(p, 18, self.chan8_raw);
+        wire::generated::put(p, 20, self.port);
+        wire::generated::put(p, 21, self.rssi);
     }
 }
 

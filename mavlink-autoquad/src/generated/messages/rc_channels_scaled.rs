@@ -213,22 +213,22 @@ impl wire::Message for RcChannelsScaled {
         let p = match payload.first_chunk::<22>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<22>(payload);
+                padded = wire::generated::zero_extended::<22>(payload);
                 &padded
             }
         };
         Self {
-            time_boot_ms: wire::get(p, 0),
-            port: wire::get(p, 20),
-            chan1_scaled: wire::get(p, 4),
-            chan2_scaled: wire::get(p, 6),
-            chan3_scaled: wire::get(p, 8),
-            chan4_scaled: wire::get(p, 10),
-            chan5_scaled: wire::get(p, 12),
-            chan6_scaled: wire::get(p, 14),
-            chan7_scaled: wire::get(p, 16),
-            chan8_scaled: wire::get(p, 18),
-            rssi: wire::get(p, 21),
+            time_boot_ms: wire::generated::get(p, 0),
+            port: wire::generated::get(p, 20),
+            chan1_scaled: wire::generated::get(p, 4),
+            chan2_scaled: wire::generated::get(p, 6),
+            chan3_scaled: wire::generated::get(p, 8),
+            chan4_scaled: wire::generated::get(p, 10),
+            chan5_scaled: wire::generated::get(p, 12),
+            chan6_scaled: wire::generated::get(p, 14),
+            chan7_scaled: wire::generated::get(p, 16),
+            chan8_scaled: wire::generated::get(p, 18),
+            rssi: wire::generated::get(p, 21),
         }
     }
 }
@@ -240,17 +240,17 @@ impl wire::Encode for RcChannelsScaled {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_boot_ms);
-        wire::put(p, 4, self.chan1_scaled);
-        wire::put(p, 6, self.chan2_scaled);
-        wire::put(p, 8, self.chan3_scaled);
-        wire::put(p, 10, self.chan4_scaled);
-        wire::put(p, 12, self.chan5_scaled);
-        wire::put(p, 14, self.chan6_scaled);
-        wire::put(p, 16, self.chan7_scaled);
-        wire::put(p, 18, self.chan8_scaled);
-        wire::put(p, 20, self.port);
-        wire::put(p, 21, self.rssi);
+        wire::generated::put(p, 0, self.time_boot_ms);
+        wire::generated::put(p, 4, self.chan1_scaled);
+        wire::generated::put(p, 6, self.chan2_scaled);
+        wire::generated::put(p, 8, self.chan3_scaled);
+        wire::generated::put(p, 10, self.chan4_scaled);
+        wire::generated::put(p, 12, self.chan5_scaled);
+        wire::generated::put(p, 14, self.chan6_scaled);
+        wire::generated::put(p, 16, self.chan7_scaled);
+        wire::generated::put(p, 18, self.chan8_scaled);
+        wire::generated::put(p, 20, self.port);
+        wire::generated::put(p, 21, self.rssi);
     }
 }
 

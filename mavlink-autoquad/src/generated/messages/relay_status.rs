@@ -54,14 +54,14 @@ impl wire::Message for RelayStatus {
         let p = match payload.first_chunk::<8>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<8>(payload);
+                padded = wire::generated::zero_extended::<8>(payload);
                 &padded
             }
         };
         Self {
-            time_boot_ms: wire::get(p, 0),
-            on: wire::get(p, 4),
-            present: wire::get(p, 6),
+            time_boot_ms: wire::generated::get(p, 0),
+            on: wire::generated::get(p, 4),
+            present: wire::generated::get(p, 6),
         }
     }
 }
@@ -73,9 +73,9 @@ impl wire::Encode for RelayStatus {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_boot_ms);
-        wire::put(p, 4, self.on);
-        wire::put(p, 6, self.present);
+        wire::generated::put(p, 0, self.time_boot_ms);
+        wire::generated::put(p, 4, self.on);
+        wire::generated::put(p, 6, self.present);
     }
 }
 

@@ -68,16 +68,16 @@ impl wire::Message for RequestDataStream {
         let p = match payload.first_chunk::<6>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<6>(payload);
+                padded = wire::generated::zero_extended::<6>(payload);
                 &padded
             }
         };
         Self {
-            target_system: wire::get(p, 2),
-            target_component: wire::get(p, 3),
-            req_stream_id: wire::get(p, 4),
-            req_message_rate: wire::get(p, 0),
-            start_stop: wire::get(p, 5),
+            target_system: wire::generated::get(p, 2),
+            target_component: wire::generated::get(p, 3),
+            req_stream_id: wire::generated::get(p, 4),
+            req_message_rate: wire::generated::get(p, 0),
+            start_stop: wire::generated::get(p, 5),
         }
     }
 
@@ -94,11 +94,11 @@ impl wire::Encode for RequestDataStream {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.req_message_rate);
-        wire::put(p, 2, self.target_system);
-        wire::put(p, 3, self.target_component);
-        wire::put(p, 4, self.req_stream_id);
-        wire::put(p, 5, self.start_stop);
+        wire::generated::put(p, 0, self.req_message_rate);
+        wire::generated::put(p, 2, self.target_system);
+        wire::generated::put(p, 3, self.target_component);
+        wire::generated::put(p, 4, self.req_stream_id);
+        wire::generated::put(p, 5, self.start_stop);
     }
 }
 

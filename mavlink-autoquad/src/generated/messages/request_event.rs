@@ -61,15 +61,15 @@ impl wire::Message for RequestEvent {
         let p = match payload.first_chunk::<6>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<6>(payload);
+                padded = wire::generated::zero_extended::<6>(payload);
                 &padded
             }
         };
         Self {
-            target_system: wire::get(p, 4),
-            target_component: wire::get(p, 5),
-            first_sequence: wire::get(p, 0),
-            last_sequence: wire::get(p, 2),
+            target_system: wire::generated::get(p, 4),
+            target_component: wire::generated::get(p, 5),
+            first_sequence: wire::generated::get(p, 0),
+            last_sequence: wire::generated::get(p, 2),
         }
     }
 
@@ -86,10 +86,10 @@ impl wire::Encode for RequestEvent {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.first_sequence);
-        wire::put(p, 2, self.last_sequence);
-        wire::put(p, 4, self.target_system);
-        wire::put(p, 5, self.target_component);
+        wire::generated::put(p, 0, self.first_sequence);
+        wire::generated::put(p, 2, self.last_sequence);
+        wire::generated::put(p, 4, self.target_system);
+        wire::generated::put(p, 5, self.target_component);
     }
 }
 

@@ -64,16 +64,16 @@ impl wire::Message for ResourceRequest {
         let p = match payload.first_chunk::<243>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<243>(payload);
+                padded = wire::generated::zero_extended::<243>(payload);
                 &padded
             }
         };
         Self {
-            request_id: wire::get(p, 0),
-            uri_type: wire::get(p, 1),
-            uri: wire::get(p, 2),
-            transfer_type: wire::get(p, 122),
-            storage: wire::get(p, 123),
+            request_id: wire::generated::get(p, 0),
+            uri_type: wire::generated::get(p, 1),
+            uri: wire::generated::get(p, 2),
+            transfer_type: wire::generated::get(p, 122),
+            storage: wire::generated::get(p, 123),
         }
     }
 }
@@ -85,11 +85,11 @@ impl wire::Encode for ResourceRequest {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.request_id);
-        wire::put(p, 1, self.uri_type);
-        wire::put(p, 2, self.uri);
-        wire::put(p, 122, self.transfer_type);
-        wire::put(p, 123, self.storage);
+        wire::generated::put(p, 0, self.request_id);
+        wire::generated::put(p, 1, self.uri_type);
+        wire::generated::put(p, 2, self.uri);
+        wire::generated::put(p, 122, self.transfer_type);
+        wire::generated::put(p, 123, self.storage);
     }
 }
 

@@ -68,16 +68,16 @@ impl wire::Message for ResponseEventError {
         let p = match payload.first_chunk::<7>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<7>(payload);
+                padded = wire::generated::zero_extended::<7>(payload);
                 &padded
             }
         };
         Self {
-            target_system: wire::get(p, 4),
-            target_component: wire::get(p, 5),
-            sequence: wire::get(p, 0),
-            sequence_oldest_available: wire::get(p, 2),
-            reason: wire::get(p, 6),
+            target_system: wire::generated::get(p, 4),
+            target_component: wire::generated::get(p, 5),
+            sequence: wire::generated::get(p, 0),
+            sequence_oldest_available: wire::generated::get(p, 2),
+            reason: wire::generated::get(p, 6),
         }
     }
 
@@ -94,11 +94,11 @@ impl wire::Encode for ResponseEventError {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.sequence);
-        wire::put(p, 2, self.sequence_oldest_available);
-        wire::put(p, 4, self.target_system);
-        wire::put(p, 5, self.target_component);
-        wire::put(p, 6, self.reason);
+        wire::generated::put(p, 0, self.sequence);
+        wire::generated::put(p, 2, self.sequence_oldest_available);
+        wire::generated::put(p, 4, self.target_system);
+        wire::generated::put(p, 5, self.target_component);
+        wire::generated::put(p, 6, self.reason);
     }
 }
 

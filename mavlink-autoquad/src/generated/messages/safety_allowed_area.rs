@@ -76,18 +76,18 @@ impl wire::Message for SafetyAllowedArea {
         let p = match payload.first_chunk::<25>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<25>(payload);
+                padded = wire::generated::zero_extended::<25>(payload);
                 &padded
             }
         };
         Self {
-            frame: wire::get(p, 24),
-            p1x: wire::get(p, 0),
-            p1y: wire::get(p, 4),
-            p1z: wire::get(p, 8),
-            p2x: wire::get(p, 12),
-            p2y: wire::get(p, 16),
-            p2z: wire::get(p, 20),
+            frame: wire::generated::get(p, 24),
+            p1x: wire::generated::get(p, 0),
+            p1y: wire::generated::get(p, 4),
+            p1z: wire::generated::get(p, 8),
+            p2x: wire::generated::get(p, 12),
+            p2y: wire::generated::get(p, 16),
+            p2z: wire::generated::get(p, 20),
         }
     }
 }
@@ -99,13 +99,13 @@ impl wire::Encode for SafetyAllowedArea {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.p1x);
-        wire::put(p, 4, self.p1y);
-        wire::put(p, 8, self.p1z);
-        wire::put(p, 12, self.p2x);
-        wire::put(p, 16, self.p2y);
-        wire::put(p, 20, self.p2z);
-        wire::put(p, 24, self.frame);
+        wire::generated::put(p, 0, self.p1x);
+        wire::generated::put(p, 4, self.p1y);
+        wire::generated::put(p, 8, self.p1z);
+        wire::generated::put(p, 12, self.p2x);
+        wire::generated::put(p, 16, self.p2y);
+        wire::generated::put(p, 20, self.p2z);
+        wire::generated::put(p, 24, self.frame);
     }
 }
 

@@ -112,22 +112,22 @@ impl wire::Message for ScaledImu2 {
         let p = match payload.first_chunk::<24>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<24>(payload);
+                padded = wire::generated::zero_extended::<24>(payload);
                 &padded
             }
         };
         Self {
-            time_boot_ms: wire::get(p, 0),
-            xacc: wire::get(p, 4),
-            yacc: wire::get(p, 6),
-            zacc: wire::get(p, 8),
-            xgyro: wire::get(p, 10),
-            ygyro: wire::get(p, 12),
-            zgyro: wire::get(p, 14),
-            xmag: wire::get(p, 16),
-            ymag: wire::get(p, 18),
-            zmag: wire::get(p, 20),
-            temperature: wire::get(p, 22),
+            time_boot_ms: wire::generated::get(p, 0),
+            xacc: wire::generated::get(p, 4),
+            yacc: wire::generated::get(p, 6),
+            zacc: wire::generated::get(p, 8),
+            xgyro: wire::generated::get(p, 10),
+            ygyro: wire::generated::get(p, 12),
+            zgyro: wire::generated::get(p, 14),
+            xmag: wire::generated::get(p, 16),
+            ymag: wire::generated::get(p, 18),
+            zmag: wire::generated::get(p, 20),
+            temperature: wire::generated::get(p, 22),
         }
     }
 }
@@ -139,17 +139,17 @@ impl wire::Encode for ScaledImu2 {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_boot_ms);
-        wire::put(p, 4, self.xacc);
-        wire::put(p, 6, self.yacc);
-        wire::put(p, 8, self.zacc);
-        wire::put(p, 10, self.xgyro);
-        wire::put(p, 12, self.ygyro);
-        wire::put(p, 14, self.zgyro);
-        wire::put(p, 16, self.xmag);
-        wire::put(p, 18, self.ymag);
-        wire::put(p, 20, self.zmag);
-        wire::put(p, 22, self.temperature);
+        wire::generated::put(p, 0, self.time_boot_ms);
+        wire::generated::put(p, 4, self.xacc);
+        wire::generated::put(p, 6, self.yacc);
+        wire::generated::put(p, 8, self.zacc);
+        wire::generated::put(p, 10, self.xgyro);
+        wire::generated::put(p, 12, self.ygyro);
+        wire::generated::put(p, 14, self.zgyro);
+        wire::generated::put(p, 16, self.xmag);
+        wire::generated::put(p, 18, self.ymag);
+        wire::generated::put(p, 20, self.zmag);
+        wire::generated::put(p, 22, self.temperature);
     }
 }
 

@@ -86,16 +86,16 @@ impl wire::Message for ScaledPressure3 {
         let p = match payload.first_chunk::<16>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<16>(payload);
+                padded = wire::generated::zero_extended::<16>(payload);
                 &padded
             }
         };
         Self {
-            time_boot_ms: wire::get(p, 0),
-            press_abs: wire::get(p, 4),
-            press_diff: wire::get(p, 8),
-            temperature: wire::get(p, 12),
-            temperature_press_diff: wire::get(p, 14),
+            time_boot_ms: wire::generated::get(p, 0),
+            press_abs: wire::generated::get(p, 4),
+            press_diff: wire::generated::get(p, 8),
+            temperature: wire::generated::get(p, 12),
+            temperature_press_diff: wire::generated::get(p, 14),
         }
     }
 }
@@ -107,11 +107,11 @@ impl wire::Encode for ScaledPressure3 {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_boot_ms);
-        wire::put(p, 4, self.press_abs);
-        wire::put(p, 8, self.press_diff);
-        wire::put(p, 12, self.temperature);
-        wire::put(p, 14, self.temperature_press_diff);
+        wire::generated::put(p, 0, self.time_boot_ms);
+        wire::generated::put(p, 4, self.press_abs);
+        wire::generated::put(p, 8, self.press_diff);
+        wire::generated::put(p, 12, self.temperature);
+        wire::generated::put(p, 14, self.temperature_press_diff);
     }
 }
 

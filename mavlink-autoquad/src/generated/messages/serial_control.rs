@@ -83,19 +83,19 @@ impl wire::Message for SerialControl {
         let p = match payload.first_chunk::<81>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<81>(payload);
+                padded = wire::generated::zero_extended::<81>(payload);
                 &padded
             }
         };
         Self {
-            device: wire::get(p, 6),
-            flags: wire::get(p, 7),
-            timeout: wire::get(p, 4),
-            baudrate: wire::get(p, 0),
-            count: wire::get(p, 8),
-            data: wire::get(p, 9),
-            target_system: wire::get(p, 79),
-            target_component: wire::get(p, 80),
+            device: wire::generated::get(p, 6),
+            flags: wire::generated::get(p, 7),
+            timeout: wire::generated::get(p, 4),
+            baudrate: wire::generated::get(p, 0),
+            count: wire::generated::get(p, 8),
+            data: wire::generated::get(p, 9),
+            target_system: wire::generated::get(p, 79),
+            target_component: wire::generated::get(p, 80),
         }
     }
 
@@ -112,14 +112,14 @@ impl wire::Encode for SerialControl {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.baudrate);
-        wire::put(p, 4, self.timeout);
-        wire::put(p, 6, self.device);
-        wire::put(p, 7, self.flags);
-        wire::put(p, 8, self.count);
-        wire::put(p, 9, self.data);
-        wire::put(p, 79, self.target_system);
-        wire::put(p, 80, self.target_component);
+        wire::generated::put(p, 0, self.baudrate);
+        wire::generated::put(p, 4, self.timeout);
+        wire::generated::put(p, 6, self.device);
+        wire::generated::put(p, 7, self.flags);
+        wire::generated::put(p, 8, self.count);
+        wire::generated::put(p, 9, self.data);
+        wire::generated::put(p, 79, self.target_system);
+        wire::generated::put(p, 80, self.target_component);
     }
 }
 

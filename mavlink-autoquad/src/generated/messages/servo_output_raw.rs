@@ -130,29 +130,29 @@ impl wire::Message for ServoOutputRaw {
         let p = match payload.first_chunk::<37>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<37>(payload);
+                padded = wire::generated::zero_extended::<37>(payload);
                 &padded
             }
         };
         Self {
-            time_usec: wire::get(p, 0),
-            port: wire::get(p, 20),
-            servo1_raw: wire::get(p, 4),
-            servo2_raw: wire::get(p, 6),
-            servo3_raw: wire::get(p, 8),
-            servo4_raw: wire::get(p, 10),
-            servo5_raw: wire::get(p, 12),
-            servo6_raw: wire::get(p, 14),
-            servo7_raw: wire::get(p, 16),
-            servo8_raw: wire::get(p, 18),
-            servo9_raw: wire::get(p, 21),
-            servo10_raw: wire::get(p, 23),
-            servo11_raw: wire::get(p, 25),
-            servo12_raw: wire::get(p, 27),
-            servo13_raw: wire::get(p, 29),
-            servo14_raw: wire::get(p, 31),
-            servo15_raw: wire::get(p, 33),
-            servo16_raw: wire::get(p, 35),
+            time_usec: wire::generated::get(p, 0),
+            port: wire::generated::get(p, 20),
+            servo1_raw: wire::generated::get(p, 4),
+            servo2_raw: wire::generated::get(p, 6),
+            servo3_raw: wire::generated::get(p, 8),
+            servo4_raw: wire::generated::get(p, 10),
+            servo5_raw: wire::generated::get(p, 12),
+            servo6_raw: wire::generated::get(p, 14),
+            servo7_raw: wire::generated::get(p, 16),
+            servo8_raw: wire::generated::get(p, 18),
+            servo9_raw: wire::generated::get(p, 21),
+            servo10_raw: wire::generated::get(p, 23),
+            servo11_raw: wire::generated::get(p, 25),
+            servo12_raw: wire::generated::get(p, 27),
+            servo13_raw: wire::generated::get(p, 29),
+            servo14_raw: wire::generated::get(p, 31),
+            servo15_raw: wire::generated::get(p, 33),
+            servo16_raw: wire::generated::get(p, 35),
         }
     }
 }
@@ -164,24 +164,24 @@ impl wire::Encode for ServoOutputRaw {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_usec);
-        wire::put(p, 4, self.servo1_raw);
-        wire::put(p, 6, self.servo2_raw);
-        wire::put(p, 8, self.servo3_raw);
-        wire::put(p, 10, self.servo4_raw);
-        wire::put(p, 12, self.servo5_raw);
-        wire::put(p, 14, self.servo6_raw);
-        wire::put(p, 16, self.servo7_raw);
-        wire::put(p, 18, self.servo8_raw);
-        wire::put(p, 20, self.port);
-        wire::put(p, 21, self.servo9_raw);
-        wire::put(p, 23, self.servo10_raw);
-        wire::put(p, 25, self.servo11_raw);
-        wire::put(p, 27, self.servo12_raw);
-        wire::put(p, 29, self.servo13_raw);
-        wire::put(p, 31, self.servo14_raw);
-        wire::put(p, 33, self.servo15_raw);
-        wire::put(p, 35, self.servo16_raw);
+        wire::generated::put(p, 0, self.time_usec);
+        wire::generated::put(p, 4, self.servo1_raw);
+        wire::generated::put(p, 6, self.servo2_raw);
+        wire::generated::put(p, 8, self.servo3_raw);
+        wire::generated::put(p, 10, self.servo4_raw);
+        wire::generated::put(p, 12, self.servo5_raw);
+        wire::generated::put(p, 14, self.servo6_raw);
+        wire::generated::put(p, 16, self.servo7_raw);
+        wire::generated::put(p, 18, self.servo8_raw);
+        wire::generated::put(p, 20, self.port);
+        wire::generated::put(p, 21, self.servo9_raw);
+        wire::generated::put(p, 23, self.servo10_raw);
+        wire::generated::put(p, 25, self.servo11_raw);
+        wire::generated::put(p, 27, self.servo12_raw);
+        wire::generated::put(p, 29, self.servo13_raw);
+        wire::generated::put(p, 31, self.servo14_raw);
+        wire::generated::put(p, 33, self.servo15_raw);
+        wire::generated::put(p, 35, self.servo16_raw);
     }
 }
 

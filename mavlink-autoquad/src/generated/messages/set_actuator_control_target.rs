@@ -65,16 +65,16 @@ impl wire::Message for SetActuatorControlTarget {
         let p = match payload.first_chunk::<43>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<43>(payload);
+                padded = wire::generated::zero_extended::<43>(payload);
                 &padded
             }
         };
         Self {
-            time_usec: wire::get(p, 0),
-            group_mlx: wire::get(p, 40),
-            target_system: wire::get(p, 41),
-            target_component: wire::get(p, 42),
-            controls: wire::get(p, 8),
+            time_usec: wire::generated::get(p, 0),
+            group_mlx: wire::generated::get(p, 40),
+            target_system: wire::generated::get(p, 41),
+            target_component: wire::generated::get(p, 42),
+            controls: wire::generated::get(p, 8),
         }
     }
 
@@ -91,11 +91,11 @@ impl wire::Encode for SetActuatorControlTarget {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_usec);
-        wire::put(p, 8, self.controls);
-        wire::put(p, 40, self.group_mlx);
-        wire::put(p, 41, self.target_system);
-        wire::put(p, 42, self.target_component);
+        wire::generated::put(p, 0, self.time_usec);
+        wire::generated::put(p, 8, self.controls);
+        wire::generated::put(p, 40, self.group_mlx);
+        wire::generated::put(p, 41, self.target_system);
+        wire::generated::put(p, 42, self.target_component);
     }
 }
 

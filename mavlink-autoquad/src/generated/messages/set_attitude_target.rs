@@ -92,21 +92,21 @@ impl wire::Message for SetAttitudeTarget {
         let p = match payload.first_chunk::<51>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<51>(payload);
+                padded = wire::generated::zero_extended::<51>(payload);
                 &padded
             }
         };
         Self {
-            time_boot_ms: wire::get(p, 0),
-            target_system: wire::get(p, 36),
-            target_component: wire::get(p, 37),
-            type_mask: wire::get(p, 38),
-            q: wire::get(p, 4),
-            body_roll_rate: wire::get(p, 20),
-            body_pitch_rate: wire::get(p, 24),
-            body_yaw_rate: wire::get(p, 28),
-            thrust: wire::get(p, 32),
-            thrust_body: wire::get(p, 39),
+            time_boot_ms: wire::generated::get(p, 0),
+            target_system: wire::generated::get(p, 36),
+            target_component: wire::generated::get(p, 37),
+            type_mask: wire::generated::get(p, 38),
+            q: wire::generated::get(p, 4),
+            body_roll_rate: wire::generated::get(p, 20),
+            body_pitch_rate: wire::generated::get(p, 24),
+            body_yaw_rate: wire::generated::get(p, 28),
+            thrust: wire::generated::get(p, 32),
+            thrust_body: wire::generated::get(p, 39),
         }
     }
 
@@ -123,16 +123,16 @@ impl wire::Encode for SetAttitudeTarget {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_boot_ms);
-        wire::put(p, 4, self.q);
-        wire::put(p, 20, self.body_roll_rate);
-        wire::put(p, 24, self.body_pitch_rate);
-        wire::put(p, 28, self.body_yaw_rate);
-        wire::put(p, 32, self.thrust);
-        wire::put(p, 36, self.target_system);
-        wire::put(p, 37, self.target_component);
-        wire::put(p, 38, self.type_mask);
-        wire::put(p, 39, self.thrust_body);
+        wire::generated::put(p, 0, self.time_boot_ms);
+        wire::generated::put(p, 4, self.q);
+        wire::generated::put(p, 20, self.body_roll_rate);
+        wire::generated::put(p, 24, self.body_pitch_rate);
+        wire::generated::put(p, 28, self.body_yaw_rate);
+        wire::generated::put(p, 32, self.thrust);
+        wire::generated::put(p, 36, self.target_system);
+        wire::generated::put(p, 37, self.target_component);
+        wire::generated::put(p, 38, self.type_mask);
+        wire::generated::put(p, 39, self.thrust_body);
     }
 }
 

@@ -67,16 +67,16 @@ impl wire::Message for SetGpsGlobalOrigin {
         let p = match payload.first_chunk::<21>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<21>(payload);
+                padded = wire::generated::zero_extended::<21>(payload);
                 &padded
             }
         };
         Self {
-            target_system: wire::get(p, 12),
-            latitude: wire::get(p, 0),
-            longitude: wire::get(p, 4),
-            altitude: wire::get(p, 8),
-            time_usec: wire::get(p, 13),
+            target_system: wire::generated::get(p, 12),
+            latitude: wire::generated::get(p, 0),
+            longitude: wire::generated::get(p, 4),
+            altitude: wire::generated::get(p, 8),
+            time_usec: wire::generated::get(p, 13),
         }
     }
 
@@ -93,11 +93,11 @@ impl wire::Encode for SetGpsGlobalOrigin {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.latitude);
-        wire::put(p, 4, self.longitude);
-        wire::put(p, 8, self.altitude);
-        wire::put(p, 12, self.target_system);
-        wire::put(p, 13, self.time_usec);
+        wire::generated::put(p, 0, self.latitude);
+        wire::generated::put(p, 4, self.longitude);
+        wire::generated::put(p, 8, self.altitude);
+        wire::generated::put(p, 12, self.target_system);
+        wire::generated::put(p, 13, self.time_usec);
     }
 }
 

@@ -102,23 +102,23 @@ impl wire::Message for SetHomePosition {
         let p = match payload.first_chunk::<61>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<61>(payload);
+                padded = wire::generated::zero_extended::<61>(payload);
                 &padded
             }
         };
         Self {
-            target_system: wire::get(p, 52),
-            latitude: wire::get(p, 0),
-            longitude: wire::get(p, 4),
-            altitude: wire::get(p, 8),
-            x: wire::get(p, 12),
-            y: wire::get(p, 16),
-            z: wire::get(p, 20),
-            q: wire::get(p, 24),
-            approach_x: wire::get(p, 40),
-            approach_y: wire::get(p, 44),
-            approach_z: wire::get(p, 48),
-            time_usec: wire::get(p, 53),
+            target_system: wire::generated::get(p, 52),
+            latitude: wire::generated::get(p, 0),
+            longitude: wire::generated::get(p, 4),
+            altitude: wire::generated::get(p, 8),
+            x: wire::generated::get(p, 12),
+            y: wire::generated::get(p, 16),
+            z: wire::generated::get(p, 20),
+            q: wire::generated::get(p, 24),
+            approach_x: wire::generated::get(p, 40),
+            approach_y: wire::generated::get(p, 44),
+            approach_z: wire::generated::get(p, 48),
+            time_usec: wire::generated::get(p, 53),
         }
     }
 
@@ -135,18 +135,18 @@ impl wire::Encode for SetHomePosition {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.latitude);
-        wire::put(p, 4, self.longitude);
-        wire::put(p, 8, self.altitude);
-        wire::put(p, 12, self.x);
-        wire::put(p, 16, self.y);
-        wire::put(p, 20, self.z);
-        wire::put(p, 24, self.q);
-        wire::put(p, 40, self.approach_x);
-        wire::put(p, 44, self.approach_y);
-        wire::put(p, 48, self.approach_z);
-        wire::put(p, 52, self.target_system);
-        wire::put(p, 53, self.time_usec);
+        wire::generated::put(p, 0, self.latitude);
+        wire::generated::put(p, 4, self.longitude);
+        wire::generated::put(p, 8, self.altitude);
+        wire::generated::put(p, 12, self.x);
+        wire::generated::put(p, 16, self.y);
+        wire::generated::put(p, 20, self.z);
+        wire::generated::put(p, 24, self.q);
+        wire::generated::put(p, 40, self.approach_x);
+        wire::generated::put(p, 44, self.approach_y);
+        wire::generated::put(p, 48, self.approach_z);
+        wire::generated::put(p, 52, self.target_system);
+        wire::generated::put(p, 53, self.time_usec);
     }
 }
 

@@ -58,14 +58,14 @@ impl wire::Message for SetMode {
         let p = match payload.first_chunk::<6>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<6>(payload);
+                padded = wire::generated::zero_extended::<6>(payload);
                 &padded
             }
         };
         Self {
-            target_system: wire::get(p, 4),
-            base_mode: wire::get(p, 5),
-            custom_mode: wire::get(p, 0),
+            target_system: wire::generated::get(p, 4),
+            base_mode: wire::generated::get(p, 5),
+            custom_mode: wire::generated::get(p, 0),
         }
     }
 
@@ -82,9 +82,9 @@ impl wire::Encode for SetMode {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.custom_mode);
-        wire::put(p, 4, self.target_system);
-        wire::put(p, 5, self.base_mode);
+        wire::generated::put(p, 0, self.custom_mode);
+        wire::generated::put(p, 4, self.target_system);
+        wire::generated::put(p, 5, self.base_mode);
     }
 }
 

@@ -72,15 +72,15 @@ impl wire::Message for SetupSigning {
         let p = match payload.first_chunk::<42>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<42>(payload);
+                padded = wire::generated::zero_extended::<42>(payload);
                 &padded
             }
         };
         Self {
-            target_system: wire::get(p, 8),
-            target_component: wire::get(p, 9),
-            secret_key: wire::get(p, 10),
-            initial_timestamp: wire::get(p, 0),
+            target_system: wire::generated::get(p, 8),
+            target_component: wire::generated::get(p, 9),
+            secret_key: wire::generated::get(p, 10),
+            initial_timestamp: wire::generated::get(p, 0),
         }
     }
 
@@ -97,10 +97,10 @@ impl wire::Encode for SetupSigning {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.initial_timestamp);
-        wire::put(p, 8, self.target_system);
-        wire::put(p, 9, self.target_component);
-        wire::put(p, 10, self.secret_key);
+        wire::generated::put(p, 0, self.initial_timestamp);
+        wire::generated::put(p, 8, self.target_system);
+        wire::generated::put(p, 9, self.target_component);
+        wire::generated::put(p, 10, self.secret_key);
     }
 }
 

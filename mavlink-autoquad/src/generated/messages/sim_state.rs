@@ -186,34 +186,34 @@ impl wire::Message for SimState {
         let p = match payload.first_chunk::<92>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<92>(payload);
+                padded = wire::generated::zero_extended::<92>(payload);
                 &padded
             }
         };
         Self {
-            q1: wire::get(p, 0),
-            q2: wire::get(p, 4),
-            q3: wire::get(p, 8),
-            q4: wire::get(p, 12),
-            roll: wire::get(p, 16),
-            pitch: wire::get(p, 20),
-            yaw: wire::get(p, 24),
-            xacc: wire::get(p, 28),
-            yacc: wire::get(p, 32),
-            zacc: wire::get(p, 36),
-            xgyro: wire::get(p, 40),
-            ygyro: wire::get(p, 44),
-            zgyro: wire::get(p, 48),
-            lat: wire::get(p, 52),
-            lon: wire::get(p, 56),
-            alt: wire::get(p, 60),
-            std_dev_horz: wire::get(p, 64),
-            std_dev_vert: wire::get(p, 68),
-            vn: wire::get(p, 72),
-            ve: wire::get(p, 76),
-            vd: wire::get(p, 80),
-            lat_int: wire::get(p, 84),
-            lon_int: wire::get(p, 88),
+            q1: wire::generated::get(p, 0),
+            q2: wire::generated::get(p, 4),
+            q3: wire::generated::get(p, 8),
+            q4: wire::generated::get(p, 12),
+            roll: wire::generated::get(p, 16),
+            pitch: wire::generated::get(p, 20),
+            yaw: wire::generated::get(p, 24),
+            xacc: wire::generated::get(p, 28),
+            yacc: wire::generated::get(p, 32),
+            zacc: wire::generated::get(p, 36),
+            xgyro: wire::generated::get(p, 40),
+            ygyro: wire::generated::get(p, 44),
+            zgyro: wire::generated::get(p, 48),
+            lat: wire::generated::get(p, 52),
+            lon: wire::generated::get(p, 56),
+            alt: wire::generated::get(p, 60),
+            std_dev_horz: wire::generated::get(p, 64),
+            std_dev_vert: wire::generated::get(p, 68),
+            vn: wire::generated::get(p, 72),
+            ve: wire::generated::get(p, 76),
+            vd: wire::generated::get(p, 80),
+            lat_int: wire::generated::get(p, 84),
+            lon_int: wire::generated::get(p, 88),
         }
     }
 }
@@ -225,29 +225,29 @@ impl wire::Encode for SimState {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.q1);
-        wire::put(p, 4, self.q2);
-        wire::put(p, 8, self.q3);
-        wire::put(p, 12, self.q4);
-        wire::put(p, 16, self.roll);
-        wire::put(p, 20, self.pitch);
-        wire::put(p, 24, self.yaw);
-        wire::put(p, 28, self.xacc);
-        wire::put(p, 32, self.yacc);
-        wire::put(p, 36, self.zacc);
-        wire::put(p, 40, self.xgyro);
-        wire::put(p, 44, self.ygyro);
-        wire::put(p, 48, self.zgyro);
-        wire::put(p, 52, self.lat);
-        wire::put(p, 56, self.lon);
-        wire::put(p, 60, self.alt);
-        wire::put(p, 64, self.std_dev_horz);
-        wire::put(p, 68, self.std_dev_vert);
-        wire::put(p, 72, self.vn);
-        wire::put(p, 76, self.ve);
-        wire::put(p, 80, self.vd);
-        wire::put(p, 84, self.lat_int);
-        wire::put(p, 88, self.lon_int);
+        wire::generated::put(p, 0, self.q1);
+        wire::generated::put(p, 4, self.q2);
+        wire::generated::put(p, 8, self.q3);
+        wire::generated::put(p, 12, self.q4);
+        wire::generated::put(p, 16, self.roll);
+        wire::generated::put(p, 20, self.pitch);
+        wire::generated::put(p, 24, self.yaw);
+        wire::generated::put(p, 28, self.xacc);
+        wire::generated::put(p, 32, self.yacc);
+        wire::generated::put(p, 36, self.zacc);
+        wire::generated::put(p, 40, self.xgyro);
+        wire::generated::put(p, 44, self.ygyro);
+        wire::generated::put(p, 48, self.zgyro);
+        wire::generated::put(p, 52, self.lat);
+        wire::generated::put(p, 56, self.lon);
+        wire::generated::put(p, 60, self.alt);
+        wire::generated::put(p, 64, self.std_dev_horz);
+        wire::generated::put(p, 68, self.std_dev_vert);
+        wire::generated::put(p, 72, self.vn);
+        wire::generated::put(p, 76, self.ve);
+        wire::generated::put(p, 80, self.vd);
+        wire::generated::put(p, 84, self.lat_int);
+        wire::generated::put(p, 88, self.lon_int);
     }
 }
 

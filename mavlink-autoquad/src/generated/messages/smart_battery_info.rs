@@ -321,28 +321,28 @@ impl wire::Message for SmartBatteryInfo {
         let p = match payload.first_chunk::<109>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<109>(payload);
+                padded = wire::generated::zero_extended::<109>(payload);
                 &padded
             }
         };
         Self {
-            id: wire::get(p, 18),
-            battery_function: wire::get(p, 19),
-            r#type: wire::get(p, 20),
-            capacity_full_specification: wire::get(p, 0),
-            capacity_full: wire::get(p, 4),
-            cycle_count: wire::get(p, 8),
-            serial_number: wire::get(p, 21),
-            device_name: wire::get(p, 37),
-            weight: wire::get(p, 10),
-            discharge_minimum_voltage: wire::get(p, 12),
-            charging_minimum_voltage: wire::get(p, 14),
-            resting_minimum_voltage: wire::get(p, 16),
-            charging_maximum_voltage: wire::get(p, 87),
-            cells_in_series: wire::get(p, 89),
-            discharge_maximum_current: wire::get(p, 90),
-            discharge_maximum_burst_current: wire::get(p, 94),
-            manufacture_date: wire::get(p, 98),
+            id: wire::generated::get(p, 18),
+            battery_function: wire::generated::get(p, 19),
+            r#type: wire::generated::get(p, 20),
+            capacity_full_specification: wire::generated::get(p, 0),
+            capacity_full: wire::generated::get(p, 4),
+            cycle_count: wire::generated::get(p, 8),
+            serial_number: wire::generated::get(p, 21),
+            device_name: wire::generated::get(p, 37),
+            weight: wire::generated::get(p, 10),
+            discharge_minimum_voltage: wire::generated::get(p, 12),
+            charging_minimum_voltage: wire::generated::get(p, 14),
+            resting_minimum_voltage: wire::generated::get(p, 16),
+            charging_maximum_voltage: wire::generated::get(p, 87),
+            cells_in_series: wire::generated::get(p, 89),
+            discharge_maximum_current: wire::generated::get(p, 90),
+            discharge_maximum_burst_current: wire::generated::get(p, 94),
+            manufacture_date: wire::generated::get(p, 98),
         }
     }
 }
@@ -354,23 +354,23 @@ impl wire::Encode for SmartBatteryInfo {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.capacity_full_specification);
-        wire::put(p, 4, self.capacity_full);
-        wire::put(p, 8, self.cycle_count);
-        wire::put(p, 10, self.weight);
-        wire::put(p, 12, self.discharge_minimum_voltage);
-        wire::put(p, 14, self.charging_minimum_voltage);
-        wire::put(p, 16, self.resting_minimum_voltage);
-        wire::put(p, 18, self.id);
-        wire::put(p, 19, self.battery_function);
-        wire::put(p, 20, self.r#type);
-        wire::put(p, 21, self.serial_number);
-        wire::put(p, 37, self.device_name);
-        wire::put(p, 87, self.charging_maximum_voltage);
-        wire::put(p, 89, self.cells_in_series);
-        wire::put(p, 90, self.discharge_maximum_current);
-        wire::put(p, 94, self.discharge_maximum_burst_current);
-        wire::put(p, 98, self.manufacture_date);
+        wire::generated::put(p, 0, self.capacity_full_specification);
+        wire::generated::put(p, 4, self.capacity_full);
+        wire::generated::put(p, 8, self.cycle_count);
+        wire::generated::put(p, 10, self.weight);
+        wire::generated::put(p, 12, self.discharge_minimum_voltage);
+        wire::generated::put(p, 14, self.charging_minimum_voltage);
+        wire::generated::put(p, 16, self.resting_minimum_voltage);
+        wire::generated::put(p, 18, self.id);
+        wire::generated::put(p, 19, self.battery_function);
+        wire::generated::put(p, 20, self.r#type);
+        wire::generated::put(p, 21, self.serial_number);
+        wire::generated::put(p, 37, self.device_name);
+        wire::generated::put(p, 87, self.charging_maximum_voltage);
+        wire::generated::put(p, 89, self.cells_in_series);
+        wire::generated::put(p, 90, self.discharge_maximum_current);
+        wire::generated::put(p, 94, self.discharge_maximum_burst_current);
+        wire::generated::put(p, 98, self.manufacture_date);
     }
 }
 

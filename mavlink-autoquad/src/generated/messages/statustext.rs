@@ -63,15 +63,15 @@ impl wire::Message for Statustext {
         let p = match payload.first_chunk::<54>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<54>(payload);
+                padded = wire::generated::zero_extended::<54>(payload);
                 &padded
             }
         };
         Self {
-            severity: wire::get(p, 0),
-            text: wire::get(p, 1),
-            id: wire::get(p, 51),
-            chunk_seq: wire::get(p, 53),
+            severity: wire::generated::get(p, 0),
+            text: wire::generated::get(p, 1),
+            id: wire::generated::get(p, 51),
+            chunk_seq: wire::generated::get(p, 53),
         }
     }
 }
@@ -83,10 +83,10 @@ impl wire::Encode for Statustext {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.severity);
-        wire::put(p, 1, self.text);
-        wire::put(p, 51, self.id);
-        wire::put(p, 53, self.chunk_seq);
+        wire::generated::put(p, 0, self.severity);
+        wire::generated::put(p, 1, self.text);
+        wire::generated::put(p, 51, self.id);
+        wire::generated::put(p, 53, self.chunk_seq);
     }
 }
 

@@ -105,23 +105,23 @@ impl wire::Message for StorageInformation {
         let p = match payload.first_chunk::<61>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<61>(payload);
+                padded = wire::generated::zero_extended::<61>(payload);
                 &padded
             }
         };
         Self {
-            time_boot_ms: wire::get(p, 0),
-            storage_id: wire::get(p, 24),
-            storage_count: wire::get(p, 25),
-            status: wire::get(p, 26),
-            total_capacity: wire::get(p, 4),
-            used_capacity: wire::get(p, 8),
-            available_capacity: wire::get(p, 12),
-            read_speed: wire::get(p, 16),
-            write_speed: wire::get(p, 20),
-            r#type: wire::get(p, 27),
-            name: wire::get(p, 28),
-            storage_usage: wire::get(p, 60),
+            time_boot_ms: wire::generated::get(p, 0),
+            storage_id: wire::generated::get(p, 24),
+            storage_count: wire::generated::get(p, 25),
+            status: wire::generated::get(p, 26),
+            total_capacity: wire::generated::get(p, 4),
+            used_capacity: wire::generated::get(p, 8),
+            available_capacity: wire::generated::get(p, 12),
+            read_speed: wire::generated::get(p, 16),
+            write_speed: wire::generated::get(p, 20),
+            r#type: wire::generated::get(p, 27),
+            name: wire::generated::get(p, 28),
+            storage_usage: wire::generated::get(p, 60),
         }
     }
 }
@@ -133,18 +133,18 @@ impl wire::Encode for StorageInformation {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_boot_ms);
-        wire::put(p, 4, self.total_capacity);
-        wire::put(p, 8, self.used_capacity);
-        wire::put(p, 12, self.available_capacity);
-        wire::put(p, 16, self.read_speed);
-        wire::put(p, 20, self.write_speed);
-        wire::put(p, 24, self.storage_id);
-        wire::put(p, 25, self.storage_count);
-        wire::put(p, 26, self.status);
-        wire::put(p, 27, self.r#type);
-        wire::put(p, 28, self.name);
-        wire::put(p, 60, self.storage_usage);
+        wire::generated::put(p, 0, self.time_boot_ms);
+        wire::generated::put(p, 4, self.total_capacity);
+        wire::generated::put(p, 8, self.used_capacity);
+        wire::generated::put(p, 12, self.available_capacity);
+        wire::generated::put(p, 16, self.read_speed);
+        wire::generated::put(p, 20, self.write_speed);
+        wire::generated::put(p, 24, self.storage_id);
+        wire::generated::put(p, 25, self.storage_count);
+        wire::generated::put(p, 26, self.status);
+        wire::generated::put(p, 27, self.r#type);
+        wire::generated::put(p, 28, self.name);
+        wire::generated::put(p, 60, self.storage_usage);
     }
 }
 

@@ -56,14 +56,14 @@ impl wire::Message for SupportedTunes {
         let p = match payload.first_chunk::<6>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<6>(payload);
+                padded = wire::generated::zero_extended::<6>(payload);
                 &padded
             }
         };
         Self {
-            target_system: wire::get(p, 4),
-            target_component: wire::get(p, 5),
-            format: wire::get(p, 0),
+            target_system: wire::generated::get(p, 4),
+            target_component: wire::generated::get(p, 5),
+            format: wire::generated::get(p, 0),
         }
     }
 
@@ -80,9 +80,9 @@ impl wire::Encode for SupportedTunes {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.format);
-        wire::put(p, 4, self.target_system);
-        wire::put(p, 5, self.target_component);
+        wire::generated::put(p, 0, self.format);
+        wire::generated::put(p, 4, self.target_system);
+        wire::generated::put(p, 5, self.target_component);
     }
 }
 

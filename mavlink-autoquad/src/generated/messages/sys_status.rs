@@ -187,27 +187,27 @@ impl wire::Message for SysStatus {
         let p = match payload.first_chunk::<43>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<43>(payload);
+                padded = wire::generated::zero_extended::<43>(payload);
                 &padded
             }
         };
         Self {
-            onboard_control_sensors_present: wire::get(p, 0),
-            onboard_control_sensors_enabled: wire::get(p, 4),
-            onboard_control_sensors_health: wire::get(p, 8),
-            load: wire::get(p, 12),
-            voltage_battery: wire::get(p, 14),
-            current_battery: wire::get(p, 16),
-            battery_remaining: wire::get(p, 30),
-            drop_rate_comm: wire::get(p, 18),
-            errors_comm: wire::get(p, 20),
-            errors_count1: wire::get(p, 22),
-            errors_count2: wire::get(p, 24),
-            errors_count3: wire::get(p, 26),
-            errors_count4: wire::get(p, 28),
-            onboard_control_sensors_present_extended: wire::get(p, 31),
-            onboard_control_sensors_enabled_extended: wire::get(p, 35),
-            onboard_control_sensors_health_extended: wire::get(p, 39),
+            onboard_control_sensors_present: wire::generated::get(p, 0),
+            onboard_control_sensors_enabled: wire::generated::get(p, 4),
+            onboard_control_sensors_health: wire::generated::get(p, 8),
+            load: wire::generated::get(p, 12),
+            voltage_battery: wire::generated::get(p, 14),
+            current_battery: wire::generated::get(p, 16),
+            battery_remaining: wire::generated::get(p, 30),
+            drop_rate_comm: wire::generated::get(p, 18),
+            errors_comm: wire::generated::get(p, 20),
+            errors_count1: wire::generated::get(p, 22),
+            errors_count2: wire::generated::get(p, 24),
+            errors_count3: wire::generated::get(p, 26),
+            errors_count4: wire::generated::get(p, 28),
+            onboard_control_sensors_present_extended: wire::generated::get(p, 31),
+            onboard_control_sensors_enabled_extended: wire::generated::get(p, 35),
+            onboard_control_sensors_health_extended: wire::generated::get(p, 39),
         }
     }
 }
@@ -219,22 +219,22 @@ impl wire::Encode for SysStatus {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.onboard_control_sensors_present);
-        wire::put(p, 4, self.onboard_control_sensors_enabled);
-        wire::put(p, 8, self.onboard_control_sensors_health);
-        wire::put(p, 12, self.load);
-        wire::put(p, 14, self.voltage_battery);
-        wire::put(p, 16, self.current_battery);
-        wire::put(p, 18, self.drop_rate_comm);
-        wire::put(p, 20, self.errors_comm);
-        wire::put(p, 22, self.errors_count1);
-        wire::put(p, 24, self.errors_count2);
-        wire::put(p, 26, self.errors_count3);
-        wire::put(p, 28, self.errors_count4);
-        wire::put(p, 30, self.battery_remaining);
-        wire::put(p, 31, self.onboard_control_sensors_present_extended);
-        wire::put(p, 35, self.onboard_control_sensors_enabled_extended);
-        wire::put(p, 39, self.onboard_control_sensors_health_extended);
+        wire::generated::put(p, 0, self.onboard_control_sensors_present);
+        wire::generated::put(p, 4, self.onboard_control_sensors_enabled);
+        wire::generated::put(p, 8, self.onboard_control_sensors_health);
+        wire::generated::put(p, 12, self.load);
+        wire::generated::put(p, 14, self.voltage_battery);
+        wire::generated::put(p, 16, self.current_battery);
+        wire::generated::put(p, 18, self.drop_rate_comm);
+        wire::generated::put(p, 20, self.errors_comm);
+        wire::generated::put(p, 22, self.errors_count1);
+        wire::generated::put(p, 24, self.errors_count2);
+        wire::generated::put(p, 26, self.errors_count3);
+        wire::generated::put(p, 28, self.errors_count4);
+        wire::generated::put(p, 30, self.battery_remaining);
+        wire::generated::put(p, 31, self.onboard_control_sensors_present_extended);
+        wire::generated::put(p, 35, self.onboard_control_sensors_enabled_extended);
+        wire::generated::put(p, 39, self.onboard_control_sensors_health_extended);
     }
 }
 

@@ -49,13 +49,13 @@ impl wire::Message for SystemTime {
         let p = match payload.first_chunk::<12>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<12>(payload);
+                padded = wire::generated::zero_extended::<12>(payload);
                 &padded
             }
         };
         Self {
-            time_unix_usec: wire::get(p, 0),
-            time_boot_ms: wire::get(p, 8),
+            time_unix_usec: wire::generated::get(p, 0),
+            time_boot_ms: wire::generated::get(p, 8),
         }
     }
 }
@@ -67,8 +67,8 @@ impl wire::Encode for SystemTime {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_unix_usec);
-        wire::put(p, 8, self.time_boot_ms);
+        wire::generated::put(p, 0, self.time_unix_usec);
+        wire::generated::put(p, 8, self.time_boot_ms);
     }
 }
 

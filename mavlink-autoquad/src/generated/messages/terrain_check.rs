@@ -46,13 +46,13 @@ impl wire::Message for TerrainCheck {
         let p = match payload.first_chunk::<8>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<8>(payload);
+                padded = wire::generated::zero_extended::<8>(payload);
                 &padded
             }
         };
         Self {
-            lat: wire::get(p, 0),
-            lon: wire::get(p, 4),
+            lat: wire::generated::get(p, 0),
+            lon: wire::generated::get(p, 4),
         }
     }
 }
@@ -64,8 +64,8 @@ impl wire::Encode for TerrainCheck {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.lat);
-        wire::put(p, 4, self.lon);
+        wire::generated::put(p, 0, self.lat);
+        wire::generated::put(p, 4, self.lon);
     }
 }
 

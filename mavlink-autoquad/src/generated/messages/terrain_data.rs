@@ -64,16 +64,16 @@ impl wire::Message for TerrainData {
         let p = match payload.first_chunk::<43>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<43>(payload);
+                padded = wire::generated::zero_extended::<43>(payload);
                 &padded
             }
         };
         Self {
-            lat: wire::get(p, 0),
-            lon: wire::get(p, 4),
-            grid_spacing: wire::get(p, 8),
-            gridbit: wire::get(p, 42),
-            data: wire::get(p, 10),
+            lat: wire::generated::get(p, 0),
+            lon: wire::generated::get(p, 4),
+            grid_spacing: wire::generated::get(p, 8),
+            gridbit: wire::generated::get(p, 42),
+            data: wire::generated::get(p, 10),
         }
     }
 }
@@ -85,11 +85,11 @@ impl wire::Encode for TerrainData {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.lat);
-        wire::put(p, 4, self.lon);
-        wire::put(p, 8, self.grid_spacing);
-        wire::put(p, 10, self.data);
-        wire::put(p, 42, self.gridbit);
+        wire::generated::put(p, 0, self.lat);
+        wire::generated::put(p, 4, self.lon);
+        wire::generated::put(p, 8, self.grid_spacing);
+        wire::generated::put(p, 10, self.data);
+        wire::generated::put(p, 42, self.gridbit);
     }
 }
 

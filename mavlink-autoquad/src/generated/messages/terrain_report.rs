@@ -74,18 +74,18 @@ impl wire::Message for TerrainReport {
         let p = match payload.first_chunk::<22>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<22>(payload);
+                padded = wire::generated::zero_extended::<22>(payload);
                 &padded
             }
         };
         Self {
-            lat: wire::get(p, 0),
-            lon: wire::get(p, 4),
-            spacing: wire::get(p, 16),
-            terrain_height: wire::get(p, 8),
-            current_height: wire::get(p, 12),
-            pending: wire::get(p, 18),
-            loaded: wire::get(p, 20),
+            lat: wire::generated::get(p, 0),
+            lon: wire::generated::get(p, 4),
+            spacing: wire::generated::get(p, 16),
+            terrain_height: wire::generated::get(p, 8),
+            current_height: wire::generated::get(p, 12),
+            pending: wire::generated::get(p, 18),
+            loaded: wire::generated::get(p, 20),
         }
     }
 }
@@ -97,13 +97,13 @@ impl wire::Encode for TerrainReport {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.lat);
-        wire::put(p, 4, self.lon);
-        wire::put(p, 8, self.terrain_height);
-        wire::put(p, 12, self.current_height);
-        wire::put(p, 16, self.spacing);
-        wire::put(p, 18, self.pending);
-        wire::put(p, 20, self.loaded);
+        wire::generated::put(p, 0, self.lat);
+        wire::generated::put(p, 4, self.lon);
+        wire::generated::put(p, 8, self.terrain_height);
+        wire::generated::put(p, 12, self.current_height);
+        wire::generated::put(p, 16, self.spacing);
+        wire::generated::put(p, 18, self.pending);
+        wire::generated::put(p, 20, self.loaded);
     }
 }
 

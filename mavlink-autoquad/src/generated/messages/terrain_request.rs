@@ -59,15 +59,15 @@ impl wire::Message for TerrainRequest {
         let p = match payload.first_chunk::<18>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<18>(payload);
+                padded = wire::generated::zero_extended::<18>(payload);
                 &padded
             }
         };
         Self {
-            lat: wire::get(p, 8),
-            lon: wire::get(p, 12),
-            grid_spacing: wire::get(p, 16),
-            mask: wire::get(p, 0),
+            lat: wire::generated::get(p, 8),
+            lon: wire::generated::get(p, 12),
+            grid_spacing: wire::generated::get(p, 16),
+            mask: wire::generated::get(p, 0),
         }
     }
 }
@@ -79,10 +79,10 @@ impl wire::Encode for TerrainRequest {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.mask);
-        wire::put(p, 8, self.lat);
-        wire::put(p, 12, self.lon);
-        wire::put(p, 16, self.grid_spacing);
+        wire::generated::put(p, 0, self.mask);
+        wire::generated::put(p, 8, self.lat);
+        wire::generated::put(p, 12, self.lon);
+        wire::generated::put(p, 16, self.grid_spacing);
     }
 }
 

@@ -110,16 +110,16 @@ impl wire::Message for TimeEstimateToTarget {
         let p = match payload.first_chunk::<20>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<20>(payload);
+                padded = wire::generated::zero_extended::<20>(payload);
                 &padded
             }
         };
         Self {
-            safe_return: wire::get(p, 0),
-            land: wire::get(p, 4),
-            mission_next_item: wire::get(p, 8),
-            mission_end: wire::get(p, 12),
-            commanded_action: wire::get(p, 16),
+            safe_return: wire::generated::get(p, 0),
+            land: wire::generated::get(p, 4),
+            mission_next_item: wire::generated::get(p, 8),
+            mission_end: wire::generated::get(p, 12),
+            commanded_action: wire::generated::get(p, 16),
         }
     }
 }
@@ -131,11 +131,11 @@ impl wire::Encode for TimeEstimateToTarget {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.safe_return);
-        wire::put(p, 4, self.land);
-        wire::put(p, 8, self.mission_next_item);
-        wire::put(p, 12, self.mission_end);
-        wire::put(p, 16, self.commanded_action);
+        wire::generated::put(p, 0, self.safe_return);
+        wire::generated::put(p, 4, self.land);
+        wire::generated::put(p, 8, self.mission_next_item);
+        wire::generated::put(p, 12, self.mission_end);
+        wire::generated::put(p, 16, self.commanded_action);
     }
 }
 

@@ -59,15 +59,15 @@ impl wire::Message for Timesync {
         let p = match payload.first_chunk::<18>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<18>(payload);
+                padded = wire::generated::zero_extended::<18>(payload);
                 &padded
             }
         };
         Self {
-            tc1: wire::get(p, 0),
-            ts1: wire::get(p, 8),
-            target_system: wire::get(p, 16),
-            target_component: wire::get(p, 17),
+            tc1: wire::generated::get(p, 0),
+            ts1: wire::generated::get(p, 8),
+            target_system: wire::generated::get(p, 16),
+            target_component: wire::generated::get(p, 17),
         }
     }
 
@@ -84,10 +84,10 @@ impl wire::Encode for Timesync {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.tc1);
-        wire::put(p, 8, self.ts1);
-        wire::put(p, 16, self.target_system);
-        wire::put(p, 17, self.target_component);
+        wire::generated::put(p, 0, self.tc1);
+        wire::generated::put(p, 8, self.ts1);
+        wire::generated::put(p, 16, self.target_system);
+        wire::generated::put(p, 17, self.target_component);
     }
 }
 

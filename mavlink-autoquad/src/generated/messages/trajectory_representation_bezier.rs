@@ -181,18 +181,18 @@ impl wire::Message for TrajectoryRepresentationBezier {
         let p = match payload.first_chunk::<109>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<109>(payload);
+                padded = wire::generated::zero_extended::<109>(payload);
                 &padded
             }
         };
         Self {
-            time_usec: wire::get(p, 0),
-            valid_points: wire::get(p, 108),
-            pos_x: wire::get(p, 8),
-            pos_y: wire::get(p, 28),
-            pos_z: wire::get(p, 48),
-            delta: wire::get(p, 68),
-            pos_yaw: wire::get(p, 88),
+            time_usec: wire::generated::get(p, 0),
+            valid_points: wire::generated::get(p, 108),
+            pos_x: wire::generated::get(p, 8),
+            pos_y: wire::generated::get(p, 28),
+            pos_z: wire::generated::get(p, 48),
+            delta: wire::generated::get(p, 68),
+            pos_yaw: wire::generated::get(p, 88),
         }
     }
 }
@@ -204,13 +204,13 @@ impl wire::Encode for TrajectoryRepresentationBezier {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_usec);
-        wire::put(p, 8, self.pos_x);
-        wire::put(p, 28, self.pos_y);
-        wire::put(p, 48, self.pos_z);
-        wire::put(p, 68, self.delta);
-        wire::put(p, 88, self.pos_yaw);
-        wire::put(p, 108, self.valid_points);
+        wire::generated::put(p, 0, self.time_usec);
+        wire::generated::put(p, 8, self.pos_x);
+        wire::generated::put(p, 28, self.pos_y);
+        wire::generated::put(p, 48, self.pos_z);
+        wire::generated::put(p, 68, self.delta);
+        wire::generated::put(p, 88, self.pos_yaw);
+        wire::generated::put(p, 108, self.valid_points);
     }
 }
 

@@ -356,25 +356,25 @@ impl wire::Message for TrajectoryRepresentationWaypoints {
         let p = match payload.first_chunk::<239>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<239>(payload);
+                padded = wire::generated::zero_extended::<239>(payload);
                 &padded
             }
         };
         Self {
-            time_usec: wire::get(p, 0),
-            valid_points: wire::get(p, 238),
-            pos_x: wire::get(p, 8),
-            pos_y: wire::get(p, 28),
-            pos_z: wire::get(p, 48),
-            vel_x: wire::get(p, 68),
-            vel_y: wire::get(p, 88),
-            vel_z: wire::get(p, 108),
-            acc_x: wire::get(p, 128),
-            acc_y: wire::get(p, 148),
-            acc_z: wire::get(p, 168),
-            pos_yaw: wire::get(p, 188),
-            vel_yaw: wire::get(p, 208),
-            command: wire::get(p, 228),
+            time_usec: wire::generated::get(p, 0),
+            valid_points: wire::generated::get(p, 238),
+            pos_x: wire::generated::get(p, 8),
+            pos_y: wire::generated::get(p, 28),
+            pos_z: wire::generated::get(p, 48),
+            vel_x: wire::generated::get(p, 68),
+            vel_y: wire::generated::get(p, 88),
+            vel_z: wire::generated::get(p, 108),
+            acc_x: wire::generated::get(p, 128),
+            acc_y: wire::generated::get(p, 148),
+            acc_z: wire::generated::get(p, 168),
+            pos_yaw: wire::generated::get(p, 188),
+            vel_yaw: wire::generated::get(p, 208),
+            command: wire::generated::get(p, 228),
         }
     }
 }
@@ -386,20 +386,20 @@ impl wire::Encode for TrajectoryRepresentationWaypoints {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_usec);
-        wire::put(p, 8, self.pos_x);
-        wire::put(p, 28, self.pos_y);
-        wire::put(p, 48, self.pos_z);
-        wire::put(p, 68, self.vel_x);
-        wire::put(p, 88, self.vel_y);
-        wire::put(p, 108, self.vel_z);
-        wire::put(p, 128, self.acc_x);
-        wire::put(p, 148, self.acc_y);
-        wire::put(p, 168, self.acc_z);
-        wire::put(p, 188, self.pos_yaw);
-        wire::put(p, 208, self.vel_yaw);
-        wire::put(p, 228, self.command);
-        wire::put(p, 238, self.valid_points);
+        wire::generated::put(p, 0, self.time_usec);
+        wire::generated::put(p, 8, self.pos_x);
+        wire::generated::put(p, 28, self.pos_y);
+        wire::generated::put(p, 48, self.pos_z);
+        wire::generated::put(p, 68, self.vel_x);
+        wire::generated::put(p, 88, self.vel_y);
+        wire::generated::put(p, 108, self.vel_z);
+        wire::generated::put(p, 128, self.acc_x);
+        wire::generated::put(p, 148, self.acc_y);
+        wire::generated::put(p, 168, self.acc_z);
+        wire::generated::put(p, 188, self.pos_yaw);
+        wire::generated::put(p, 208, self.vel_yaw);
+        wire::generated::put(p, 228, self.command);
+        wire::generated::put(p, 238, self.valid_points);
     }
 }
 

@@ -66,16 +66,16 @@ impl wire::Message for Tunnel {
         let p = match payload.first_chunk::<133>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<133>(payload);
+                padded = wire::generated::zero_extended::<133>(payload);
                 &padded
             }
         };
         Self {
-            target_system: wire::get(p, 2),
-            target_component: wire::get(p, 3),
-            payload_type: wire::get(p, 0),
-            payload_length: wire::get(p, 4),
-            payload: wire::get(p, 5),
+            target_system: wire::generated::get(p, 2),
+            target_component: wire::generated::get(p, 3),
+            payload_type: wire::generated::get(p, 0),
+            payload_length: wire::generated::get(p, 4),
+            payload: wire::generated::get(p, 5),
         }
     }
 
@@ -92,11 +92,11 @@ impl wire::Encode for Tunnel {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.payload_type);
-        wire::put(p, 2, self.target_system);
-        wire::put(p, 3, self.target_component);
-        wire::put(p, 4, self.payload_length);
-        wire::put(p, 5, self.payload);
+        wire::generated::put(p, 0, self.payload_type);
+        wire::generated::put(p, 2, self.target_system);
+        wire::generated::put(p, 3, self.target_component);
+        wire::generated::put(p, 4, self.payload_length);
+        wire::generated::put(p, 5, self.payload);
     }
 }
 

@@ -100,20 +100,20 @@ impl wire::Message for UavcanNodeInfo {
         let p = match payload.first_chunk::<116>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<116>(payload);
+                padded = wire::generated::zero_extended::<116>(payload);
                 &padded
             }
         };
         Self {
-            time_usec: wire::get(p, 0),
-            uptime_sec: wire::get(p, 8),
-            name: wire::get(p, 16),
-            hw_version_major: wire::get(p, 96),
-            hw_version_minor: wire::get(p, 97),
-            hw_unique_id: wire::get(p, 98),
-            sw_version_major: wire::get(p, 114),
-            sw_version_minor: wire::get(p, 115),
-            sw_vcs_commit: wire::get(p, 12),
+            time_usec: wire::generated::get(p, 0),
+            uptime_sec: wire::generated::get(p, 8),
+            name: wire::generated::get(p, 16),
+            hw_version_major: wire::generated::get(p, 96),
+            hw_version_minor: wire::generated::get(p, 97),
+            hw_unique_id: wire::generated::get(p, 98),
+            sw_version_major: wire::generated::get(p, 114),
+            sw_version_minor: wire::generated::get(p, 115),
+            sw_vcs_commit: wire::generated::get(p, 12),
         }
     }
 }
@@ -125,15 +125,15 @@ impl wire::Encode for UavcanNodeInfo {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_usec);
-        wire::put(p, 8, self.uptime_sec);
-        wire::put(p, 12, self.sw_vcs_commit);
-        wire::put(p, 16, self.name);
-        wire::put(p, 96, self.hw_version_major);
-        wire::put(p, 97, self.hw_version_minor);
-        wire::put(p, 98, self.hw_unique_id);
-        wire::put(p, 114, self.sw_version_major);
-        wire::put(p, 115, self.sw_version_minor);
+        wire::generated::put(p, 0, self.time_usec);
+        wire::generated::put(p, 8, self.uptime_sec);
+        wire::generated::put(p, 12, self.sw_vcs_commit);
+        wire::generated::put(p, 16, self.name);
+        wire::generated::put(p, 96, self.hw_version_major);
+        wire::generated::put(p, 97, self.hw_version_minor);
+        wire::generated::put(p, 98, self.hw_unique_id);
+        wire::generated::put(p, 114, self.sw_version_major);
+        wire::generated::put(p, 115, self.sw_version_minor);
     }
 }
 

@@ -73,17 +73,17 @@ impl wire::Message for UavcanNodeStatus {
         let p = match payload.first_chunk::<17>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<17>(payload);
+                padded = wire::generated::zero_extended::<17>(payload);
                 &padded
             }
         };
         Self {
-            time_usec: wire::get(p, 0),
-            uptime_sec: wire::get(p, 8),
-            health: wire::get(p, 14),
-            mode: wire::get(p, 15),
-            sub_mode: wire::get(p, 16),
-            vendor_specific_status_code: wire::get(p, 12),
+            time_usec: wire::generated::get(p, 0),
+            uptime_sec: wire::generated::get(p, 8),
+            health: wire::generated::get(p, 14),
+            mode: wire::generated::get(p, 15),
+            sub_mode: wire::generated::get(p, 16),
+            vendor_specific_status_code: wire::generated::get(p, 12),
         }
     }
 }
@@ -95,12 +95,12 @@ impl wire::Encode for UavcanNodeStatus {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_usec);
-        wire::put(p, 8, self.uptime_sec);
-        wire::put(p, 12, self.vendor_specific_status_code);
-        wire::put(p, 14, self.health);
-        wire::put(p, 15, self.mode);
-        wire::put(p, 16, self.sub_mode);
+        wire::generated::put(p, 0, self.time_usec);
+        wire::generated::put(p, 8, self.uptime_sec);
+        wire::generated::put(p, 12, self.vendor_specific_status_code);
+        wire::generated::put(p, 14, self.health);
+        wire::generated::put(p, 15, self.mode);
+        wire::generated::put(p, 16, self.sub_mode);
     }
 }
 

@@ -148,29 +148,29 @@ impl wire::Message for UtmGlobalPosition {
         let p = match payload.first_chunk::<70>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<70>(payload);
+                padded = wire::generated::zero_extended::<70>(payload);
                 &padded
             }
         };
         Self {
-            time: wire::get(p, 0),
-            uas_id: wire::get(p, 50),
-            lat: wire::get(p, 8),
-            lon: wire::get(p, 12),
-            alt: wire::get(p, 16),
-            relative_alt: wire::get(p, 20),
-            vx: wire::get(p, 36),
-            vy: wire::get(p, 38),
-            vz: wire::get(p, 40),
-            h_acc: wire::get(p, 42),
-            v_acc: wire::get(p, 44),
-            vel_acc: wire::get(p, 46),
-            next_lat: wire::get(p, 24),
-            next_lon: wire::get(p, 28),
-            next_alt: wire::get(p, 32),
-            update_rate: wire::get(p, 48),
-            flight_state: wire::get(p, 68),
-            flags: wire::get(p, 69),
+            time: wire::generated::get(p, 0),
+            uas_id: wire::generated::get(p, 50),
+            lat: wire::generated::get(p, 8),
+            lon: wire::generated::get(p, 12),
+            alt: wire::generated::get(p, 16),
+            relative_alt: wire::generated::get(p, 20),
+            vx: wire::generated::get(p, 36),
+            vy: wire::generated::get(p, 38),
+            vz: wire::generated::get(p, 40),
+            h_acc: wire::generated::get(p, 42),
+            v_acc: wire::generated::get(p, 44),
+            vel_acc: wire::generated::get(p, 46),
+            next_lat: wire::generated::get(p, 24),
+            next_lon: wire::generated::get(p, 28),
+            next_alt: wire::generated::get(p, 32),
+            update_rate: wire::generated::get(p, 48),
+            flight_state: wire::generated::get(p, 68),
+            flags: wire::generated::get(p, 69),
         }
     }
 }
@@ -182,24 +182,24 @@ impl wire::Encode for UtmGlobalPosition {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time);
-        wire::put(p, 8, self.lat);
-        wire::put(p, 12, self.lon);
-        wire::put(p, 16, self.alt);
-        wire::put(p, 20, self.relative_alt);
-        wire::put(p, 24, self.next_lat);
-        wire::put(p, 28, self.next_lon);
-        wire::put(p, 32, self.next_alt);
-        wire::put(p, 36, self.vx);
-        wire::put(p, 38, self.vy);
-        wire::put(p, 40, self.vz);
-        wire::put(p, 42, self.h_acc);
-        wire::put(p, 44, self.v_acc);
-        wire::put(p, 46, self.vel_acc);
-        wire::put(p, 48, self.update_rate);
-        wire::put(p, 50, self.uas_id);
-        wire::put(p, 68, self.flight_state);
-        wire::put(p, 69, self.flags);
+        wire::generated::put(p, 0, self.time);
+        wire::generated::put(p, 8, self.lat);
+        wire::generated::put(p, 12, self.lon);
+        wire::generated::put(p, 16, self.alt);
+        wire::generated::put(p, 20, self.relative_alt);
+        wire::generated::put(p, 24, self.next_lat);
+        wire::generated::put(p, 28, self.next_lon);
+        wire::generated::put(p, 32, self.next_alt);
+        wire::generated::put(p, 36, self.vx);
+        wire::generated::put(p, 38, self.vy);
+        wire::generated::put(p, 40, self.vz);
+        wire::generated::put(p, 42, self.h_acc);
+        wire::generated::put(p, 44, self.v_acc);
+        wire::generated::put(p, 46, self.vel_acc);
+        wire::generated::put(p, 48, self.update_rate);
+        wire::generated::put(p, 50, self.uas_id);
+        wire::generated::put(p, 68, self.flight_state);
+        wire::generated::put(p, 69, self.flags);
     }
 }
 

@@ -64,16 +64,16 @@ impl wire::Message for V2Extension {
         let p = match payload.first_chunk::<254>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<254>(payload);
+                padded = wire::generated::zero_extended::<254>(payload);
                 &padded
             }
         };
         Self {
-            target_network: wire::get(p, 2),
-            target_system: wire::get(p, 3),
-            target_component: wire::get(p, 4),
-            message_type: wire::get(p, 0),
-            payload: wire::get(p, 5),
+            target_network: wire::generated::get(p, 2),
+            target_system: wire::generated::get(p, 3),
+            target_component: wire::generated::get(p, 4),
+            message_type: wire::generated::get(p, 0),
+            payload: wire::generated::get(p, 5),
         }
     }
 
@@ -90,11 +90,11 @@ impl wire::Encode for V2Extension {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.message_type);
-        wire::put(p, 2, self.target_network);
-        wire::put(p, 3, self.target_system);
-        wire::put(p, 4, self.target_component);
-        wire::put(p, 5, self.payload);
+        wire::generated::put(p, 0, self.message_type);
+        wire::generated::put(p, 2, self.target_network);
+        wire::generated::put(p, 3, self.target_system);
+        wire::generated::put(p, 4, self.target_component);
+        wire::generated::put(p, 5, self.payload);
     }
 }
 

@@ -69,17 +69,17 @@ impl wire::Message for VfrHud {
         let p = match payload.first_chunk::<20>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<20>(payload);
+                padded = wire::generated::zero_extended::<20>(payload);
                 &padded
             }
         };
         Self {
-            airspeed: wire::get(p, 0),
-            groundspeed: wire::get(p, 4),
-            heading: wire::get(p, 16),
-            throttle: wire::get(p, 18),
-            alt: wire::get(p, 8),
-            climb: wire::get(p, 12),
+            airspeed: wire::generated::get(p, 0),
+            groundspeed: wire::generated::get(p, 4),
+            heading: wire::generated::get(p, 16),
+            throttle: wire::generated::get(p, 18),
+            alt: wire::generated::get(p, 8),
+            climb: wire::generated::get(p, 12),
         }
     }
 }
@@ -91,12 +91,12 @@ impl wire::Encode for VfrHud {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.airspeed);
-        wire::put(p, 4, self.groundspeed);
-        wire::put(p, 8, self.alt);
-        wire::put(p, 12, self.climb);
-        wire::put(p, 16, self.heading);
-        wire::put(p, 18, self.throttle);
+        wire::generated::put(p, 0, self.airspeed);
+        wire::generated::put(p, 4, self.groundspeed);
+        wire::generated::put(p, 8, self.alt);
+        wire::generated::put(p, 12, self.climb);
+        wire::generated::put(p, 16, self.heading);
+        wire::generated::put(p, 18, self.throttle);
     }
 }
 

@@ -75,18 +75,18 @@ impl wire::Message for Vibration {
         let p = match payload.first_chunk::<32>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<32>(payload);
+                padded = wire::generated::zero_extended::<32>(payload);
                 &padded
             }
         };
         Self {
-            time_usec: wire::get(p, 0),
-            vibration_x: wire::get(p, 8),
-            vibration_y: wire::get(p, 12),
-            vibration_z: wire::get(p, 16),
-            clipping_0: wire::get(p, 20),
-            clipping_1: wire::get(p, 24),
-            clipping_2: wire::get(p, 28),
+            time_usec: wire::generated::get(p, 0),
+            vibration_x: wire::generated::get(p, 8),
+            vibration_y: wire::generated::get(p, 12),
+            vibration_z: wire::generated::get(p, 16),
+            clipping_0: wire::generated::get(p, 20),
+            clipping_1: wire::generated::get(p, 24),
+            clipping_2: wire::generated::get(p, 28),
         }
     }
 }
@@ -98,13 +98,13 @@ impl wire::Encode for Vibration {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_usec);
-        wire::put(p, 8, self.vibration_x);
-        wire::put(p, 12, self.vibration_y);
-        wire::put(p, 16, self.vibration_z);
-        wire::put(p, 20, self.clipping_0);
-        wire::put(p, 24, self.clipping_1);
-        wire::put(p, 28, self.clipping_2);
+        wire::generated::put(p, 0, self.time_usec);
+        wire::generated::put(p, 8, self.vibration_x);
+        wire::generated::put(p, 12, self.vibration_y);
+        wire::generated::put(p, 16, self.vibration_z);
+        wire::generated::put(p, 20, self.clipping_0);
+        wire::generated::put(p, 24, self.clipping_1);
+        wire::generated::put(p, 28, self.clipping_2);
     }
 }
 

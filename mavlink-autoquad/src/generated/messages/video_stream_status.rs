@@ -87,20 +87,20 @@ impl wire::Message for VideoStreamStatus {
         let p = match payload.first_chunk::<20>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<20>(payload);
+                padded = wire::generated::zero_extended::<20>(payload);
                 &padded
             }
         };
         Self {
-            stream_id: wire::get(p, 18),
-            flags: wire::get(p, 8),
-            framerate: wire::get(p, 0),
-            resolution_h: wire::get(p, 10),
-            resolution_v: wire::get(p, 12),
-            bitrate: wire::get(p, 4),
-            rotation: wire::get(p, 14),
-            hfov: wire::get(p, 16),
-            camera_device_id: wire::get(p, 19),
+            stream_id: wire::generated::get(p, 18),
+            flags: wire::generated::get(p, 8),
+            framerate: wire::generated::get(p, 0),
+            resolution_h: wire::generated::get(p, 10),
+            resolution_v: wire::generated::get(p, 12),
+            bitrate: wire::generated::get(p, 4),
+            rotation: wire::generated::get(p, 14),
+            hfov: wire::generated::get(p, 16),
+            camera_device_id: wire::generated::get(p, 19),
         }
     }
 }
@@ -112,15 +112,15 @@ impl wire::Encode for VideoStreamStatus {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.framerate);
-        wire::put(p, 4, self.bitrate);
-        wire::put(p, 8, self.flags);
-        wire::put(p, 10, self.resolution_h);
-        wire::put(p, 12, self.resolution_v);
-        wire::put(p, 14, self.rotation);
-        wire::put(p, 16, self.hfov);
-        wire::put(p, 18, self.stream_id);
-        wire::put(p, 19, self.camera_device_id);
+        wire::generated::put(p, 0, self.framerate);
+        wire::generated::put(p, 4, self.bitrate);
+        wire::generated::put(p, 8, self.flags);
+        wire::generated::put(p, 10, self.resolution_h);
+        wire::generated::put(p, 12, self.resolution_v);
+        wire::generated::put(p, 14, self.rotation);
+        wire::generated::put(p, 16, self.hfov);
+        wire::generated::put(p, 18, self.stream_id);
+        wire::generated::put(p, 19, self.camera_device_id);
     }
 }
 

@@ -87,17 +87,17 @@ impl wire::Message for VisionSpeedEstimate {
         let p = match payload.first_chunk::<57>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<57>(payload);
+                padded = wire::generated::zero_extended::<57>(payload);
                 &padded
             }
         };
         Self {
-            usec: wire::get(p, 0),
-            x: wire::get(p, 8),
-            y: wire::get(p, 12),
-            z: wire::get(p, 16),
-            covariance: wire::get(p, 20),
-            reset_counter: wire::get(p, 56),
+            usec: wire::generated::get(p, 0),
+            x: wire::generated::get(p, 8),
+            y: wire::generated::get(p, 12),
+            z: wire::generated::get(p, 16),
+            covariance: wire::generated::get(p, 20),
+            reset_counter: wire::generated::get(p, 56),
         }
     }
 }
@@ -109,12 +109,12 @@ impl wire::Encode for VisionSpeedEstimate {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.usec);
-        wire::put(p, 8, self.x);
-        wire::put(p, 12, self.y);
-        wire::put(p, 16, self.z);
-        wire::put(p, 20, self.covariance);
-        wire::put(p, 56, self.reset_counter);
+        wire::generated::put(p, 0, self.usec);
+        wire::generated::put(p, 8, self.x);
+        wire::generated::put(p, 12, self.y);
+        wire::generated::put(p, 16, self.z);
+        wire::generated::put(p, 20, self.covariance);
+        wire::generated::put(p, 56, self.reset_counter);
     }
 }
 

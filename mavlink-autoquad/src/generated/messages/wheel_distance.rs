@@ -55,14 +55,14 @@ impl wire::Message for WheelDistance {
         let p = match payload.first_chunk::<137>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<137>(payload);
+                padded = wire::generated::zero_extended::<137>(payload);
                 &padded
             }
         };
         Self {
-            time_usec: wire::get(p, 0),
-            count: wire::get(p, 136),
-            distance: wire::get(p, 8),
+            time_usec: wire::generated::get(p, 0),
+            count: wire::generated::get(p, 136),
+            distance: wire::generated::get(p, 8),
         }
     }
 }
@@ -74,9 +74,9 @@ impl wire::Encode for WheelDistance {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_usec);
-        wire::put(p, 8, self.distance);
-        wire::put(p, 136, self.count);
+        wire::generated::put(p, 0, self.time_usec);
+        wire::generated::put(p, 8, self.distance);
+        wire::generated::put(p, 136, self.count);
     }
 }
 

@@ -64,15 +64,15 @@ impl wire::Message for WifiConfigAp {
         let p = match payload.first_chunk::<98>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<98>(payload);
+                padded = wire::generated::zero_extended::<98>(payload);
                 &padded
             }
         };
         Self {
-            ssid: wire::get(p, 0),
-            password: wire::get(p, 32),
-            mode: wire::get(p, 96),
-            response: wire::get(p, 97),
+            ssid: wire::generated::get(p, 0),
+            password: wire::generated::get(p, 32),
+            mode: wire::generated::get(p, 96),
+            response: wire::generated::get(p, 97),
         }
     }
 }
@@ -84,10 +84,10 @@ impl wire::Encode for WifiConfigAp {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.ssid);
-        wire::put(p, 32, self.password);
-        wire::put(p, 96, self.mode);
-        wire::put(p, 97, self.response);
+        wire::generated::put(p, 0, self.ssid);
+        wire::generated::put(p, 32, self.password);
+        wire::generated::put(p, 96, self.mode);
+        wire::generated::put(p, 97, self.response);
     }
 }
 

@@ -168,19 +168,19 @@ impl wire::Message for WinchStatus {
         let p = match payload.first_chunk::<34>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<34>(payload);
+                padded = wire::generated::zero_extended::<34>(payload);
                 &padded
             }
         };
         Self {
-            time_usec: wire::get(p, 0),
-            line_length: wire::get(p, 8),
-            speed: wire::get(p, 12),
-            tension: wire::get(p, 16),
-            voltage: wire::get(p, 20),
-            current: wire::get(p, 24),
-            temperature: wire::get(p, 32),
-            status: wire::get(p, 28),
+            time_usec: wire::generated::get(p, 0),
+            line_length: wire::generated::get(p, 8),
+            speed: wire::generated::get(p, 12),
+            tension: wire::generated::get(p, 16),
+            voltage: wire::generated::get(p, 20),
+            current: wire::generated::get(p, 24),
+            temperature: wire::generated::get(p, 32),
+            status: wire::generated::get(p, 28),
         }
     }
 }
@@ -192,14 +192,14 @@ impl wire::Encode for WinchStatus {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_usec);
-        wire::put(p, 8, self.line_length);
-        wire::put(p, 12, self.speed);
-        wire::put(p, 16, self.tension);
-        wire::put(p, 20, self.voltage);
-        wire::put(p, 24, self.current);
-        wire::put(p, 28, self.status);
-        wire::put(p, 32, self.temperature);
+        wire::generated::put(p, 0, self.time_usec);
+        wire::generated::put(p, 8, self.line_length);
+        wire::generated::put(p, 12, self.speed);
+        wire::generated::put(p, 16, self.tension);
+        wire::generated::put(p, 20, self.voltage);
+        wire::generated::put(p, 24, self.current);
+        wire::generated::put(p, 28, self.status);
+        wire::generated::put(p, 32, self.temperature);
     }
 }
 

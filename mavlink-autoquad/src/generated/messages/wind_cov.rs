@@ -199,20 +199,20 @@ impl wire::Message for WindCov {
         let p = match payload.first_chunk::<40>() {
             Some(p) => p,
             None => {
-                padded = wire::zero_extended::<40>(payload);
+                padded = wire::generated::zero_extended::<40>(payload);
                 &padded
             }
         };
         Self {
-            time_usec: wire::get(p, 0),
-            wind_x: wire::get(p, 8),
-            wind_y: wire::get(p, 12),
-            wind_z: wire::get(p, 16),
-            var_horiz: wire::get(p, 20),
-            var_vert: wire::get(p, 24),
-            wind_alt: wire::get(p, 28),
-            horiz_accuracy: wire::get(p, 32),
-            vert_accuracy: wire::get(p, 36),
+            time_usec: wire::generated::get(p, 0),
+            wind_x: wire::generated::get(p, 8),
+            wind_y: wire::generated::get(p, 12),
+            wind_z: wire::generated::get(p, 16),
+            var_horiz: wire::generated::get(p, 20),
+            var_vert: wire::generated::get(p, 24),
+            wind_alt: wire::generated::get(p, 28),
+            horiz_accuracy: wire::generated::get(p, 32),
+            vert_accuracy: wire::generated::get(p, 36),
         }
     }
 }
@@ -224,15 +224,15 @@ impl wire::Encode for WindCov {
 
     #[inline]
     fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::put(p, 0, self.time_usec);
-        wire::put(p, 8, self.wind_x);
-        wire::put(p, 12, self.wind_y);
-        wire::put(p, 16, self.wind_z);
-        wire::put(p, 20, self.var_horiz);
-        wire::put(p, 24, self.var_vert);
-        wire::put(p, 28, self.wind_alt);
-        wire::put(p, 32, self.horiz_accuracy);
-        wire::put(p, 36, self.vert_accuracy);
+        wire::generated::put(p, 0, self.time_usec);
+        wire::generated::put(p, 8, self.wind_x);
+        wire::generated::put(p, 12, self.wind_y);
+        wire::generated::put(p, 16, self.wind_z);
+        wire::generated::put(p, 20, self.var_horiz);
+        wire::generated::put(p, 24, self.var_vert);
+        wire::generated::put(p, 28, self.wind_alt);
+        wire::generated::put(p, 32, self.horiz_accuracy);
+        wire::generated::put(p, 36, self.vert_accuracy);
     }
 }
 

@@ -69,7 +69,7 @@ impl Esc32Status {
     /// Sets [`Self::voltage`]. An error if the value does not fit.
     #[inline]
     pub fn set_voltage(&mut self, value: f32) -> Result<(), wire::ViewError> {
-        match wire::raw_of(value, 1, 0, 100) {
+        match wire::generated::raw_of(value, 1, 0, 100) {
             Some(raw @ 0..=0xfff) => self.set_voltage_raw(raw as u16),
             _ => Err(wire::ViewError::OutOfRange),
         }
@@ -108,7 +108,7 @@ impl Esc32Status {
     /// Sets [`Self::current`]. An error if the value does not fit.
     #[inline]
     pub fn set_current(&mut self, value: f32) -> Result<(), wire::ViewError> {
-        match wire::raw_of(value, 1, 0, 100) {
+        match wire::generated::raw_of(value, 1, 0, 100) {
             Some(raw @ 0..=0x3fff) => self.set_current_raw(raw as u16),
             _ => Err(wire::ViewError::OutOfRange),
         }
@@ -166,7 +166,7 @@ impl Esc32Status {
     /// Sets [`Self::duty`]. An error if the value does not fit.
     #[inline]
     pub fn set_duty(&mut self, value: f32) -> Result<(), wire::ViewError> {
-        match wire::raw_of(value, 20, 0, 51) {
+        match wire::generated::raw_of(value, 20, 0, 51) {
             Some(raw @ 0..=0xff) => self.set_duty_raw(raw as u8),
             _ => Err(wire::ViewError::OutOfRange),
         }
@@ -194,7 +194,7 @@ impl Esc32Status {
     /// Sets [`Self::temperature`]. An error if the value does not fit.
     #[inline]
     pub fn set_temperature(&mut self, value: f32) -> Result<(), wire::ViewError> {
-        match wire::raw_of(value, 1, -128, 4) {
+        match wire::generated::raw_of(value, 1, -128, 4) {
             Some(raw @ 0..=0x1ff) => self.set_temperature_raw(raw as u16),
             _ => Err(wire::ViewError::OutOfRange),
         }

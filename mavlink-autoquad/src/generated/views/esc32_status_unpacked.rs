@@ -61,7 +61,7 @@ impl Esc32StatusUnpacked {
     /// Sets [`Self::voltage`]. An error if the value does not fit.
     #[inline]
     pub fn set_voltage(&mut self, value: f32) -> Result<(), wire::ViewError> {
-        match wire::raw_of(value, 1, 0, 100) {
+        match wire::generated::raw_of(value, 1, 0, 100) {
             Some(raw @ 0..=0xfff) => self.set_voltage_raw(raw as u16),
             _ => Err(wire::ViewError::OutOfRange),
         }
@@ -100,7 +100,7 @@ impl Esc32StatusUnpacked {
     /// Sets [`Self::current`]. An error if the value does not fit.
     #[inline]
     pub fn set_current(&mut self, value: f32) -> Result<(), wire::ViewError> {
-        match wire::raw_of(value, 1, 0, 100) {
+        match wire::generated::raw_of(value, 1, 0, 100) {
             Some(raw @ 0..=0x3fff) => self.set_current_raw(raw as u16),
             _ => Err(wire::ViewError::OutOfRange),
         }
@@ -157,7 +157,7 @@ impl Esc32StatusUnpacked {
     /// Sets [`Self::duty`]. An error if the value does not fit.
     #[inline]
     pub fn set_duty(&mut self, value: f32) -> Result<(), wire::ViewError> {
-        match wire::raw_of(value, 20, 0, 51) {
+        match wire::generated::raw_of(value, 20, 0, 51) {
             Some(raw @ 0..=0xff) => self.set_duty_raw(raw as u8),
             _ => Err(wire::ViewError::OutOfRange),
         }

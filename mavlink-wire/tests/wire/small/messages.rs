@@ -43,14 +43,14 @@ impl wire::Message for Heartbeat {
     #[inline]
     fn decode(payload: &[u8]) -> Self {
         match payload.first_chunk::<9>() {
-            None => Self::decode(&wire::zero_extended::<9>(payload)),
+            None => Self::decode(&wire::generated::zero_extended::<9>(payload)),
             Some(p) => Self {
-                r#type: wire::get(p, 4),
-                autopilot: wire::get(p, 5),
-                base_mode: wire::get(p, 6),
-                custom_mode: wire::get(p, 0),
-                system_status: wire::get(p, 7),
-                mavlink_version: wire::get(p, 8),
+                r#type: wire::generated::get(p, 4),
+                autopilot: wire::generated::get(p, 5),
+                base_mode: wire::generated::get(p, 6),
+                custom_mode: wire::generated::get(p, 0),
+                system_status: wire::generated::get(p, 7),
+                mavlink_version: wire::generated::get(p, 8),
             },
         }
     }
@@ -63,12 +63,12 @@ impl wire::Encode for Heartbeat {
 
     #[inline]
     fn write(&self, p: &mut [u8; 255]) {
-        wire::put(p, 4, self.r#type);
-        wire::put(p, 5, self.autopilot);
-        wire::put(p, 6, self.base_mode);
-        wire::put(p, 0, self.custom_mode);
-        wire::put(p, 7, self.system_status);
-        wire::put(p, 8, self.mavlink_version);
+        wire::generated::put(p, 4, self.r#type);
+        wire::generated::put(p, 5, self.autopilot);
+        wire::generated::put(p, 6, self.base_mode);
+        wire::generated::put(p, 0, self.custom_mode);
+        wire::generated::put(p, 7, self.system_status);
+        wire::generated::put(p, 8, self.mavlink_version);
     }
 }
 
@@ -124,17 +124,17 @@ impl wire::Message for AqEscTelemetry {
     #[inline]
     fn decode(payload: &[u8]) -> Self {
         match payload.first_chunk::<55>() {
-            None => Self::decode(&wire::zero_extended::<55>(payload)),
+            None => Self::decode(&wire::generated::zero_extended::<55>(payload)),
             Some(p) => Self {
-                time_boot_ms: wire::get(p, 0),
-                seq: wire::get(p, 44),
-                num_motors: wire::get(p, 45),
-                num_in_seq: wire::get(p, 46),
-                escid: wire::get(p, 47),
-                status_age: wire::get(p, 36),
-                data_version: wire::get(p, 51),
-                data0: wire::get(p, 4),
-                data1: wire::get(p, 20),
+                time_boot_ms: wire::generated::get(p, 0),
+                seq: wire::generated::get(p, 44),
+                num_motors: wire::generated::get(p, 45),
+                num_in_seq: wire::generated::get(p, 46),
+                escid: wire::generated::get(p, 47),
+                status_age: wire::generated::get(p, 36),
+                data_version: wire::generated::get(p, 51),
+                data0: wire::generated::get(p, 4),
+                data1: wire::generated::get(p, 20),
             },
         }
     }
@@ -147,15 +147,15 @@ impl wire::Encode for AqEscTelemetry {
 
     #[inline]
     fn write(&self, p: &mut [u8; 255]) {
-        wire::put(p, 0, self.time_boot_ms);
-        wire::put(p, 44, self.seq);
-        wire::put(p, 45, self.num_motors);
-        wire::put(p, 46, self.num_in_seq);
-        wire::put(p, 47, self.escid);
-        wire::put(p, 36, self.status_age);
-        wire::put(p, 51, self.data_version);
-        wire::put(p, 4, self.data0);
-        wire::put(p, 20, self.data1);
+        wire::generated::put(p, 0, self.time_boot_ms);
+        wire::generated::put(p, 44, self.seq);
+        wire::generated::put(p, 45, self.num_motors);
+        wire::generated::put(p, 46, self.num_in_seq);
+        wire::generated::put(p, 47, self.escid);
+        wire::generated::put(p, 36, self.status_age);
+        wire::generated::put(p, 51, self.data_version);
+        wire::generated::put(p, 4, self.data0);
+        wire::generated::put(p, 20, self.data1);
     }
 }
 
@@ -191,12 +191,12 @@ impl wire::Message for Statustext {
     #[inline]
     fn decode(payload: &[u8]) -> Self {
         match payload.first_chunk::<54>() {
-            None => Self::decode(&wire::zero_extended::<54>(payload)),
+            None => Self::decode(&wire::generated::zero_extended::<54>(payload)),
             Some(p) => Self {
-                severity: wire::get(p, 0),
-                text: wire::get(p, 1),
-                id: wire::get(p, 51),
-                chunk_seq: wire::get(p, 53),
+                severity: wire::generated::get(p, 0),
+                text: wire::generated::get(p, 1),
+                id: wire::generated::get(p, 51),
+                chunk_seq: wire::generated::get(p, 53),
             },
         }
     }
@@ -209,10 +209,10 @@ impl wire::Encode for Statustext {
 
     #[inline]
     fn write(&self, p: &mut [u8; 255]) {
-        wire::put(p, 0, self.severity);
-        wire::put(p, 1, self.text);
-        wire::put(p, 51, self.id);
-        wire::put(p, 53, self.chunk_seq);
+        wire::generated::put(p, 0, self.severity);
+        wire::generated::put(p, 1, self.text);
+        wire::generated::put(p, 51, self.id);
+        wire::generated::put(p, 53, self.chunk_seq);
     }
 }
 

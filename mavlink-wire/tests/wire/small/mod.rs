@@ -10,7 +10,7 @@ pub(crate) use messages::{AqEscTelemetry, Heartbeat, Statustext};
 
 static INFOS: [&wire::MessageInfo; 3] =
     [<Heartbeat as wire::Message>::INFO, <AqEscTelemetry as wire::Message>::INFO, <Statustext as wire::Message>::INFO];
-static INDEX: [u16; 200] = wire::index(&INFOS);
+static INDEX: [u16; 200] = wire::generated::index(&INFOS);
 static TABLE: wire::Table<'static> = wire::Table::indexed(&INFOS, &INDEX);
 
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,20 +2,23 @@
 
 pub use ::arbitrary::{Arbitrary, Result, Unstructured};
 
-use crate::{Chars, Dialect, Enum, MAX_PAYLOAD, Message, MessageInfo, Repr, Wire};
+use crate::message::wire::Wire;
+use crate::{Chars, Dialect, Enum, MAX_PAYLOAD, Message, MessageInfo, Repr};
 
 /// Implements the trait by two of the functions below: one for the value, one for how many bytes it takes.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __arbitrary {
     ($name:ident, $value:ident, $size_hint:ident) => {
-        impl<'a> $crate::arbitrary::Arbitrary<'a> for $name {
-            fn arbitrary(bytes: &mut $crate::arbitrary::Unstructured<'a>) -> $crate::arbitrary::Result<Self> {
-                $crate::arbitrary::$value(bytes)
+        impl<'a> $crate::generated::arbitrary::Arbitrary<'a> for $name {
+            fn arbitrary(
+                bytes: &mut $crate::generated::arbitrary::Unstructured<'a>,
+            ) -> $crate::generated::arbitrary::Result<Self> {
+                $crate::generated::arbitrary::$value(bytes)
             }
 
             fn size_hint(_: usize) -> (usize, ::core::option::Option<usize>) {
-                $crate::arbitrary::$size_hint::<Self>()
+                $crate::generated::arbitrary::$size_hint::<Self>()
             }
         }
     };

@@ -4,7 +4,8 @@
 
 use core::fmt;
 
-use crate::{EnumInfo, Kind, UnknownName, Wire};
+use super::wire::Wire;
+use crate::{EnumInfo, Kind, UnknownName};
 
 /// An enum or a flags type of a dialect, for code that works on any of them.
 pub trait Enum: Wire + Eq + 'static {
@@ -172,31 +173,31 @@ macro_rules! open_enum {
             }
         }
 
-        impl $crate::Wire for $name {
-            const SIZE: usize = <$repr as $crate::Wire>::SIZE;
+        impl $crate::generated::Wire for $name {
+            const SIZE: usize = <$repr as $crate::generated::Wire>::SIZE;
 
             #[inline(always)]
             fn read(bytes: &[u8], offset: usize) -> Self {
-                Self($crate::Wire::read(bytes, offset))
+                Self($crate::generated::Wire::read(bytes, offset))
             }
 
             #[inline(always)]
             fn write(self, bytes: &mut [u8], offset: usize) {
-                $crate::Wire::write(self.0, bytes, offset)
+                $crate::generated::Wire::write(self.0, bytes, offset)
             }
         }
 
         impl ::core::fmt::Debug for $name {
             #[inline]
             fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
-                $crate::enums::debug_entry(&$info, self.0 as u64, (::core::stringify!($name), &self.0), f)
+                $crate::generated::debug_entry(&$info, self.0 as u64, (::core::stringify!($name), &self.0), f)
             }
         }
 
         impl ::core::fmt::Display for $name {
             #[inline]
             fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
-                $crate::enums::fmt_entry(&$info, self.0 as u64, &self.0, f)
+                $crate::generated::fmt_entry(&$info, self.0 as u64, &self.0, f)
             }
         }
 
@@ -205,7 +206,7 @@ macro_rules! open_enum {
 
             #[inline]
             fn from_str(text: &str) -> ::core::result::Result<Self, $crate::UnknownName> {
-                $crate::enums::parse(text)
+                $crate::generated::parse(text)
             }
         }
 

@@ -7,7 +7,8 @@ use serde_core::ser::{Serialize, Serializer};
 
 use super::float::FloatVisitor;
 use super::named::{self, NamedVisitor};
-use crate::{Enum, EnumInfo, Kind, Repr, get, put};
+use crate::message::wire::{get, put};
+use crate::{Enum, EnumInfo, Kind, Repr};
 
 /// What a value is: its type, and the enum that names it.
 #[derive(Clone, Copy)]

@@ -34,8 +34,8 @@
 
 use ::embedded_io::{Error, ErrorKind, Read, Write};
 
-use crate::incoming::Incoming;
-use crate::outgoing::Outgoing;
+use crate::link::incoming::Incoming;
+use crate::link::outgoing::Outgoing;
 use crate::parser::not_told;
 use crate::{Encode, Frame, Sender, Statistics, Table};
 

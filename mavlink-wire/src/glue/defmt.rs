@@ -16,9 +16,9 @@ use crate::{Chars, Dialect, Enum, EnumInfo, Frame, FrameBuf, MAX_PAYLOAD, Messag
 #[macro_export]
 macro_rules! __defmt {
     ($name:ident, $format:ident) => {
-        impl $crate::defmt::Format for $name {
-            fn format(&self, f: $crate::defmt::Formatter<'_>) {
-                $crate::defmt::$format(self, f)
+        impl $crate::generated::defmt::Format for $name {
+            fn format(&self, f: $crate::generated::defmt::Formatter<'_>) {
+                $crate::generated::defmt::$format(self, f)
             }
         }
     };

@@ -21,14 +21,12 @@
 //! assert_eq!(mode.iter_names().map(|(name, _)| name).collect::<Vec<_>>(), ["MAV_MODE_FLAG_SAFETY_ARMED"]);
 //! ```
 
-#[cfg(feature = "bitflags")]
-mod bitflags;
 mod interface;
 
 use core::fmt;
 use core::marker::PhantomData;
 
-use crate::enums::number;
+use super::enums::number;
 use crate::{Enum, EnumInfo, Repr, UnknownName};
 
 /// The entries that are contained in a value, in order, each bit claimed once.

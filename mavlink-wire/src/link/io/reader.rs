@@ -2,7 +2,7 @@
 
 use std::io::{ErrorKind, Read, Result};
 
-use crate::incoming::Incoming;
+use crate::link::incoming::Incoming;
 use crate::parser::not_told;
 use crate::{Frame, Statistics, Table};
 

@@ -5,13 +5,13 @@
 #[macro_export]
 macro_rules! __bitflags {
     ($name:ident, $repr:ident, $info:path) => {
-        impl $crate::bitflags::Flags for $name {
-            const FLAGS: &'static [$crate::bitflags::Flag<Self>] = &{
-                let mut flags = [const { $crate::bitflags::Flag::new("", $name(0)) }; $info.entries.len()];
-                let mut places: &mut [$crate::bitflags::Flag<Self>] = &mut flags;
+        impl $crate::generated::bitflags::Flags for $name {
+            const FLAGS: &'static [$crate::generated::bitflags::Flag<Self>] = &{
+                let mut flags = [const { $crate::generated::bitflags::Flag::new("", $name(0)) }; $info.entries.len()];
+                let mut places: &mut [$crate::generated::bitflags::Flag<Self>] = &mut flags;
                 let mut entries = $info.entries;
                 while let ([place, more @ ..], [(bits, name), rest @ ..]) = (places, entries) {
-                    *place = $crate::bitflags::Flag::new(name, Self(*bits as $repr));
+                    *place = $crate::generated::bitflags::Flag::new(name, Self(*bits as $repr));
                     (places, entries) = (more, rest);
                 }
                 flags

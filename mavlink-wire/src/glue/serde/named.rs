@@ -7,8 +7,8 @@ use serde_core::ser::Serializer;
 
 use super::value::{Shape, Value};
 use crate::EnumInfo;
-use crate::enums::parse_entry;
 use crate::flags::{fmt_flags, parse_flags};
+use crate::message::enums::parse_entry;
 
 pub(super) fn serialize<S: Serializer>(
     value: Value,

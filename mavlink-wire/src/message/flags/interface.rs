@@ -189,31 +189,31 @@ macro_rules! flags {
             }
         }
 
-        impl $crate::Wire for $name {
-            const SIZE: usize = <$repr as $crate::Wire>::SIZE;
+        impl $crate::generated::Wire for $name {
+            const SIZE: usize = <$repr as $crate::generated::Wire>::SIZE;
 
             #[inline(always)]
             fn read(bytes: &[u8], offset: usize) -> Self {
-                Self($crate::Wire::read(bytes, offset))
+                Self($crate::generated::Wire::read(bytes, offset))
             }
 
             #[inline(always)]
             fn write(self, bytes: &mut [u8], offset: usize) {
-                $crate::Wire::write(self.0, bytes, offset)
+                $crate::generated::Wire::write(self.0, bytes, offset)
             }
         }
 
         impl ::core::fmt::Debug for $name {
             #[inline]
             fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
-                $crate::flags::fmt_flags(&$info, $crate::Repr::bits(self.0), f)
+                $crate::generated::fmt_flags(&$info, $crate::Repr::bits(self.0), f)
             }
         }
 
         impl ::core::fmt::Display for $name {
             #[inline]
             fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
-                $crate::flags::fmt_flags(&$info, $crate::Repr::bits(self.0), f)
+                $crate::generated::fmt_flags(&$info, $crate::Repr::bits(self.0), f)
             }
         }
 
@@ -222,7 +222,7 @@ macro_rules! flags {
 
             #[inline]
             fn from_str(text: &str) -> ::core::result::Result<Self, $crate::UnknownName> {
-                match $crate::flags::parse_flags(&$info, $crate::flags!(@mask $repr), text) {
+                match $crate::generated::parse_flags(&$info, $crate::flags!(@mask $repr), text) {
                     ::core::result::Result::Ok(bits) => ::core::result::Result::Ok(Self(bits as $repr)),
                     ::core::result::Result::Err(error) => ::core::result::Result::Err(error),
                 }

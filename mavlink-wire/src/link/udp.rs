@@ -39,7 +39,7 @@ use std::net::{SocketAddr, UdpSocket};
 use std::time::Instant;
 use std::vec;
 
-use crate::incoming::Incoming;
+use crate::link::incoming::Incoming;
 use crate::parser::not_told;
 use crate::{Encode, EncodeError, Frame, MAX_FRAME, Sender, Statistics, Table};
 use peers::Peers;

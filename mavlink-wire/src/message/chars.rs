@@ -4,7 +4,8 @@ use core::fmt;
 
 use memchr::memchr;
 
-use crate::{TooLong, Wire};
+use super::wire::Wire;
+use crate::TooLong;
 
 /// Text in a fixed field: up to the first NUL, or all `N` bytes. Bytes after a NUL are kept.
 ///

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::{enums, flags};
+use super::{enums, flags};
 
 /// What a frame needs to know about a message; one per message, shared by every table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -36,43 +36,33 @@
 //! read ([`Frame::carries_key`](crate::Frame::carries_key)). `Debug`, [`reflect`](crate::reflect) and `defmt` do not show it.
 
 mod chars;
-mod dialect;
+pub(crate) mod dialect;
 mod early;
 mod field;
 mod float;
-mod message;
+pub(crate) mod message;
 mod named;
-mod value;
-
-#[doc(hidden)]
-pub use serde_core::{Deserialize, Deserializer, Serialize, Serializer};
-
-#[doc(hidden)]
-pub use dialect::{deserialize_dialect, serialize_dialect};
-#[doc(hidden)]
-pub use message::{deserialize_message, serialize_message};
-#[doc(hidden)]
-pub use value::{deserialize_enum, serialize_enum};
+pub(crate) mod value;
 
 /// Implements serde's traits by two of the functions above: `(type, serialize, deserialize, arguments…)`.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __serde {
     ($name:ident, $serialize:ident, $deserialize:ident $(, $argument:expr)?) => {
-        impl $crate::serde::Serialize for $name {
-            fn serialize<S: $crate::serde::Serializer>(
+        impl $crate::generated::serde::Serialize for $name {
+            fn serialize<S: $crate::generated::serde::Serializer>(
                 &self,
                 serializer: S,
             ) -> ::core::result::Result<S::Ok, S::Error> {
-                $crate::serde::$serialize(self, $($argument,)? serializer)
+                $crate::generated::serde::$serialize(self, $($argument,)? serializer)
             }
         }
 
-        impl<'de> $crate::serde::Deserialize<'de> for $name {
-            fn deserialize<D: $crate::serde::Deserializer<'de>>(
+        impl<'de> $crate::generated::serde::Deserialize<'de> for $name {
+            fn deserialize<D: $crate::generated::serde::Deserializer<'de>>(
                 deserializer: D,
             ) -> ::core::result::Result<Self, D::Error> {
-                $crate::serde::$deserialize($($argument,)? deserializer)
+                $crate::generated::serde::$deserialize($($argument,)? deserializer)
             }
         }
     };

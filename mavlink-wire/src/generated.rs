@@ -1,0 +1,42 @@
+//! What generated code calls, and nothing else does. People need none of it.
+//!
+//! A dialect is made for one version of this crate: these names change with mavgen, without notice.
+
+pub use crate::message::enums::{debug_entry, fmt_entry, parse};
+pub use crate::message::flags::{fmt_flags, parse_flags};
+pub use crate::message::scale::raw_of;
+pub use crate::message::wire::{Wire, get, put, zero_extended};
+pub use crate::parser::table::index;
+
+#[cfg(feature = "bitflags")]
+#[doc(hidden)]
+pub use ::bitflags;
+
+#[cfg(feature = "arbitrary")]
+#[doc(hidden)]
+pub use crate::glue::arbitrary;
+#[cfg(feature = "defmt")]
+#[doc(hidden)]
+pub use crate::glue::defmt;
+
+/// What implements serde's traits.
+#[cfg(feature = "serde")]
+#[doc(hidden)]
+pub mod serde {
+    pub use serde_core::{Deserialize, Deserializer, Serialize, Serializer};
+
+    pub use crate::glue::serde::dialect::{deserialize_dialect, serialize_dialect};
+    pub use crate::glue::serde::message::{deserialize_message, serialize_message};
+    pub use crate::glue::serde::value::{deserialize_enum, serialize_enum};
+}
+
+/// What implements the traits of mavlink-core.
+#[cfg(feature = "mavlink-core")]
+#[doc(hidden)]
+pub mod interop {
+    pub use ::mavlink_core;
+    #[cfg(feature = "arbitrary")]
+    pub use ::rand_core;
+
+    pub use crate::glue::interop::message::*;
+}

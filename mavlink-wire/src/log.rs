@@ -1,0 +1,3 @@
+//! Files of what was received.
+
+pub mod tlog;

@@ -1,0 +1,11 @@
+//! The traits, for `use mavlink_wire::prelude::*`: their methods are then at hand, and no name is taken.
+//!
+//! ```
+//! use mavlink_wire::prelude::*;
+//!
+//! fn name(message: &dyn Encode) -> &'static str {
+//!     message.info().name
+//! }
+//! ```
+
+pub use crate::{Dialect, Encode, Enum, Message, Targeted};
