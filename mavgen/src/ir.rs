@@ -4,6 +4,7 @@
 //! spelled out: wire order, offsets, checksums, merged enums with every value filled in, and the Rust name beside the name
 //! in the XML.
 
+mod label;
 mod message;
 mod name;
 mod union;
@@ -11,6 +12,8 @@ mod values;
 mod view;
 
 pub use message::{Field, FieldType, Invalid, Limits, Message, Scalar, Scope, Sentinel, Values};
+pub use label::Label;
+pub(crate) use label::unit_words;
 pub use name::Name;
 pub use union::{Home, MessageHome, Root, Union, ViewHome};
 pub use values::{Command, Entry, Enum, Param, Repr};

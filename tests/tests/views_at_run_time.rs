@@ -47,7 +47,7 @@ fn members(bits: &Bits<'_>) -> Members {
     };
     let member = |member: &mavgen::ir::Member| {
         let count = member.repeat.map_or(1, |repeat| repeat.count);
-        (member.name.clone(), (0..count).map(|index| bits.value(member, index).map(held)).collect())
+        (member.name.shown(), (0..count).map(|index| bits.value(member, index).map(held)).collect())
     };
     bits.view().members.iter().map(member).collect()
 }

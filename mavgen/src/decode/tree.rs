@@ -105,7 +105,7 @@ fn number(number: Number) -> Node {
 /// What overlays see in the fields.
 fn overlaid(message: &Message, tables: &Tables, payload: &[u8]) -> Vec<Entry> {
     let bound = bindings(message, payload).filter_map(|(binding, value)| {
-        Some(Entry { name: binding.name.clone(), units: None, node: named(tables, binding.values, value?) })
+        Some(Entry { name: binding.name.shown(), units: None, node: named(tables, binding.values, value?) })
     });
     bound.chain(views(message, payload).filter_map(|reading| view(tables, &reading))).collect()
 }
@@ -119,7 +119,7 @@ fn view(tables: &Tables, reading: &Reading<'_>) -> Option<Entry> {
         }
         _ => return None,
     };
-    Some(Entry { name: name.clone(), units: None, node })
+    Some(Entry { name: name.shown(), units: None, node })
 }
 
 fn slot(tables: &Tables, slot: &Slot<'_>) -> Node {
@@ -136,14 +136,14 @@ fn key(tables: &Tables, one: &KeyValue<'_>) -> Entry {
         Some((values, value)) => named(tables, values, value),
         None => number(one.number),
     };
-    Entry { name: one.key.name.clone(), units: one.key.units.clone(), node }
+    Entry { name: one.key.name.shown(), units: one.key.units.clone(), node }
 }
 
 /// The members that the bits' layout has.
 fn members(tables: &Tables, bits: &Bits<'_>) -> Vec<Entry> {
     let present = bits.view().members.iter().filter(|member| bits.has(member));
     present
-        .map(|one| Entry { name: one.name.clone(), units: member_units(one), node: member(tables, bits, one) })
+        .map(|one| Entry { name: one.name.shown(), units: member_units(one), node: member(tables, bits, one) })
         .collect()
 }
 

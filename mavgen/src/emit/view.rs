@@ -46,7 +46,7 @@ pub(crate) fn view(context: &Context<'_>, message: &Message, view: &View) -> Tok
     let members = view.members.iter().map(|one| member::member(context, view, one));
     let debug = debug::debug(view);
     let access = match &view.access {
-        Access::Once { getter } => access::once(context, message, view, getter),
+        Access::Once { getter } => access::once(context, message, view, &getter.rust()),
         Access::Slots(parts) => slots::slots(context, message, view, parts),
     };
     let name = ident(&view.name.rust);
@@ -106,7 +106,7 @@ fn declaration(context: &Context<'_>, message: &Message, view: &View) -> TokenSt
 /// Name and type of the switch value that the view carries along.
 fn switch_field(view: &View) -> Option<(Ident, Ident)> {
     match view.switch.as_ref()? {
-        Switch { name, on: SwitchOn::Field(_, int), .. } => Some((ident(name), repr(*int))),
+        Switch { name, on: SwitchOn::Field(_, int), .. } => Some((ident(&name.rust()), repr(*int))),
         Switch { on: SwitchOn::Bits { .. }, .. } => None,
     }
 }

@@ -4,7 +4,7 @@ use std::fmt;
 use std::num::NonZeroU8;
 use std::ops::RangeInclusive;
 
-use super::{EnumId, Name, Origin, Repr};
+use super::{EnumId, Label, Name, Origin, Repr, unit_words};
 use crate::source::Span;
 
 /// A layout of bits over one or more fields of a message.
@@ -58,7 +58,7 @@ pub enum Access {
     /// Once: a getter and a setter of this name on the message.
     Once {
         /// `flight_sw` gives `flight_sw()` and `set_flight_sw()`.
-        getter: String,
+        getter: Label,
     },
     /// Once a slot.
     Slots(Slots),
@@ -70,7 +70,7 @@ pub struct Slots {
     /// The type of a slot, `Esc`; the methods `esc(index)`, `set_esc(index, …)` and `push_esc(…)` are named after it.
     pub item: Name,
     /// The iterator: `escs`.
-    pub items: String,
+    pub items: Label,
     /// Elements of the arrays.
     pub length: NonZeroU8,
     /// A scalar field that says how many slots are used; the others hold stale data.
@@ -82,8 +82,8 @@ pub struct Slots {
 /// A field that is copied into a slot.
 #[derive(Clone, Debug)]
 pub struct Key {
-    /// The name with the suffix of its unit: `age_ms`.
-    pub name: String,
+    /// Its name: `age` in milliseconds, shown as `age_ms`.
+    pub name: Label,
     /// The field.
     pub place: Place,
     /// Its unit.
@@ -117,8 +117,8 @@ pub struct Condition {
 /// What selects between layouts.
 #[derive(Clone, Debug)]
 pub struct Switch {
-    /// The name of its getter: `data_version`.
-    pub name: String,
+    /// The name of the field or the bits that it looks at: `data_version`.
+    pub name: Label,
     /// Where it is read.
     pub on: SwitchOn,
     /// Where the overlay names what it looks at.
@@ -142,8 +142,8 @@ pub enum SwitchOn {
 /// Named bits.
 #[derive(Clone, Debug)]
 pub struct Member {
-    /// The name of the getter; a keyword is written raw.
-    pub name: String,
+    /// The name.
+    pub name: Label,
     /// The first bit; 0 is the least significant of all words together.
     pub at: u8,
     /// How many bits; with `repeat`, of each.
@@ -213,12 +213,17 @@ impl fmt::Display for Scaled {
 pub struct Exact {
     /// The unit: `mV`.
     pub units: String,
-    /// What it adds to the getter's name: `mv`.
-    pub suffix: String,
     /// Not zero.
     pub factor: i64,
     /// Added.
     pub bias: i64,
+}
+
+impl Exact {
+    /// What the unit adds to the name of a getter: `mv`.
+    pub(crate) fn suffix(&self) -> String {
+        unit_words(&self.units)
+    }
 }
 
 /// Several alike: number `i` begins at `at + i · stride`.
@@ -243,7 +248,7 @@ pub enum Presence {
 #[derive(Clone, Debug)]
 pub struct Binding {
     /// The getter: `nav_status` gives `nav_status()` and `set_nav_status()` on the message.
-    pub name: String,
+    pub name: Label,
     /// The integer field; scalar, and as wide as the enum.
     pub field: FieldIndex,
     /// The enum.

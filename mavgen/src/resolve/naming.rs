@@ -8,7 +8,7 @@ use super::enums::Entry;
 use super::merge::{Enums, Merged};
 use super::width::Width;
 use crate::diag::{Code, Diagnostic, Diagnostics};
-use crate::ir::{FileIndex, Name};
+use crate::ir::{FileIndex, Label, Name};
 use crate::names;
 use crate::read::Loaded;
 use crate::syntax::{Message, Text};
@@ -21,6 +21,11 @@ pub(super) fn message(text: &Text) -> Name {
 /// The name of a field.
 pub(super) fn field(text: &Text) -> Name {
     Name { text: text.value.clone(), rust: names::field_name(&text.value), span: text.span }
+}
+
+/// The name of what an overlay says.
+pub(super) fn label(text: &Text) -> Label {
+    Label::plain(field(text))
 }
 
 /// The names of an enum's constants, in the order of its entries.

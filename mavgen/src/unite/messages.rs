@@ -90,7 +90,7 @@ fn imported(message: &Message) -> impl Iterator<Item = EnumId> {
 }
 
 fn binding_methods(binding: &Binding) -> [String; 2] {
-    [binding.name.clone(), format!("set_{}", binding.name)]
+    [binding.name.rust(), format!("set_{}", binding.name.rust())]
 }
 
 /// Whether two bindings say the same.

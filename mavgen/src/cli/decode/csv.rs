@@ -47,7 +47,7 @@ impl Columns {
             columns.push(Part::Field, &field.name.text, length, units);
         }
         for binding in &message.bindings {
-            columns.push(Part::View, &binding.name, None, None);
+            columns.push(Part::View, &binding.name.shown(), None, None);
         }
         for view in &message.views {
             columns.view(view);
@@ -57,7 +57,7 @@ impl Columns {
 
     fn view(&mut self, view: &View) {
         match &view.access {
-            Access::Once { getter } => self.members(view, getter),
+            Access::Once { getter } => self.members(view, &getter.shown()),
             Access::Slots(slots) => {
                 for index in 0..slots.length.get() {
                     let slot = format!("{}[{index}]", slots.items);

@@ -22,7 +22,7 @@ impl Overlaid<'_> {
 
     fn view_json(&self, view: &View) -> Value {
         let (getter, slots) = match &view.access {
-            Access::Once { getter } => (Some(getter), None),
+            Access::Once { getter } => (Some(getter.shown()), None),
             Access::Slots(slots) => (None, Some(self.slots_json(slots))),
         };
         let words: Vec<String> = view.words.iter().map(|word| self.word(*word)).collect();
@@ -45,13 +45,13 @@ impl Overlaid<'_> {
         let keys: Vec<Value> = slots.keys.iter().map(|key| self.key_json(key)).collect();
         let count = slots.count.map(|count| self.field(count));
         json!({
-            "item": slots.item.text, "items": slots.items, "length": slots.length, "count": count, "keys": keys,
+            "item": slots.item.text, "items": slots.items.shown(), "length": slots.length, "count": count, "keys": keys,
         })
     }
 
     fn key_json(&self, key: &Key) -> Value {
         let invalid = key.invalid.map(number);
-        json!({ "name": key.name, "field": self.place(key.place), "units": key.units, "invalid": invalid })
+        json!({ "name": key.name.shown(), "field": self.place(key.place), "units": key.units, "invalid": invalid })
     }
 
     fn condition_json(&self, condition: &Condition) -> Value {
@@ -68,9 +68,9 @@ impl Overlaid<'_> {
     fn switch_json(&self, switch: &Switch) -> Value {
         match switch.on {
             SwitchOn::Field(place, _) => {
-                json!({ "name": switch.name, "field": self.place(place), "at": null, "width": null })
+                json!({ "name": switch.name.shown(), "field": self.place(place), "at": null, "width": null })
             }
-            SwitchOn::Bits { at, width } => json!({ "name": switch.name, "field": null, "at": at, "width": width }),
+            SwitchOn::Bits { at, width } => json!({ "name": switch.name.shown(), "field": null, "at": at, "width": width }),
         }
     }
 
@@ -83,7 +83,7 @@ impl Overlaid<'_> {
         };
         let exact = scaled.and_then(|scaled| scaled.exact.as_ref());
         json!({
-            "name": member.name,
+            "name": member.name.shown(),
             "at": member.at,
             "width": member.width,
             "signed": member.signed,
@@ -104,7 +104,7 @@ impl Overlaid<'_> {
     pub(super) fn bindings_json(&self) -> Vec<Value> {
         let binding = |binding: &Binding| {
             json!({
-                "name": binding.name,
+                "name": binding.name.shown(),
                 "field": self.field(binding.field),
                 "enum": self.enum_name(binding.values),
                 "condition": binding.condition.as_ref().map(|condition| self.condition_json(condition)),
@@ -131,7 +131,7 @@ impl Overlaid<'_> {
     fn view_lines(&self, lines: &mut Vec<String>, view: &View) {
         let words: Vec<String> = view.words.iter().map(|word| self.word(*word)).collect();
         let access = match &view.access {
-            Access::Once { getter } => getter.clone(),
+            Access::Once { getter } => getter.shown(),
             Access::Slots(slots) => {
                 let count = slots.count.map(|count| format!(", {} of them", self.field(count))).unwrap_or_default();
                 format!("{}[{}]{count}", slots.items, slots.length)

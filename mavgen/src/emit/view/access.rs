@@ -175,7 +175,7 @@ pub(super) fn shifted(value: &TokenStream, at: u8) -> TokenStream {
 fn switch_names(message: &Message, switch: &Switch) -> Option<(Ident, Ident)> {
     let SwitchOn::Field(place, _) = switch.on else { return None };
     let field = field(message, place.field)?;
-    Some((ident(&field.name.rust), ident(&switch.name)))
+    Some((ident(&field.name.rust), ident(&switch.name.rust())))
 }
 
 /// `self.status_age != 65535`, `bits != 0`
@@ -204,7 +204,7 @@ pub(crate) fn bindings(context: &Context<'_>, message: &Message) -> TokenStream 
 
 fn bound(context: &Context<'_>, message: &Message, binding: &Binding) -> Option<TokenStream> {
     let (field, values) = (field(message, binding.field)?, context.dialect.enum_by_id(binding.values)?);
-    let (name, setter) = (ident(&binding.name), format_ident!("set_{}", binding.name));
+    let (name, setter) = (ident(&binding.name.rust()), format_ident!("set_{}", binding.name.rust()));
     let (field_name, ty) = (ident(&field.name.rust), ident(&values.name.rust));
     let value = quote!(#ty::from(self.#field_name));
     let (result, body) = match &binding.condition {

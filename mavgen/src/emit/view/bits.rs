@@ -128,7 +128,7 @@ pub(super) fn present(view: &View, member: &Member) -> Option<Present> {
     let patterns = ranges.iter().map(pattern);
     let value = match switch.on {
         SwitchOn::Field(..) => {
-            let name = ident(&switch.name);
+            let name = ident(&switch.name.rust());
             quote!(self.#name)
         }
         SwitchOn::Bits { at, width } => {

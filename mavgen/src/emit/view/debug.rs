@@ -27,7 +27,7 @@ fn decimals(divisor: i64) -> usize {
 }
 
 fn field(member: &Member) -> TokenStream {
-    let (name, getter) = (&member.name, ident(&member.name));
+    let (name, getter) = (&member.name.rust(), ident(&member.name.rust()));
     let units = match &member.meaning {
         Meaning::Number { units } => units.as_deref(),
         Meaning::Scaled(scaled) => scaled.units.as_deref(),

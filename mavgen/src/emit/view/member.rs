@@ -88,7 +88,7 @@ fn value(view: &View, member: &Member, at: &At, shape: &Shape) -> TokenStream {
 /// A flag, an enum or a number: getter and setter.
 fn plain(context: &Context<'_>, view: &View, member: &Member, docs: Docs) -> TokenStream {
     let shape = shape(context, member);
-    let (name, setter, ty) = (ident(&member.name), format_ident!("set_{}", member.name), &shape.ty);
+    let (name, setter, ty) = (ident(&member.name.rust()), format_ident!("set_{}", member.name.rust()), &shape.ty);
     let value = value(view, member, &At::Bit(member.at), &shape);
     let store = store(view, member, &At::Bit(member.at), &shape);
     let Docs { get: docs, set: set_docs } = docs;
@@ -186,7 +186,7 @@ pub(super) fn raw_range(member: &Member) -> TokenStream {
 /// Several alike: an index, and `None` beyond the last.
 fn repeated(context: &Context<'_>, view: &View, member: &Member, (repeat, docs): (Repeat, Docs)) -> TokenStream {
     let shape = shape(context, member);
-    let (name, setter, ty) = (ident(&member.name), format_ident!("set_{}", member.name), &shape.ty);
+    let (name, setter, ty) = (ident(&member.name.rust()), format_ident!("set_{}", member.name.rust()), &shape.ty);
     let count = Literal::u8_unsuffixed(repeat.count);
     let at = At::Computed(position(member.at, repeat.stride));
     let value = value(view, member, &at, &shape);
@@ -243,6 +243,6 @@ pub(super) fn documentation(member: &Member) -> Docs {
     sentences.extend(units.map(|units| format!("In {units}.")));
     let words = sentences.iter().flat_map(|sentence| sentence.split(' ')).map(str::to_owned).collect();
     let get = doc::attributes(&prose_with(&member.description, words));
-    let set = doc::attributes(&[format!("Sets [`Self::{}`]. An error if the value does not fit.", member.name)]);
+    let set = doc::attributes(&[format!("Sets [`Self::{}`]. An error if the value does not fit.", member.name.rust())]);
     Docs { get, set }
 }

@@ -25,14 +25,14 @@ pub(super) fn scaled_number(context: &Context<'_>, view: &View, member: &Member,
     let raw = Raw::of(view, member);
     let float = to_float(scaled, member, &raw.ty, &raw.value);
     let (float_result, float) = raw.map(&quote!(f32), &float);
-    let (name, setter) = (ident(&member.name), format_ident!("set_{}", member.name));
+    let (name, setter) = (ident(&member.name.rust()), format_ident!("set_{}", member.name.rust()));
     let Docs { get, set } = documentation(member);
     let [factor, bias, divisor] = [scaled.factor, scaled.bias, scaled.divisor].map(Literal::i64_unsuffixed);
     // The pattern is one of `i64`, which holds every raw number that a float can name exactly.
     let range = if member.width < 63 { raw_range(member) } else { quote!(0..=i64::MAX) };
     let exact = exact(member, scaled, &raw);
     let raw_accessors = getter_and_setter(context, view, &raw.member, raw.docs());
-    let (Raw { ty, index, passed, .. }, raw_setter) = (&raw, format_ident!("set_{}_raw", member.name));
+    let (Raw { ty, index, passed, .. }, raw_setter) = (&raw, format_ident!("set_{}_raw", member.name.rust()));
     quote! {
         #get
         #[inline]
@@ -74,13 +74,13 @@ struct Raw {
 
 impl Raw {
     fn of(view: &View, member: &Member) -> Self {
-        let getter = format_ident!("{}_raw", member.name);
+        let getter = format_ident!("{}_raw", member.name.rust());
         let (index, passed) =
             if member.repeat.is_some() { (quote!(index: usize,), quote!(index,)) } else { (quote!(), quote!()) };
         let optional = member.repeat.is_some() || present(view, member).is_some();
         Self {
-            member: Member { name: getter.to_string(), meaning: Meaning::Number { units: None }, ..member.clone() },
-            behind: member.name.clone(),
+            member: Member { name: member.name.with("raw"), meaning: Meaning::Number { units: None }, ..member.clone() },
+            behind: member.name.rust(),
             ty: raw_type(member),
             value: if optional { quote!(raw) } else { quote!(self.#getter()) },
             getter,
@@ -133,7 +133,7 @@ fn to_float(scaled: &Scaled, member: &Member, raw_type: &Ident, raw: &TokenStrea
 /// `pub const fn voltage_mv(self) -> i32`
 fn exact(member: &Member, scaled: &Scaled, raw: &Raw) -> Option<TokenStream> {
     let exact = scaled.exact.as_ref()?;
-    let name = format_ident!("{}_{}", member.name, exact.suffix);
+    let name = format_ident!("{}_{}", member.name.rust(), exact.suffix());
     let largest = i128::from(exact.factor).abs() * (1_i128 << member.width.min(64)) + i128::from(exact.bias).abs();
     let ty = ident(if largest <= i128::from(i32::MAX) { "i32" } else { "i64" });
     let (factor, number) = (Literal::i64_unsuffixed(exact.factor), &raw.value);
@@ -148,7 +148,7 @@ fn exact(member: &Member, scaled: &Scaled, raw: &Raw) -> Option<TokenStream> {
         negative if negative < 0 => quote!(#product - #bias),
         _ => quote!(#product + #bias),
     };
-    let docs = doc::attributes(&[format!("[`Self::{}`] exactly, in {}.", member.name, exact.units)]);
+    let docs = doc::attributes(&[format!("[`Self::{}`] exactly, in {}.", member.name.rust(), exact.units)]);
     let Raw { getter, index, passed, optional, .. } = raw;
     // A `match`, because `Option::map` is no `const fn`.
     let (result, body) = if *optional {

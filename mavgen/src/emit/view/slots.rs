@@ -49,7 +49,7 @@ impl<'a> Site<'a> {
     fn item(&self) -> TokenStream {
         let (name, view, items) = (ident(&self.slots.item.rust), ident(&self.view.name.rust), &self.slots.items);
         let keys = self.slots.keys.iter().filter_map(|key| {
-            let (name, ty) = (ident(&key.name), self.key_type(key)?);
+            let (name, ty) = (ident(&key.name.rust()), self.key_type(key)?);
             let docs = doc::attributes(&key_documentation(key));
             Some(quote!(#docs pub #name: #ty,))
         });
@@ -74,7 +74,7 @@ impl<'a> Site<'a> {
     fn methods(&self) -> TokenStream {
         let (message, item) = (ident(&self.message.name.rust), ident(&self.slots.item.rust));
         let one = field_name(&self.slots.item.text);
-        let (getter, items) = (ident(&one), ident(&self.slots.items));
+        let (getter, items) = (ident(&one), ident(&self.slots.items.rust()));
         let length = Literal::u8_unsuffixed(self.slots.length.get());
         let (read, write) = (self.read(&getter), self.write(&one));
         let docs = summary(self.view);
@@ -199,7 +199,7 @@ impl<'a> Site<'a> {
     }
 
     fn store_key(&self, key: &Key) -> Option<TokenStream> {
-        let (name, field) = (ident(&key.name), field(self.message, key.place.field)?);
+        let (name, field) = (ident(&key.name.rust()), field(self.message, key.place.field)?);
         let value = match (key.invalid, typed_enum(self.context, field)) {
             (None, _) => quote!(slot.#name),
             (Some(invalid), None) => {
@@ -221,7 +221,7 @@ impl<'a> Site<'a> {
     }
 
     fn key_value(&self, key: &Key) -> Option<TokenStream> {
-        let (name, value) = (ident(&key.name), self.value(key.place));
+        let (name, value) = (ident(&key.name.rust()), self.value(key.place));
         let field = field(self.message, key.place.field)?;
         Some(match (key.invalid, typed_enum(self.context, field)) {
             (None, _) if name == value.to_string() => quote!(#name),
@@ -281,7 +281,7 @@ impl<'a> Site<'a> {
     fn switch(&self) -> Option<(Place, Ident)> {
         let switch = self.view.switch.as_ref()?;
         let SwitchOn::Field(place, _) = switch.on else { return None };
-        Some((place, ident(&switch.name)))
+        Some((place, ident(&switch.name.rust())))
     }
 
     /// Every array that slots have elements of, once, with the local variable for its element.

@@ -6,7 +6,6 @@ use super::carrier::{Carrier, CarrierPlace};
 use super::{Found, Scene, condition};
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::Binding;
-use crate::names::field_name;
 use crate::syntax::Text;
 use crate::syntax::overlay::Bind;
 
@@ -33,7 +32,7 @@ pub(super) fn resolve<'a>(
     let place = CarrierPlace::Field(repr, found.syntax.ty.span);
     carriers.push(Carrier { values, name: &element.values, place });
     Some(Binding {
-        name: field_name(&element.name.value),
+        name: naming::label(&element.name),
         field: found.index,
         values,
         condition,

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::{Outcome, enumeration, message, overlaid};
 use crate::diag::{Code, Diagnostics};
-use crate::ir::{Access, Blank, Dialect, Exact, Meaning, Member, Presence, Scaled, SwitchOn, View, Word};
+use crate::ir::{Access, Blank, Dialect, Meaning, Member, Presence, Scaled, SwitchOn, View, Word};
 use crate::read::load;
 use crate::resolve::resolve;
 use crate::source::Sources;
@@ -21,7 +21,7 @@ fn short(dialect: &Dialect, member: &Member) -> String {
         Meaning::Scaled(Scaled { factor, bias, divisor, units: own, exact }) => {
             let exact = exact
                 .as_ref()
-                .map(|Exact { units, suffix, factor, bias }| format!(" {units}={suffix}*{factor}+{bias}"));
+                .map(|exact| format!(" {}={}*{}+{}", exact.units, exact.suffix(), exact.factor, exact.bias));
             format!(" (raw*{factor}+{bias})/{divisor}{}{}", units(own), exact.unwrap_or_default())
         }
     };
@@ -49,9 +49,9 @@ fn words(dialect: &Dialect, view: &View) -> Vec<String> {
     view.words.iter().map(word).collect()
 }
 
-fn getter(view: &View) -> &str {
+fn getter(view: &View) -> String {
     match &view.access {
-        Access::Once { getter } => getter,
+        Access::Once { getter } => getter.shown(),
         Access::Slots(_) => panic!("slots"),
     }
 }
@@ -115,15 +115,15 @@ fn esc32_status() {
     for (view, item, items) in [(status, "Esc", "escs"), (unpacked, "LegacyEsc", "legacy_escs")] {
         assert_eq!((view.width, words(&dialect, view)), (64, vec!["data0[i]".to_owned(), "data1[i]".to_owned()]));
         let Access::Slots(slots) = &view.access else { panic!("no slots") };
-        assert_eq!((&*slots.item.rust, &*slots.items, slots.length.get()), (item, items, 4));
+        assert_eq!((&*slots.item.rust, &*slots.items.shown(), slots.length.get()), (item, items, 4));
         assert_eq!(message.fields[slots.count.unwrap().0].name.text, "num_in_seq");
-        let keys: Vec<_> = slots.keys.iter().map(|key| (&*key.name, key.units.as_deref(), key.invalid)).collect();
-        assert_eq!(keys, [("id", None, None), ("age_ms", Some("ms"), Some(65535))]);
+        let keys: Vec<_> = slots.keys.iter().map(|key| (key.name.shown(), key.units.as_deref(), key.invalid)).collect();
+        assert_eq!(keys, [("id".to_owned(), None, None), ("age_ms".to_owned(), Some("ms"), Some(65535))]);
         let [Blank::Field(place, 65535), Blank::Words(0)] = view.invalid[..] else { panic!("{:?}", view.invalid) };
         assert_eq!((&*message.fields[place.field.0].name.text, place.element), ("status_age", true));
     }
     let switch = status.switch.as_ref().unwrap();
-    assert_eq!(switch.name, "data_version");
+    assert_eq!(switch.name.shown(), "data_version");
     assert!(matches!(switch.on, SwitchOn::Field(place, _) if place.element));
     assert!(unpacked.switch.is_none());
 }
@@ -134,7 +134,7 @@ fn autoquad_binds_its_flags() {
     let message = dialect.messages.iter().find(|message| message.id == 0).unwrap();
     let [binding] = &message.bindings[..] else { panic!("one binding") };
     let values = dialect.enum_by_id(binding.values).unwrap();
-    assert_eq!((&*binding.name, &*values.name.text, values.bitmask), ("nav_status", "AUTOQUAD_NAV_STATUS", true));
+    assert_eq!((&*binding.name.shown(), &*values.name.text, values.bitmask), ("nav_status", "AUTOQUAD_NAV_STATUS", true));
     assert_eq!(binding.condition.map(|condition| condition.value), Some(14));
 }
 
@@ -145,7 +145,7 @@ fn rtcm_flags() {
     let outcome = viewed(&["uint8_t flags", "uint8_t len"], "words='flags' item='packed_flags'", parts);
     let view = only_view(&outcome);
     assert_eq!(members(outcome.dialect(), view), ["fragmented 0+1 flag", "fragment 1+2", "sequence 3+5"]);
-    assert_eq!((view.width, getter(view)), (8, "packed_flags"));
+    assert_eq!((view.width, &*getter(view)), (8, "packed_flags"));
 }
 
 #[test]
@@ -172,7 +172,7 @@ fn flight_software_version() {
     let view = only_view(&outcome);
     let expected = ["type 0+8 FIRMWARE_VERSION_TYPE", "patch 8+8", "minor 16+8", "major 24+8"];
     assert_eq!(members(outcome.dialect(), view), expected);
-    assert_eq!((getter(view), &view.invalid[..]), ("flight_sw", &[Blank::Words(0)][..]));
+    assert_eq!((&*getter(view), &view.invalid[..]), ("flight_sw", &[Blank::Words(0)][..]));
 }
 
 /// A switch on other bits, for one autopilot only.
@@ -196,7 +196,7 @@ fn px4_custom_mode() {
         ["main_mode 16+8 PX4_MODE", "auto_mode 24+8 PX4_AUTO [4..=4]", "posctl_mode 24+8 PX4_POSCTL [3..=3]"];
     assert_eq!(members(outcome.dialect(), view), expected);
     let switch = view.switch.as_ref().unwrap();
-    assert_eq!((&*switch.name, switch.on), ("main_mode", SwitchOn::Bits { at: 16, width: 8 }));
+    assert_eq!((&*switch.name.shown(), switch.on), ("main_mode", SwitchOn::Bits { at: 16, width: 8 }));
     assert_eq!(view.condition.map(|condition| (condition.field.0, condition.value)), Some((1, 12)));
 }
 
@@ -284,7 +284,7 @@ fn keys_are_named_after_their_units() {
     let fields = ["uint8_t[4] x", "uint16_t[4] age", "float v", "uint8_t kind"];
     let outcome = viewed(&fields, "words='x[i]' item='slot' items='slots'", keys);
     let Access::Slots(slots) = &only_view(&outcome).access else { panic!("no slots") };
-    let keys: Vec<_> = slots.keys.iter().map(|key| (&*key.name, key.place.element)).collect();
-    assert_eq!(keys, [("age_ms", true), ("speed", false), ("plain", false)]);
+    let keys: Vec<_> = slots.keys.iter().map(|key| (key.name.shown(), key.place.element)).collect();
+    assert_eq!(keys, [("age_ms", true), ("speed", false), ("plain", false)].map(|(name, element)| (name.to_owned(), element)));
     assert_eq!(slots.count, None);
 }

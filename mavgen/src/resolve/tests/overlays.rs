@@ -95,7 +95,7 @@ fn conditions_name_values_and_numbers() {
         let outcome = of(&base, &bind);
         let [binding] = &outcome.dialect().messages[0].bindings[..] else { panic!("one binding") };
         let condition = binding.condition.unwrap();
-        assert_eq!((binding.name.as_str(), binding.field.0, binding.description.as_str()), ("x", 0, "X."));
+        assert_eq!((&*binding.name.shown(), binding.field.0, binding.description.as_str()), ("x", 0, "X."));
         assert_eq!((condition.field.0, condition.value, condition.values.unwrap().0), (1, 12, 1));
     }
 }

@@ -1,9 +1,9 @@
 //! `exact`: an integer getter in a smaller unit.
 
 use super::scaling::{Fraction, Line, stays_small};
-use super::units::{power_between, suffix};
+use super::units::power_between;
 use crate::diag::{Code, Diagnostic, Diagnostics};
-use crate::ir::Exact;
+use crate::ir::{Exact, unit_words};
 use crate::syntax::Text;
 use crate::syntax::overlay::Bits;
 
@@ -22,7 +22,7 @@ pub(super) fn resolve(
         return None;
     };
     let power = power_between(&units.value, &text.value).and_then(Fraction::power_of_ten);
-    let Some(power) = power.filter(|_| !suffix(&text.value).is_empty()) else {
+    let Some(power) = power.filter(|_| !unit_words(&text.value).is_empty()) else {
         let message = format!("`{}` is no decimal fraction of `{}`", text.value, units.value);
         let problem =
             Diagnostic::new(Code::ExactUnits, text.span, message).related(units.span, "the unit of the value");
@@ -31,7 +31,7 @@ pub(super) fn resolve(
     };
     let problem = match line.whole(power) {
         Some((factor, bias)) if stays_small((factor, bias), raw) => {
-            return Some(Exact { units: text.value.clone(), suffix: suffix(&text.value), factor, bias });
+            return Some(Exact { units: text.value.clone(), factor, bias });
         }
         Some(_) => {
             let message = format!("`{}` in {} is beyond 64 bits for some raw values", bits.name.value, text.value);

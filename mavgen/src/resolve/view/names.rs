@@ -31,7 +31,7 @@ pub(super) fn check(view: &View, element: &overlay::View, diagnostics: &mut Diag
             overlay::Part::Switch(switch) => switch.field.as_ref().map(|field| field.span),
             overlay::Part::Piece(_) => None,
         });
-        methods.push(Claim { name: switch.name.clone(), what: "the getter of the switch".to_owned(), place });
+        methods.push(Claim { name: switch.name.rust(), what: "the getter of the switch".to_owned(), place });
     }
     // Bits of one name in two cases are one member: the first of each name that was not spoken for stands for it.
     let mut places: HashMap<String, Vec<Span>> = HashMap::new();
@@ -41,7 +41,7 @@ pub(super) fn check(view: &View, element: &overlay::View, diagnostics: &mut Diag
     for member in &view.members {
         let mine = view.members.iter().take_while(|other| !std::ptr::eq(*other, member));
         let earlier = mine.filter(|other| other.name == member.name).count();
-        let place = places.get(&member.name).and_then(|spans| spans.get(earlier).or(spans.last())).copied();
+        let place = places.get(&member.name.rust()).and_then(|spans| spans.get(earlier).or(spans.last())).copied();
         methods.extend(getters_of(member).into_iter().map(|(name, what)| Claim { name, what, place }));
     }
     check_apart(methods, diagnostics);
@@ -49,7 +49,7 @@ pub(super) fn check(view: &View, element: &overlay::View, diagnostics: &mut Diag
         let mut fields = vec![reserved(STATUS, "the field of every slot that holds the view")];
         for (key, element) in slots.keys.iter().zip(&element.keys) {
             let what = format!("key `{}`", element.name.value);
-            fields.push(Claim { name: key.name.clone(), what, place: Some(element.name.span) });
+            fields.push(Claim { name: key.name.rust(), what, place: Some(element.name.span) });
         }
         check_apart(fields, diagnostics);
     }
@@ -57,11 +57,11 @@ pub(super) fn check(view: &View, element: &overlay::View, diagnostics: &mut Diag
 
 /// The methods of a member, and what each is.
 fn getters_of(member: &Member) -> Vec<(String, String)> {
-    let name = &member.name;
+    let name = &member.name.rust();
     let mut names = vec![name.clone()];
     if let Meaning::Scaled(scaled) = &member.meaning {
         names.push(format!("{name}_raw"));
-        names.extend(scaled.exact.as_ref().map(|exact| format!("{name}_{}", exact.suffix)));
+        names.extend(scaled.exact.as_ref().map(|exact| format!("{name}_{}", exact.suffix())));
     }
     let setters = names.iter().take(2).map(|name| format!("set_{name}")).collect::<Vec<_>>();
     let method = |method: String| (method, format!("a method of `{name}`"));
@@ -94,10 +94,10 @@ fn check_apart(claims: Vec<Claim>, diagnostics: &mut Diagnostics) {
 /// The methods that a view gives to its message.
 pub(crate) fn of(view: &View) -> Vec<String> {
     match &view.access {
-        Access::Once { getter } => vec![getter.clone(), format!("set_{getter}")],
+        Access::Once { getter } => vec![getter.rust(), format!("set_{}", getter.rust())],
         Access::Slots(slots) => {
             let item = field_name(&slots.item.text);
-            vec![slots.items.clone(), format!("set_{item}"), format!("push_{item}"), item]
+            vec![slots.items.rust(), format!("set_{item}"), format!("push_{item}"), item]
         }
     }
 }

@@ -3,10 +3,9 @@
 use std::ops::RangeInclusive;
 
 use super::words::Words;
-use super::{meaning, origin, ranges};
+use super::{meaning, naming, origin, ranges};
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{Member, Presence, Repeat};
-use crate::names::field_name;
 use crate::resolve::number::{boolean, count};
 use crate::resolve::overlay::{Carrier, Scene};
 use crate::syntax::Text;
@@ -83,7 +82,7 @@ fn member<'a>(
     let signed = boolean(bits.signed.as_ref(), diagnostics);
     let meaning = meaning::resolve(scene, bits, (extent.width, signed), carriers, diagnostics)?;
     Some(Member {
-        name: field_name(&bits.name.value),
+        name: naming::label(&bits.name),
         at: extent.at,
         width: extent.width,
         signed,

@@ -2,12 +2,10 @@
 
 use super::place;
 use super::sentinel;
-use super::units::suffix;
 use super::words::{Shape, Words};
-use super::{named, origin};
+use super::{named, naming, origin};
 use crate::diag::{Code, Diagnostic, Diagnostics};
-use crate::ir::{Access, FieldIndex, Key, Scalar, Slots};
-use crate::names::field_name;
+use crate::ir::{Access, FieldIndex, Key, Label, Scalar, Slots, unit_words};
 use crate::resolve::overlay::Scene;
 use crate::source::Span;
 use crate::syntax::Text;
@@ -42,7 +40,7 @@ fn once(element: &View, words: &Words, diagnostics: &mut Diagnostics) -> Option<
         let problem = Diagnostic::new(Code::Slots, element.span, message);
         diagnostics.push(problem.help("`item=\"…\"` names the getter that the message has for it"));
     }
-    Some(Access::Once { getter: field_name(&item?.value) })
+    Some(Access::Once { getter: naming::label(item?) })
 }
 
 fn slots(
@@ -64,7 +62,7 @@ fn slots(
     let items = required(&element.items, "items", "the iterator over the slots: `escs`");
     let count = element.count.as_ref().and_then(|text| count(scene, text, diagnostics));
     let keys = element.keys.iter().filter_map(|key| self::key(scene, key, words, diagnostics)).collect();
-    Some(Slots { item: named(&item?), items: field_name(&items?.value), length: shape.length, count, keys })
+    Some(Slots { item: named(&item?), items: naming::label(&items?), length: shape.length, count, keys })
 }
 
 fn count(scene: &Scene<'_, '_>, text: &Text, diagnostics: &mut Diagnostics) -> Option<FieldIndex> {
@@ -86,13 +84,9 @@ fn key(scene: &Scene<'_, '_>, element: &overlay::Key, words: &Words, diagnostics
     let invalid = invalid.and_then(|text| sentinel::of_field(scene, text, found, diagnostics));
     // An integer is mostly in a fraction of the plain unit, which its name should say; a float is in the plain one.
     let units = element.units.as_ref().filter(|units| !units.value.trim().is_empty());
-    let suffix = units.filter(|_| !found.field.ty.scalar.is_float()).map(|units| suffix(&units.value));
-    let name = field_name(&element.name.value);
+    let suffix = units.filter(|_| !found.field.ty.scalar.is_float()).map(|units| unit_words(&units.value));
     Some(Key {
-        name: match suffix {
-            Some(suffix) => format!("{name}_{suffix}"),
-            None => name,
-        },
+        name: Label { name: naming::field(&element.name), suffix },
         place,
         units: units.map(|units| units.value.clone()).or_else(|| found.field.units.clone()),
         invalid,

@@ -6,10 +6,9 @@ use super::case::{self, Values};
 use super::piece::{self, Piece};
 use super::ranges::{complement, joined, list};
 use super::words::Words;
-use super::{place, ranges};
+use super::{naming, place, ranges};
 use crate::diag::{Code, Diagnostic, Diagnostics};
-use crate::ir::{EnumId, Meaning, Scalar, SwitchOn};
-use crate::names::field_name;
+use crate::ir::{EnumId, Label, Meaning, Scalar, SwitchOn};
 use crate::resolve::overlay::{Carrier, Scene};
 use crate::resolve::width::integer;
 use crate::source::Span;
@@ -19,7 +18,7 @@ use crate::syntax::overlay::{Case, Switch};
 /// What a switch looks at.
 pub(super) struct Selector {
     /// The name of its getter.
-    pub(super) name: String,
+    pub(super) name: Label,
     /// What a message calls it.
     pub(super) title: String,
     /// Where it is read.
@@ -74,7 +73,7 @@ fn on_field(scene: &Scene<'_, '_>, text: &Text, words: &Words, diagnostics: &mut
         return None;
     };
     Some(Selector {
-        name: field_name(&name.value),
+        name: naming::label(name),
         title: format!("`{}`", name.value),
         on: SwitchOn::Field(place, repr),
         most: repr.highest(),
@@ -85,7 +84,7 @@ fn on_field(scene: &Scene<'_, '_>, text: &Text, words: &Words, diagnostics: &mut
 }
 
 fn on_bits(text: &Text, common: &[Piece<'_>], diagnostics: &mut Diagnostics) -> Option<Selector> {
-    let name = field_name(&text.value);
+    let name = naming::label(text);
     let members = || common.iter().filter_map(|piece| piece.member.as_ref());
     let Some((member, bits)) = members().find(|(member, _)| member.name == name) else {
         let message = format!("`{}` is not in every layout of the view", text.value);

@@ -1,4 +1,4 @@
-//! Units: how many of one make another, and what they are called in a name.
+//! Units: how many of one make another.
 
 /// Powers of ten that SI has prefixes for.
 const PREFIXES: [(&str, i32); 14] = [
@@ -50,13 +50,6 @@ fn is_plain(base: &str) -> bool {
     !first.is_empty() && !first.contains('^')
 }
 
-/// What a unit adds to a name: `mv`, `cdegc`, `m_per_s`.
-pub(super) fn suffix(unit: &str) -> String {
-    let spelled = unit.replace('/', " per ").replace('%', " percent ").replace('µ', "u");
-    let words = spelled.split(|letter: char| !letter.is_ascii_alphanumeric()).filter(|word| !word.is_empty());
-    words.map(str::to_ascii_lowercase).collect::<Vec<_>>().join("_")
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -87,15 +80,6 @@ mod tests {
             ("", "mV", None),
         ] {
             assert_eq!(power_between(unit, other), power, "{unit} {other}");
-        }
-    }
-
-    #[test]
-    fn suffixes() {
-        for (unit, expected) in
-            [("mV", "mv"), ("cdegC", "cdegc"), ("m/s", "m_per_s"), ("c%", "c_percent"), ("mm/s^2", "mm_per_s_2")]
-        {
-            assert_eq!(suffix(unit), expected);
         }
     }
 }

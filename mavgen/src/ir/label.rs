@@ -1,0 +1,85 @@
+//! Names that overlays give: what they are shown as, whatever a language makes of them.
+
+use std::fmt;
+
+use heck::ToSnakeCase;
+
+use super::Name;
+
+/// The name of something that an overlay says of bits: a member, a key, a getter.
+///
+/// It is shown in snake case, with the unit that its values are in: `ageOfStatus` in milliseconds is `age_of_status_ms`. Two
+/// labels that are shown alike are one name.
+#[derive(Clone, Debug)]
+pub struct Label {
+    /// As the overlay spells it.
+    pub name: Name,
+    /// The unit as words: `ms`, `m_per_s`.
+    pub suffix: Option<String>,
+}
+
+impl Label {
+    /// A label without a unit.
+    pub(crate) fn plain(name: Name) -> Self {
+        Self { name, suffix: None }
+    }
+
+    /// The label with one more word: `level_raw`.
+    pub(crate) fn with(&self, word: &str) -> Self {
+        let suffix = self.suffix.iter().map(String::as_str).chain([word]).collect::<Vec<_>>().join("_");
+        Self { name: self.name.clone(), suffix: Some(suffix) }
+    }
+
+    /// What tables, JSON and columns call it: `age_ms`. Keywords of a language are not known here.
+    pub fn shown(&self) -> String {
+        let name = self.name.text.to_snake_case();
+        match &self.suffix {
+            Some(suffix) => format!("{name}_{suffix}"),
+            None => name,
+        }
+    }
+
+    /// What it is called in Rust.
+    pub(crate) fn rust(&self) -> String {
+        match &self.suffix {
+            Some(suffix) => format!("{}_{suffix}", self.name.rust),
+            None => self.name.rust.clone(),
+        }
+    }
+}
+
+impl PartialEq for Label {
+    fn eq(&self, other: &Self) -> bool {
+        self.shown() == other.shown()
+    }
+}
+
+impl Eq for Label {}
+
+/// As it is shown.
+impl fmt::Display for Label {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.shown())
+    }
+}
+
+/// A unit as words: `mv`, `cdegc`, `m_per_s`; empty if nothing of it can be one.
+pub(crate) fn unit_words(unit: &str) -> String {
+    let spelled = unit.replace('/', " per ").replace('%', " percent ").replace('µ', "u");
+    let words = spelled.split(|letter: char| !letter.is_ascii_alphanumeric()).filter(|word| !word.is_empty());
+    words.map(str::to_ascii_lowercase).collect::<Vec<_>>().join("_")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units() {
+        for (unit, expected) in
+            [("mV", "mv"), ("cdegC", "cdegc"), ("m/s", "m_per_s"), ("c%", "c_percent"), ("mm/s^2", "mm_per_s_2")]
+        {
+            assert_eq!(unit_words(unit), expected);
+        }
+    }
+}
