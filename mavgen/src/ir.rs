@@ -11,9 +11,9 @@ mod union;
 mod values;
 mod view;
 
-pub use message::{Field, FieldType, Invalid, Limits, Message, Scalar, Scope, Sentinel, Values};
 pub use label::Label;
 pub(crate) use label::unit_words;
+pub use message::{Field, FieldType, Invalid, Limits, Message, Scalar, Scope, Sentinel, Values};
 pub use name::Name;
 pub use union::{Home, MessageHome, Root, Union, ViewHome};
 pub use values::{Command, Entry, Enum, Param, Repr};

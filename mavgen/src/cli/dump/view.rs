@@ -70,7 +70,9 @@ impl Overlaid<'_> {
             SwitchOn::Field(place, _) => {
                 json!({ "name": switch.name.shown(), "field": self.place(place), "at": null, "width": null })
             }
-            SwitchOn::Bits { at, width } => json!({ "name": switch.name.shown(), "field": null, "at": at, "width": width }),
+            SwitchOn::Bits { at, width } => {
+                json!({ "name": switch.name.shown(), "field": null, "at": at, "width": width })
+            }
         }
     }
 

@@ -79,7 +79,11 @@ impl Raw {
             if member.repeat.is_some() { (quote!(index: usize,), quote!(index,)) } else { (quote!(), quote!()) };
         let optional = member.repeat.is_some() || present(view, member).is_some();
         Self {
-            member: Member { name: member.name.with("raw"), meaning: Meaning::Number { units: None }, ..member.clone() },
+            member: Member {
+                name: member.name.with("raw"),
+                meaning: Meaning::Number { units: None },
+                ..member.clone()
+            },
             behind: member.name.rust(),
             ty: raw_type(member),
             value: if optional { quote!(raw) } else { quote!(self.#getter()) },

@@ -134,7 +134,10 @@ fn autoquad_binds_its_flags() {
     let message = dialect.messages.iter().find(|message| message.id == 0).unwrap();
     let [binding] = &message.bindings[..] else { panic!("one binding") };
     let values = dialect.enum_by_id(binding.values).unwrap();
-    assert_eq!((&*binding.name.shown(), &*values.name.text, values.bitmask), ("nav_status", "AUTOQUAD_NAV_STATUS", true));
+    assert_eq!(
+        (&*binding.name.shown(), &*values.name.text, values.bitmask),
+        ("nav_status", "AUTOQUAD_NAV_STATUS", true)
+    );
     assert_eq!(binding.condition.map(|condition| condition.value), Some(14));
 }
 
@@ -285,6 +288,9 @@ fn keys_are_named_after_their_units() {
     let outcome = viewed(&fields, "words='x[i]' item='slot' items='slots'", keys);
     let Access::Slots(slots) = &only_view(&outcome).access else { panic!("no slots") };
     let keys: Vec<_> = slots.keys.iter().map(|key| (key.name.shown(), key.place.element)).collect();
-    assert_eq!(keys, [("age_ms", true), ("speed", false), ("plain", false)].map(|(name, element)| (name.to_owned(), element)));
+    assert_eq!(
+        keys,
+        [("age_ms", true), ("speed", false), ("plain", false)].map(|(name, element)| (name.to_owned(), element))
+    );
     assert_eq!(slots.count, None);
 }
