@@ -24,7 +24,7 @@ edition = "2024"
 mavlink-wire = { path = "$PWD/mavlink-wire" }
 
 [build-dependencies]
-mavgen = { path = "$PWD/mavgen", default-features = false }
+mavgen = { path = "$PWD/mavgen" }
 
 [workspace]
 MANIFEST

@@ -3,14 +3,10 @@
 //! They are collected, never thrown; a stage pushes and goes on, and its caller stops when one was an error.
 
 mod code;
-#[cfg(feature = "cli")]
-mod json;
 mod nearest;
 mod render;
 
 pub use code::{Code, Severity};
-#[cfg(feature = "cli")]
-pub use json::{json, json_message, json_usage};
 pub use nearest::nearest;
 pub use render::{Style, one_line, render};
 

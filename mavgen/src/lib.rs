@@ -3,8 +3,7 @@
 //!
 //! # In a build script
 //!
-//! A dialect of one's own needs `mavlink-wire` as a dependency, `mavgen` as a build-dependency, and two lines. The default
-//! feature `cli` is the command, which a build script does without: `default-features = false`.
+//! A dialect of one's own needs `mavlink-wire` as a dependency, `mavgen` as a build-dependency, and two lines.
 //!
 //! ```no_run
 //! // in the `main` of build.rs
@@ -19,7 +18,7 @@
 //! # In a repository
 //!
 //! [`Builder::generate`] writes the same sources into a folder, and [`Builder::check`] says whether they are current, so
-//! that a test can. The `mavgen` command does both without a line of Rust: `cargo install mavgen`.
+//! that a test can. The `mavgen` command does both without a line of Rust: `cargo install mavgen-cli`.
 //!
 //! [`Builder::messages`] keeps a large dialect small: only the messages that a program speaks, and what they need.
 //!

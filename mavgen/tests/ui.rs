@@ -1,7 +1,7 @@
 //! Every diagnostic as a user sees it: each `ui/*.xml`, and each folder with a `main.xml`, has its rendering beside it. The
 //! `*.overlay.xml` of a folder are overlays of its `main.xml`, the `*.root.xml` are dialects beside it.
 //!
-//! Some are recorded in colour as well, as `*.coloured`, and as JSON, as `*.json`.
+//! Some are recorded in colour as well, as `*.coloured`.
 //!
 //! `MAVGEN_BLESS=1 cargo test -p mavgen --test ui` writes the renderings anew; review them like code.
 
@@ -145,19 +145,6 @@ fn colours_are_as_recorded() {
             diagnostics.iter().map(|problem| render(problem, &sources, Style::Coloured) + "\n\n").collect();
         assert!(text.contains('\u{1b}'), "{name}");
         compare(&recorded(&input, "coloured"), &text, &mut wrong);
-    }
-    assert!(wrong.is_empty(), "\n{wrong}MAVGEN_BLESS=1 records what is printed now");
-}
-
-#[cfg(feature = "cli")]
-#[test]
-fn json_is_as_recorded() {
-    let mut wrong = String::new();
-    for name in ["include_cycle/main", "include_missing", "twenty_mistakes", "overlay_base/main"] {
-        let input = Path::new(FOLDER).join(name).with_extension("xml");
-        let (diagnostics, sources) = problems(&input);
-        let text: String = diagnostics.iter().map(|problem| mavgen::diag::json(problem, &sources) + "\n").collect();
-        compare(&recorded(&input, "json"), &text, &mut wrong);
     }
     assert!(wrong.is_empty(), "\n{wrong}MAVGEN_BLESS=1 records what is printed now");
 }

@@ -64,7 +64,6 @@ macro_rules! catalogue {
 
             /// What it means, a wrong example and a right one, and why it matters on the wire: a page of markdown, the same
             /// as in the documentation of this type.
-            #[cfg(feature = "cli")]
             pub fn explanation(self) -> &'static str {
                 match self {
                     $(Self::$name => include_str!(concat!("pages/M", stringify!($number), ".md")),)*
@@ -202,6 +201,11 @@ impl Code {
     /// The stable number.
     pub fn number(self) -> u16 {
         self as u16
+    }
+
+    /// The definition that the overlays of [`Code::explanation`] are for, as XML; `None` if there is no overlay in it.
+    pub fn example_definition(self) -> Option<&'static str> {
+        (700..800).contains(&self.number()).then_some(include_str!("pages/acme.xml"))
     }
 }
 

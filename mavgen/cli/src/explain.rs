@@ -9,12 +9,6 @@ use mavgen::diag::{Code, nearest};
 
 use super::report;
 
-/// The codes whose examples are overlays of one definition.
-const OVERLAY_CODES: std::ops::Range<u16> = 700..800;
-
-/// The definition that the examples of overlays are for.
-const BASE: &str = include_str!("../diag/pages/acme.xml");
-
 /// Explains a diagnostic: what it means, a wrong example and a right one, and why it matters.
 ///
 /// Without a code, lists them all.
@@ -66,9 +60,9 @@ fn list() -> String {
 /// The page of a code for a terminal: code is indented where markdown has fences.
 fn page(code: Code) -> String {
     let mut text = format!("{code} ({}): {}\n\n{}", code.severity(), code.title(), indented(code.explanation()));
-    if OVERLAY_CODES.contains(&code.number()) {
+    if let Some(definition) = code.example_definition() {
         text += "\nThe overlays above are for this definition:\n\n";
-        text += &indented(&format!("```\n{BASE}```\n"));
+        text += &indented(&format!("```\n{definition}```\n"));
     }
     text
 }

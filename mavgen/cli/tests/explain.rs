@@ -1,5 +1,5 @@
 //! `mavgen explain`: what it prints, and how it ends.
-#![cfg(feature = "cli")]
+
 #![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use std::process::Command;

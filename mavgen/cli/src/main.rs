@@ -1,4 +1,4 @@
-//! The command line: parses, calls one library function, prints. One file per command in `cli/`.
+//! The `mavgen` command: parses its arguments, calls one function of the library, prints. One file per command.
 //!
 //! Exit status: 0 fine, 1 the answer is no (`check`, `diff`, `lint`), 2 the input or the usage is wrong.
 
@@ -74,8 +74,7 @@ enum Action {
     Man(Man),
 }
 
-/// Runs the command that the arguments name.
-pub(crate) fn run() -> ExitCode {
+fn main() -> ExitCode {
     let Command { action, color, report } = match usage::parse() {
         Ok(command) => command,
         Err(status) => return status,

@@ -46,7 +46,7 @@ pub(super) struct Decode {
 
 const AFTER_HELP: &str = "\
 Examples:
-  mavgen decode xml/acme.xml --overlay xml/acme.overlay.xml flight.tlog
+  mavgen decode xml/acme.xml --overlay xml/overlay/acme.xml flight.tlog
   mavgen decode xml/acme.xml flight.tlog --format csv --messages ATTITUDE > attitude.csv
   echo 'fe 09 00 01 01 00 00 00 00 00 06 08 00 04 03 90 43' | mavgen decode xml/acme.xml --format json";
 

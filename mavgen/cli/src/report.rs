@@ -1,10 +1,12 @@
 //! What goes to standard error, and text to standard output.
 
+pub(super) mod json;
+
 use std::fmt;
 use std::io::{ErrorKind, Write};
 
 use clap::{Args, ValueEnum};
-use mavgen::diag::{Diagnostics, Severity, Style, json, json_message, render};
+use mavgen::diag::{Diagnostics, Severity, Style, render};
 use mavgen::source::Sources;
 use mavgen::{Failure, Problems};
 
@@ -48,7 +50,7 @@ impl Report {
         for diagnostic in diagnostics.iter() {
             match self.message_format {
                 Format::Human => say(format_args!("{}\n", render(diagnostic, sources, Style::Coloured))),
-                Format::Json => say(format_args!("{}", json(diagnostic, sources))),
+                Format::Json => say(format_args!("{}", json::diagnostic(diagnostic, sources))),
             }
         }
     }
@@ -61,7 +63,7 @@ impl Report {
     fn error(&self, message: &str) {
         match self.message_format {
             Format::Human => say(format_args!("error: {message}")),
-            Format::Json => say(format_args!("{}", json_message(Severity::Error, message))),
+            Format::Json => say(format_args!("{}", json::message(Severity::Error, message))),
         }
     }
 
@@ -69,7 +71,7 @@ impl Report {
     pub(super) fn note(&self, message: &str) {
         match self.message_format {
             Format::Human => say(format_args!("{message}")),
-            Format::Json => say(format_args!("{}", json_message(Severity::Note, message))),
+            Format::Json => say(format_args!("{}", json::message(Severity::Note, message))),
         }
     }
 }

@@ -24,7 +24,7 @@ pub(super) struct Lint {
 const AFTER_HELP: &str = "\
 Examples:
   mavgen lint xml/acme.xml
-  mavgen lint xml/acme.xml --overlay xml/acme.overlay.xml --deny-warnings
+  mavgen lint xml/acme.xml --overlay xml/overlay/acme.xml --deny-warnings
   mavgen lint xml/acme.xml --message-format json 2>&1 | jq .message
 
 Exit status: 0 fine, 1 errors (or denied warnings), 2 the file or an overlay cannot be read, or the usage is wrong.";

@@ -26,7 +26,7 @@ pub(super) struct Generate {
 const AFTER_HELP: &str = "\
 Examples:
   mavgen generate xml/acme.xml --out src/acme
-  mavgen generate xml/acme.xml --overlay xml/acme.overlay.xml --out src/acme
+  mavgen generate xml/acme.xml --overlay xml/overlay/acme.xml --out src/acme
   mavgen generate xml/acme.xml xml/ardupilotmega.xml --out src/dialects
   mavgen generate xml/common.xml --messages 'HEARTBEAT,PARAM_*' --out src/small
 

@@ -1,7 +1,5 @@
 //! `mavgen decode`: recordings in every layout, in every format.
-//!
-//! Needs the feature `cli`, without which there is no command to test.
-#![cfg(feature = "cli")]
+
 #![expect(clippy::unwrap_used, clippy::indexing_slicing, reason = "a failing test panics")]
 
 mod bench;

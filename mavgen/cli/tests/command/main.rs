@@ -1,7 +1,5 @@
 //! The command: exit status, what it says, what it writes, and what it leaves alone.
-//!
-//! Needs the feature `cli`, without which there is no command to test.
-#![cfg(feature = "cli")]
+
 #![expect(clippy::unwrap_used, reason = "in what the tests share, too, a failure is a failed test")]
 
 mod bad_input;

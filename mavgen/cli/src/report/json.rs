@@ -1,15 +1,14 @@
 //! Diagnostics for programs: one JSON object each, on one line.
 
+use mavgen::diag::{Diagnostic, Severity, Style, render};
+use mavgen::source::{Sources, Span};
 use serde_json::{Map, Value, json as value};
-
-use super::{Diagnostic, Severity, Style, render};
-use crate::source::{Sources, Span};
 
 /// One diagnostic as a JSON object on one line, without a line end: what `--message-format json` prints.
 ///
 /// | key | value |
 /// |---|---|
-/// | `code` | the stable number, as in `"M304"`; `mavgen explain M304` says more; `null` in a [`json_message`] or [`json_usage`] |
+/// | `code` | the stable number, as in `"M304"`; `mavgen explain M304` says more; `null` in a [`message`] or [`usage`] |
 /// | `severity` | `"error"`, `"warning"` or `"note"` |
 /// | `message` | what is wrong, in one line |
 /// | `label` | what is said of the place; may be empty |
@@ -23,7 +22,7 @@ use crate::source::{Sources, Span};
 ///
 /// The seven keys from `file` to `byte_end` are `null` where a problem has no place in a file. No key is ever left out; later
 /// versions may add some.
-pub fn json(diagnostic: &Diagnostic, sources: &Sources) -> String {
+pub(crate) fn diagnostic(diagnostic: &Diagnostic, sources: &Sources) -> String {
     let related = diagnostic.related.iter().map(|other| {
         let mut object = place(Some(other.span), sources);
         object.insert("label".to_owned(), value!(other.label));
@@ -41,15 +40,15 @@ pub fn json(diagnostic: &Diagnostic, sources: &Sources) -> String {
     Value::Object(object).to_string()
 }
 
-/// A message that is none of the catalogue, like a folder that cannot be written, in the schema of [`json`]: its `code` is
+/// A message that is none of the catalogue, like a folder that cannot be written, in the schema of [`diagnostic`]: its `code` is
 /// `null`, and it has no place.
-pub fn json_message(severity: Severity, message: &str) -> String {
+pub(crate) fn message(severity: Severity, message: &str) -> String {
     without_place(severity, message, None, &format!("{severity}: {message}"))
 }
 
-/// An error in how a program was called, in the schema of [`json`]: its `code` is `null`, and it has no place. `rendered` is what a
+/// An error in how a program was called, in the schema of [`diagnostic`]: its `code` is `null`, and it has no place. `rendered` is what a
 /// person would have been shown.
-pub fn json_usage(message: &str, help: &str, rendered: &str) -> String {
+pub(crate) fn usage(message: &str, help: &str, rendered: &str) -> String {
     without_place(Severity::Error, message, Some(help), rendered)
 }
 
@@ -84,8 +83,9 @@ fn place(span: Option<Span>, sources: &Sources) -> Map<String, Value> {
 
 #[cfg(test)]
 mod tests {
+    use mavgen::diag::Code;
+
     use super::*;
-    use crate::diag::Code;
 
     #[test]
     fn every_key_is_there() {
@@ -95,7 +95,7 @@ mod tests {
             .label("here")
             .related(Span::new(file, 0..3), "there")
             .help("do");
-        let line = json(&diagnostic, &sources);
+        let line = super::diagnostic(&diagnostic, &sources);
         assert!(!line.contains('\n'), "{line}");
         let expected = value!({
             "code": "M304", "severity": "error", "message": "what\n\"is\"", "label": "here", "help": "do",
@@ -116,15 +116,15 @@ mod tests {
             value.as_object().unwrap().keys().cloned().collect()
         };
         let diagnostic = Diagnostic::without_place(Code::Unreadable, "x");
-        let message = json_message(Severity::Error, "out: \"full\"");
-        assert_eq!(keys(&message), keys(&json(&diagnostic, &Sources::default())));
+        let message = super::message(Severity::Error, "out: \"full\"");
+        assert_eq!(keys(&message), keys(&super::diagnostic(&diagnostic, &Sources::default())));
         assert!(message.contains(r#""rendered":"error: out: \"full\"""#), "{message}");
     }
 
     #[test]
     fn without_a_place_its_keys_are_null() {
         let diagnostic = Diagnostic::without_place(Code::Unreadable, "`a.xml` cannot be read");
-        let value: Value = serde_json::from_str(&json(&diagnostic, &Sources::default())).unwrap();
+        let value: Value = serde_json::from_str(&super::diagnostic(&diagnostic, &Sources::default())).unwrap();
         for key in ["file", "line", "column", "end_line", "end_column", "byte_start", "byte_end", "help"] {
             assert_eq!(value.get(key), Some(&Value::Null), "{key}");
         }

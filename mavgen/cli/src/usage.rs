@@ -6,10 +6,9 @@ use std::io::{self, ErrorKind, Write};
 use std::process::ExitCode;
 
 use clap::{Error, Parser};
-use mavgen::diag::json_usage;
 
 use super::Command;
-use super::report::Report;
+use super::report::{Report, json};
 
 /// The command that the arguments name; if they name none, the exit status.
 pub(super) fn parse() -> Result<Command, ExitCode> {
@@ -58,7 +57,7 @@ fn as_json(error: &Error) -> String {
     let (tips, others): (Vec<String>, Vec<String>) = paragraphs.partition(|paragraph| paragraph.starts_with("tip: "));
     let usage = others.iter().find(|paragraph| paragraph.starts_with("Usage: "));
     let help = tips.first().and_then(|tip| tip.strip_prefix("tip: ")).or(usage.map(String::as_str));
-    json_usage(message, help.unwrap_or("`mavgen --help` says more"), text.trim_end())
+    json::usage(message, help.unwrap_or("`mavgen --help` says more"), text.trim_end())
 }
 
 #[cfg(test)]

@@ -1,7 +1,5 @@
 //! What `mavgen dump` says of overlays: bound enums, and views of packed bits.
-//!
-//! Needs the feature `cli`, without which there is no command to test.
-#![cfg(feature = "cli")]
+
 #![expect(clippy::unwrap_used, reason = "a failing test panics")]
 
 use std::fs;
