@@ -16,7 +16,7 @@ fn generate() {
     };
     let (fork, overlay) = (variable("MAVLINK_AUTOQUAD_XML"), variable("MAVLINK_AUTOQUAD_OVERLAY"));
     let overlay = match (&fork, overlay) {
-        (None, None) => Some("xml/autoquad.overlay.xml".into()),
+        (None, None) => Some("xml/overlay/autoquad.xml".into()),
         (_, named) => named,
     };
     let builder = mavgen::Builder::new(fork.unwrap_or("xml/autoquad.xml".into())).name("autoquad");

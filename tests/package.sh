@@ -18,12 +18,12 @@ CARGO_TARGET_DIR=$packaging cargo package --workspace --exclude mavlink-examples
 unpack() { tar -xzf "$packaging/package/$1-$version.crate" -C "$scratch"; }
 holds() { for file; do [ -s "$scratch/$file" ] || { echo "$file is missing from the archive" >&2; exit 1; }; done; }
 
-for crate in mavgen mavlink-wire mavlink-autoquad; do
+for crate in mavgen mavgen-cli mavlink-wire mavlink-autoquad; do
     unpack "$crate"
     holds "$crate-$version/README.md" "$crate-$version/LICENSE-MIT" "$crate-$version/LICENSE-APACHE"
 done
 autoquad=mavlink-autoquad-$version
-holds "$autoquad/src/generated/mod.rs" "$autoquad/xml/autoquad.overlay.xml"
+holds "$autoquad/src/generated/mod.rs" "$autoquad/xml/overlay/autoquad.xml"
 for xml in autoquad common standard minimal; do holds "$autoquad/xml/$xml.xml"; done
 
 # The committed sources in the archive, which is what firmware builds.

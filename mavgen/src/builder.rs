@@ -309,11 +309,12 @@ const DENIED: &str = "warnings about the dialect's own file and its overlays are
 fn provenance(sources: &Sources) -> String {
     let mut digest = 0xcbf2_9ce4_8422_2325_u64;
     let mut names = Vec::new();
-    for (_, file) in sources.iter() {
-        for byte in file.name().bytes().chain(file.text().bytes()) {
+    for (id, file) in sources.iter() {
+        let name = sources.name(id);
+        for byte in name.bytes().chain(file.text().bytes()) {
             digest = (digest ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
         }
-        names.push(file.name());
+        names.push(name);
     }
     format!("{}; sources {digest:016x}", names.join(", "))
 }

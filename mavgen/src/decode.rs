@@ -8,7 +8,7 @@
 //! use mavgen::decode::{Tables, contents};
 //! use mavlink_wire::Parser;
 //!
-//! let dialect = mavgen::Builder::new("xml/acme.xml").overlay("xml/acme.overlay.xml").resolve()?.dialect;
+//! let dialect = mavgen::Builder::new("xml/acme.xml").overlay("xml/overlay/acme.xml").resolve()?.dialect;
 //! let tables = Tables::leak(&dialect);
 //! let mut parser = Parser::new(tables.table());
 //! let mut chunk: &[u8] = &std::fs::read("flight.bin").unwrap();

@@ -39,7 +39,7 @@ mod tests;
 use crate::diag::Diagnostics;
 use crate::ir::{Dialect, EnumId, File};
 use crate::read::Loaded;
-use crate::source::{FileId, Sources};
+use crate::source::Sources;
 
 use losses::Losses;
 use merge::Enums;
@@ -128,10 +128,13 @@ fn widths(
 
 /// The files of the model: those of the dialect, then the overlays.
 fn files(loaded: &Loaded, sources: &Sources) -> Vec<File> {
-    let name = |id: FileId| sources.get(id).map(|source| source.name()).unwrap_or_default();
     let files = loaded.files.iter().zip(&loaded.includes);
-    let files = files.map(|(file, includes)| File { name: name(file.id), includes: includes.clone(), overlay: false });
-    let overlays =
-        loaded.overlays.iter().map(|overlay| File { name: name(overlay.id), includes: Vec::new(), overlay: true });
+    let files =
+        files.map(|(file, includes)| File { name: sources.name(file.id), includes: includes.clone(), overlay: false });
+    let overlays = loaded.overlays.iter().map(|overlay| File {
+        name: sources.name(overlay.id),
+        includes: Vec::new(),
+        overlay: true,
+    });
     files.chain(overlays).collect()
 }

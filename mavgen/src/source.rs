@@ -76,7 +76,7 @@ impl SourceFile {
         &self.path
     }
 
-    /// The last component of the path, which is how the model names a file.
+    /// The last component of the path.
     pub fn name(&self) -> String {
         self.path.file_name().unwrap_or(self.path.as_os_str()).to_string_lossy().into_owned()
     }
@@ -122,6 +122,18 @@ impl Sources {
         self.files.get(id.0 as usize)
     }
 
+    /// How the model and generated code name a file: the last component of its path, and before it the folder if an earlier
+    /// file has that name, as `overlay/acme.xml` beside `acme.xml`. Empty if there is no such file.
+    pub fn name(&self, id: FileId) -> String {
+        let Some(file) = self.get(id) else { return String::new() };
+        let name = file.name();
+        let is_taken = self.files.iter().take(id.0 as usize).any(|earlier| earlier.name() == name);
+        match file.path.parent().and_then(Path::file_name) {
+            Some(folder) if is_taken => format!("{}/{name}", folder.to_string_lossy()),
+            _ => name,
+        }
+    }
+
     /// All files, in the order in which they were loaded.
     pub fn iter(&self) -> impl Iterator<Item = (FileId, &SourceFile)> {
         (0..).map(FileId).zip(&self.files)
@@ -141,5 +153,15 @@ mod tests {
         assert_eq!(file.position(3), Position { line: 2, column: 1 });
         assert_eq!(file.position(5), Position { line: 2, column: 2 });
         assert_eq!(file.position(99), Position { line: 3, column: 1 });
+    }
+
+    #[test]
+    fn a_second_file_of_one_name_is_named_with_its_folder() {
+        let mut sources = Sources::default();
+        let names = ["x/a.xml", "x/overlay/a.xml", "x/b.xml", "b.xml"].map(|path| {
+            let id = sources.add(path, "");
+            sources.name(id)
+        });
+        assert_eq!(names, ["a.xml", "overlay/a.xml", "b.xml", "b.xml"]);
     }
 }

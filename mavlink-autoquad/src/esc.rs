@@ -43,7 +43,7 @@
 //! # Definitions of a fork
 //!
 //! With `MAVLINK_AUTOQUAD_XML` this module is there only if `MAVLINK_AUTOQUAD_OVERLAY` names an overlay for that file. It has
-//! to add what `autoquad.overlay.xml` adds; more is fine.
+//! to add what `xml/overlay/autoquad.xml` adds; more is fine.
 
 mod clock;
 mod convert;

@@ -22,7 +22,7 @@ fn main() {
     let text = fs::read_to_string("vectors/autoquad.txt").unwrap();
     let definitions: Vec<Definition> = text.lines().filter_map(Definition::read).collect();
 
-    let autoquad = Builder::new("../xml/autoquad.xml").overlay("../xml/autoquad.overlay.xml").resolve();
+    let autoquad = Builder::new("../xml/autoquad.xml").overlay("../xml/overlay/autoquad.xml").resolve();
     let autoquad = autoquad.unwrap_or_else(|failure| panic!("{failure}"));
     let module = "::mavlink_autoquad::autoquad";
     write(&out.join("autoquad_subjects.rs"), &subjects::subjects(module, &autoquad.dialect, &definitions));
@@ -34,7 +34,7 @@ fn main() {
 fn generate_others(out: &Path) {
     let packed = Builder::new("packed/packed.xml").overlay("packed/packed.overlay.xml");
     let five = ["HEARTBEAT", "COMMAND_ACK", "AQ_ESC_TELEMETRY", "GPS_RAW_*", "RADIO_STATUS"];
-    let selected = Builder::new("../xml/autoquad.xml").overlay("../xml/autoquad.overlay.xml").messages(five);
+    let selected = Builder::new("../xml/autoquad.xml").overlay("../xml/overlay/autoquad.xml").messages(five);
     let overlays = ["heron", "base", "osprey"].map(|name| format!("roots/{name}.overlay.xml"));
     let roots = Builder::new("roots/heron.xml").root("roots/osprey.xml");
     let others = [

@@ -18,7 +18,7 @@ for target in "$@"; do
             done
             set -- -dict=mavlink.dict -max_len=16384 ;;
         overlay)
-            find ../../mavgen/tests ../packed ../../xml -name '*.overlay.xml' | while read -r seed; do
+            find ../../mavgen/tests ../packed ../../xml -name '*.overlay.xml' -o -path '*/overlay/*.xml' | while read -r seed; do
                 cp "$seed" "$corpus/$(echo "$seed" | tr / _)"
             done
             set -- -dict=mavlink.dict -max_len=16384 ;;

@@ -3,7 +3,7 @@
 
 usage: compare_dialects.py --mavgen COMMAND --definitions DIR [--expect N] [--bytes DIALECT...]
 
-For each XML file but *.overlay.xml, the model that pymavlink resolves and the one that
+For each XML file of a folder, the model that pymavlink resolves and the one that
 `COMMAND dump --json FILE` prints must be equal (compare_models.py). For each DIALECT of
 `--bytes` (`all` for every one), frames are also put together from mavgen's offsets,
 lengths and crc_extra, and must be, byte for byte, what pymavlink packs for the same
@@ -32,7 +32,7 @@ COMPLAINT_LINES = 5
 def main():
     """The command."""
     arguments = _arguments()
-    files = sorted(file for file in arguments.definitions.glob("*.xml") if not file.name.endswith(".overlay.xml"))
+    files = sorted(arguments.definitions.glob("*.xml"))
     unknown = set(arguments.bytes) - {file.stem for file in files} - {"all"}
     if unknown:
         print(f"compare_dialects: no such dialect: {', '.join(sorted(unknown))}", file=sys.stderr)

@@ -11,8 +11,8 @@ crate=$(mktemp -d)
 trap 'rm -rf "$crate"' EXIT
 
 mkdir "$crate/xml" "$crate/src"
-cp "$2"/*.xml xml/autoquad.xml xml/autoquad.overlay.xml "$crate/xml"
-"$1" generate "$crate/xml/ardupilotmega.xml" "$crate/xml/autoquad.xml" --overlay "$crate/xml/autoquad.overlay.xml" \
+cp -r "$2"/*.xml xml/autoquad.xml xml/overlay "$crate/xml"
+"$1" generate "$crate/xml/ardupilotmega.xml" "$crate/xml/autoquad.xml" --overlay "$crate/xml/overlay/autoquad.xml" \
     --out "$crate/src/dialects" --deny-warnings
 
 cat > "$crate/Cargo.toml" <<MANIFEST

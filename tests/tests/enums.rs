@@ -3,7 +3,7 @@
 use mavlink_conformance::autoquad::CONSTANTS;
 use mavlink_conformance::constants::{self, Expected};
 
-/// What `autoquad.overlay.xml` adds, which pymavlink does not read: the tables of the ESC32 firmware and its ground station.
+/// What `xml/overlay/autoquad.xml` adds, which pymavlink does not read: the tables of the ESC32 firmware and its ground station.
 const OVERLAY: &str = "\
 enum ESC32_STATE plain
 0 ESC32_STATE_DISARMED

@@ -9,7 +9,7 @@ use mavgen::output::check;
 use mavgen::{Builder, GeneratedFile};
 
 const COMMAND: &str =
-    "mavgen generate xml/autoquad.xml --overlay xml/autoquad.overlay.xml --out mavlink-autoquad/src/generated";
+    "mavgen generate xml/autoquad.xml --overlay xml/overlay/autoquad.xml --out mavlink-autoquad/src/generated";
 
 static GENERATED: LazyLock<Vec<GeneratedFile>> = LazyLock::new(|| generated("xml"));
 
@@ -25,7 +25,7 @@ fn committed() -> PathBuf {
 fn generated(folder: &str) -> Vec<GeneratedFile> {
     let folder = workspace().join(folder);
     let builder =
-        Builder::new(folder.join("autoquad.xml")).name("autoquad").overlay(folder.join("autoquad.overlay.xml"));
+        Builder::new(folder.join("autoquad.xml")).name("autoquad").overlay(folder.join("overlay/autoquad.xml"));
     builder.files().unwrap_or_else(|failure| panic!("{failure}"))
 }
 

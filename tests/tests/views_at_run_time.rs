@@ -125,7 +125,7 @@ fn once(members: Members) -> Vec<Seen> {
 }
 
 fn autoquad() -> Dialect {
-    Builder::new("../xml/autoquad.xml").overlay("../xml/autoquad.overlay.xml").resolve().unwrap().dialect
+    Builder::new("../xml/autoquad.xml").overlay("../xml/overlay/autoquad.xml").resolve().unwrap().dialect
 }
 
 fn packed() -> Dialect {

@@ -1,6 +1,6 @@
 //! Step 4. A program that speaks the dialect: it sends two messages, and reads them back from the bytes.
 //!
-//! The files in the order in which one writes them: `xml/farm.xml`, `xml/farm.overlay.xml`, `build.rs`, this one.
+//! The files in the order in which one writes them: `xml/farm.xml`, `xml/overlay/farm.xml`, `build.rs`, this one.
 
 use std::error::Error;
 

@@ -140,7 +140,7 @@ fn names_of(dialect: &Dialect, id: u32) -> Vec<String> {
 #[test]
 fn every_message_of_a_real_dialect_finds_its_enums_alone() {
     let xml = Path::new(env!("CARGO_MANIFEST_DIR")).join("../xml");
-    let builder = Builder::new(xml.join("autoquad.xml")).overlay(xml.join("autoquad.overlay.xml"));
+    let builder = Builder::new(xml.join("autoquad.xml")).overlay(xml.join("overlay/autoquad.xml"));
     let whole = builder.resolve().unwrap().dialect;
     let mut carrying = 0;
     for message in &whole.messages {

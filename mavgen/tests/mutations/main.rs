@@ -30,7 +30,7 @@ static DEFINITIONS: LazyLock<Definitions> = LazyLock::new(|| {
     )
 });
 
-static OVERLAY: LazyLock<String> = LazyLock::new(|| std::fs::read_to_string("../xml/autoquad.overlay.xml").unwrap());
+static OVERLAY: LazyLock<String> = LazyLock::new(|| std::fs::read_to_string("../xml/overlay/autoquad.xml").unwrap());
 
 /// A dialect that the overlay suits.
 static CARRIERS: LazyLock<String> = LazyLock::new(|| DEFINITIONS.carriers());

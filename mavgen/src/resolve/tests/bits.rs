@@ -71,7 +71,7 @@ fn only_view(outcome: &Outcome) -> &View {
 fn autoquad() -> Dialect {
     let (mut sources, mut diagnostics) = (Sources::default(), Diagnostics::default());
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../xml");
-    let overlays = [folder.join("autoquad.overlay.xml")];
+    let overlays = [folder.join("overlay/autoquad.xml")];
     let loaded = load(&folder.join("autoquad.xml"), &[], &overlays, &mut sources, &mut diagnostics);
     let dialect = resolve(&loaded, &sources, &mut diagnostics);
     let about_overlay = diagnostics.iter().filter(|problem| problem.code.number() >= 600);
