@@ -114,6 +114,7 @@
 //!   entries sent as text: a type that is never logged costs no flash.
 //! - `arbitrary`: `Arbitrary` of messages, enums, flags, [`Chars`] and dialects, for fuzzing: any payload decodes.
 //! - `bitflags`: `bitflags::Flags` of flags types, for code that works on any.
+//! - `uorb`: PX4's uORB messages, read from its logs (`uorb`).
 //! - `mavlink-core`: a dialect over the connections of rust-mavlink; the module `interop` says how.
 
 #![no_std]
@@ -137,6 +138,8 @@ pub mod reflect;
 mod sender;
 #[cfg(feature = "signing")]
 pub mod signing;
+#[cfg(feature = "uorb")]
+pub mod uorb;
 
 pub use error::{EncodeError, FrameError, OutOfRange, TooLong, UnknownName, ViewError};
 pub(crate) use frame::header;

@@ -1,0 +1,19 @@
+//! PX4's log files, ULog: typed records of a log that lies in memory, without an allocator.
+//!
+//! A memory map serves as well as a file that was read. Format: <https://docs.px4.io/main/en/dev_log/ulog_file_format>.
+
+mod binding;
+mod error;
+mod fit;
+mod format;
+mod log;
+mod records;
+mod samples;
+mod sections;
+
+pub use binding::Binding;
+pub use error::LogError;
+pub use fit::Fit;
+pub use log::Log;
+pub use records::{End, Record, Records};
+pub use samples::Samples;

@@ -1,0 +1,9 @@
+//! Records of PX4 logs as a topic: three eras of `EscStatus`, damage, and hostile files.
+#![cfg(feature = "uorb")]
+#![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "tests")]
+
+mod binding;
+mod damage;
+mod golden;
+mod real;
+mod topic;
