@@ -67,6 +67,8 @@ mod select;
 pub mod source;
 pub mod syntax;
 mod unite;
+#[cfg(feature = "uorb")]
+pub mod uorb;
 #[cfg(feature = "vendor")]
 pub mod vendor;
 

@@ -33,7 +33,7 @@ const ENUMS: Grammar = Grammar::parts(&["enum"]);
 const MESSAGES: Grammar = Grammar::parts(&["message"]);
 
 /// Adds the text of a file that was asked for by name to the sources; what is wrong with it goes to `diagnostics`.
-#[cfg(feature = "vendor")]
+#[cfg(any(feature = "vendor", feature = "uorb"))]
 pub(crate) fn open(path: &std::path::Path, sources: &mut Sources, diagnostics: &mut Diagnostics) -> Option<FileId> {
     bytes::read(path, sources).map_err(|why| diagnostics.push(why.diagnostic(path))).ok()
 }

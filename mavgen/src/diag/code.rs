@@ -1,7 +1,7 @@
 //! The catalogue of diagnostics: one stable number each.
 //!
 //! Numbers are never used again for something else. `M0xx` is XML and the file system, `M1xx` a file's grammar, `M2xx` files
-//! together, `M3xx` messages, `M4xx` enums, `M5xx` commands, `M6xx` names, `M7xx` overlays, `M8xx` several dialects.
+//! together, `M3xx` messages, `M4xx` enums, `M5xx` commands, `M6xx` names, `M7xx` overlays, `M8xx` several dialects, `M9xx` PX4's `.msg` files.
 
 use std::fmt;
 
@@ -195,6 +195,17 @@ catalogue! {
 
     800 SecondValue Error "An entry has different values in two dialects.";
     801 HomelessOverlay Error "An overlay belongs to a file that is part of none of the dialects.";
+    900 UorbLine Error "A line of a `.msg` file is neither a field nor a constant.";
+    901 UorbName Error "A name in a `.msg` file is not one.";
+    902 UorbType Error "A `.msg` file names a type that does not exist.";
+    903 UorbArray Error "An array of a `.msg` file has no length that can be.";
+    904 UorbConstant Error "The value of a constant is not a whole number that fits.";
+    905 UorbNested Error "A message cannot be nested.";
+    906 UorbDuplicate Error "Two things of a `.msg` file have one name.";
+    907 UorbTimestamp Error "A `.msg` file has no `uint64 timestamp`.";
+    908 UorbEncoding Error "A `.msg` file begins with a byte order mark.";
+    909 UorbEnum Warning "No constant belongs to an `[@enum]`.";
+    910 UorbGroup Warning "A bracket group in a comment says nothing that is known.";
 }
 
 impl Code {

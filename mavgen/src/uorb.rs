@@ -1,0 +1,78 @@
+//! PX4's uORB messages: `.msg` files to what their bytes are, as CDR and in logs.
+//!
+//! A front end beside that of MAVLink: text is [`read`] to spanned [`syntax`], and [`load`] resolves what was asked for, and what
+//! that nests, to a [`Package`](model::Package). The grammar is the one that PX4's own files use; what its generator refuses or
+//! takes by accident is an error.
+
+mod comment;
+mod constant;
+mod folder;
+mod hash;
+mod layout;
+mod line;
+pub mod model;
+mod names;
+mod read;
+mod resolve;
+mod scalar;
+pub mod syntax;
+#[cfg(test)]
+mod tests;
+
+use std::path::Path;
+
+pub use read::read;
+pub use scalar::Scalar;
+
+use crate::diag::Diagnostics;
+use crate::source::Sources;
+use folder::Folder;
+use resolve::Resolver;
+
+/// Reads the messages that `wanted` says of a folder of `.msg` files, and what they nest; other files are not opened. If `path`
+/// is a file, it is the one that is wanted, and what it nests stands beside it.
+///
+/// What is wrong goes to `diagnostics`; a message with a mistake is left out, and so is what nests it.
+pub fn load(
+    path: &Path,
+    wanted: impl Fn(&str) -> bool,
+    sources: &mut Sources,
+    diagnostics: &mut Diagnostics,
+) -> model::Package {
+    let folder = match Folder::of(path) {
+        Ok(folder) => folder,
+        Err(problem) => {
+            diagnostics.push(problem);
+            return model::Package::default();
+        }
+    };
+    let names: Vec<String> = if path.is_dir() {
+        folder.names().filter(|name| wanted(name)).map(str::to_owned).collect()
+    } else {
+        path.file_stem().and_then(|name| name.to_str()).map(str::to_owned).into_iter().collect()
+    };
+    let mut resolver = Resolver::new(folder, sources, diagnostics);
+    for name in &names {
+        resolver.message(name);
+    }
+    let package = resolver.finish();
+    diagnostics.arrange();
+    package
+}
+
+/// The fields of a message as PX4's logs define them: `uint64_t timestamp;uint8_t[2] _padding0;`.
+pub fn log_format(message: &model::Message, package: &model::Package) -> String {
+    layout::log_format(message, &package.messages, true)
+}
+
+/// The topic that a message is named after: `EscStatus` is `esc_status`. PX4's rule: an underscore before each capital.
+pub fn topic_name(message: &str) -> String {
+    let mut name = String::new();
+    for letter in message.chars() {
+        if letter.is_ascii_uppercase() && !name.is_empty() {
+            name.push('_');
+        }
+        name.push(letter.to_ascii_lowercase());
+    }
+    name
+}

@@ -1,0 +1,102 @@
+//! The two hashes of a message: PX4's message hash and ROS 2's type hash.
+
+use std::collections::BTreeMap;
+use std::fmt::Write;
+
+use sha2::{Digest, Sha256};
+
+use super::model::{Element, Field, Message};
+use super::scalar::Scalar;
+
+/// FNV-1a of 32 bits over the types and names of the fields, in the order of the file; what a field nests follows it.
+pub(super) fn message_hash(fields: &[Field], nested: &[Message]) -> u32 {
+    fn add(text: &mut String, fields: &[Field], nested: &[Message]) {
+        for field in fields {
+            let message = match field.element {
+                Element::Scalar(_) => None,
+                Element::Message(index) => nested.get(index.0),
+            };
+            let element = match field.element {
+                Element::Scalar(scalar) => scalar.name(),
+                Element::Message(_) => message.map_or("", |message| &message.name),
+            };
+            let array = field.array.map(|length| format!("[{length}]")).unwrap_or_default();
+            text.push_str(&format!("{element}{array} {}\n", field.name));
+            if let Some(message) = message {
+                add(text, &message.fields, nested);
+            }
+        }
+    }
+    let mut text = String::new();
+    add(&mut text, fields, nested);
+    text.bytes().fold(0x811c_9dc5, |hash, byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193))
+}
+
+/// ROS 2's type hash of `px4_msgs/msg/NAME`, as REP 2016 and the interface of type descriptions define it: SHA-256 of the
+/// description as JSON.
+pub(super) fn type_hash(name: &str, fields: &[Field], nested: &[Message]) -> String {
+    let mut referenced = BTreeMap::new();
+    collect(fields, nested, &mut referenced);
+    let referenced: Vec<String> = referenced.values().cloned().collect();
+    let json = format!(
+        r#"{{"type_description": {}, "referenced_type_descriptions": [{}]}}"#,
+        description(name, fields, nested),
+        referenced.join(", ")
+    );
+    let mut hash = String::from("RIHS01_");
+    for byte in Sha256::digest(json) {
+        // Writing to a String cannot fail.
+        let _ = write!(hash, "{byte:02x}");
+    }
+    hash
+}
+
+/// The descriptions of all that is nested, by name.
+fn collect<'m>(fields: &[Field], nested: &'m [Message], found: &mut BTreeMap<&'m str, String>) {
+    for field in fields {
+        if let Element::Message(index) = field.element
+            && let Some(message) = nested.get(index.0)
+        {
+            found.insert(&message.name, description(&message.name, &message.fields, nested));
+            collect(&message.fields, nested, found);
+        }
+    }
+}
+
+fn description(name: &str, fields: &[Field], nested: &[Message]) -> String {
+    let fields: Vec<String> = fields.iter().map(|field| field_description(field, nested)).collect();
+    format!(r#"{{"type_name": "px4_msgs/msg/{name}", "fields": [{}]}}"#, fields.join(", "))
+}
+
+fn field_description(field: &Field, nested: &[Message]) -> String {
+    let (id, message) = match field.element {
+        Element::Scalar(scalar) => (type_id(scalar), String::new()),
+        Element::Message(index) => {
+            (1, nested.get(index.0).map(|message| format!("px4_msgs/msg/{}", message.name)).unwrap_or_default())
+        }
+    };
+    // The ids of arrays are those of their elements, 48 on.
+    let (id, capacity) = field.array.map_or((id, 0), |length| (id + 48, length));
+    format!(
+        r#"{{"name": "{}", "type": {{"type_id": {id}, "capacity": {capacity}, "string_capacity": 0, "nested_type_name": "{message}"}}}}"#,
+        field.name
+    )
+}
+
+/// Constants of ROS 2's `type_description_interfaces/msg/FieldType`.
+fn type_id(scalar: Scalar) -> u8 {
+    match scalar {
+        Scalar::I8 => 2,
+        Scalar::U8 => 3,
+        Scalar::I16 => 4,
+        Scalar::U16 => 5,
+        Scalar::I32 => 6,
+        Scalar::U32 => 7,
+        Scalar::I64 => 8,
+        Scalar::U64 => 9,
+        Scalar::F32 => 10,
+        Scalar::F64 => 11,
+        Scalar::Char => 13,
+        Scalar::Bool => 15,
+    }
+}

@@ -1,0 +1,200 @@
+//! From the syntax of `.msg` files to messages: looks types up, checks names, lays fields out.
+
+use std::collections::BTreeMap;
+
+use super::folder::Folder;
+use super::hash::{message_hash, type_hash};
+use super::layout::{Nested, arrange, cdr_end};
+use super::model::{Constant, Docs, Element, Field, Message, MessageIndex, Package};
+use super::scalar::Scalar;
+use super::syntax::{Comment, ConstantSyntax, FieldSyntax, GroupKind, MsgFile};
+use super::{names, topic_name};
+use crate::diag::{Code, Diagnostic, Diagnostics, nearest};
+use crate::source::{Sources, Span, Spanned};
+
+/// What is known of a message by its name.
+enum Known {
+    /// It is being resolved: who nests it now nests itself.
+    Begun,
+    /// It is in the package.
+    Done(MessageIndex),
+    /// Something in it is wrong, and was told.
+    Poisoned,
+}
+
+pub(super) struct Resolver<'s> {
+    folder: Folder,
+    sources: &'s mut Sources,
+    diagnostics: &'s mut Diagnostics,
+    known: BTreeMap<String, Known>,
+    package: Package,
+}
+
+impl<'s> Resolver<'s> {
+    pub(super) fn new(folder: Folder, sources: &'s mut Sources, diagnostics: &'s mut Diagnostics) -> Self {
+        Self { folder, sources, diagnostics, known: BTreeMap::new(), package: Package::default() }
+    }
+
+    pub(super) fn finish(self) -> Package {
+        self.package
+    }
+
+    /// The message of this name; `None` if something in it is wrong. What it nests comes into the package before it.
+    pub(super) fn message(&mut self, name: &str) -> Option<MessageIndex> {
+        if let Some(Known::Done(index)) = self.known.get(name) {
+            return Some(*index);
+        }
+        if self.known.contains_key(name) {
+            return None;
+        }
+        self.known.insert(name.to_owned(), Known::Begun);
+        let index = self.read(name).map(|message| {
+            self.package.messages.push(message);
+            MessageIndex(self.package.messages.len() - 1)
+        });
+        self.known.insert(name.to_owned(), index.map_or(Known::Poisoned, Known::Done));
+        index
+    }
+
+    fn read(&mut self, name: &str) -> Option<Message> {
+        let id = self.folder.open(name, self.sources, self.diagnostics)?;
+        let file = super::read(id, self.sources, self.diagnostics);
+        names::check(&file, self.diagnostics);
+        let fields: Vec<Field> = file.fields.iter().filter_map(|field| self.field(field, &file)).collect();
+        let constants: Vec<Constant> = file.constants.iter().filter_map(|constant| self.constant(constant)).collect();
+        self.check_timestamp(&file, &fields);
+        if self.diagnostics.broken_files().any(|broken| broken == Some(id)) {
+            return None;
+        }
+        self.lay_out(name, file, fields, constants)
+    }
+
+    fn lay_out(
+        &mut self,
+        name: &str,
+        file: MsgFile,
+        mut fields: Vec<Field>,
+        constants: Vec<Constant>,
+    ) -> Option<Message> {
+        let nested = &self.package.messages;
+        let layouts = arrange(&mut fields, &Nested(nested)).zip(cdr_end(&fields, &Nested(nested), 0));
+        let Some(((struct_len, struct_padding), cdr_len)) = layouts else {
+            let message = format!("`{name}` is longer than 4 GiB");
+            self.diagnostics.push(Diagnostic::new(Code::UorbArray, Span::new(file.id, 0..0), message));
+            return None;
+        };
+        let number = |wanted: &str| {
+            let constant = constants.iter().find(|constant| constant.name == wanted)?;
+            u32::try_from(constant.value).ok()
+        };
+        let named: Vec<String> = file.topics.iter().map(|topic| topic.value.clone()).collect();
+        Some(Message {
+            name: name.to_owned(),
+            file: file.id,
+            about: file.about,
+            topics: if named.is_empty() { vec![topic_name(name)] } else { named },
+            version: number(VERSION),
+            queue: number(QUEUE),
+            hash: message_hash(&fields, nested),
+            type_hash: type_hash(name, &fields, nested),
+            constants: constants.into_iter().filter(|constant| ![VERSION, QUEUE].contains(&&*constant.name)).collect(),
+            fields,
+            cdr_len,
+            struct_len,
+            struct_padding,
+        })
+    }
+
+    fn field(&mut self, field: &FieldSyntax, file: &MsgFile) -> Option<Field> {
+        let element = self.element(&field.element)?;
+        let docs = docs(&field.comment);
+        for prefix in &docs.constants {
+            if !file.constants.iter().any(|constant| constant.name.value.starts_with(&format!("{prefix}_"))) {
+                let span = field.comment.groups.iter().find(|group| matches!(group.kind, GroupKind::Enum(_)));
+                let span = span.map_or(field.name.span, |group| group.span);
+                let message = format!("no constant of this file begins with `{prefix}_`");
+                self.diagnostics.push(Diagnostic::new(Code::UorbEnum, span, message));
+            }
+        }
+        let (name, array) = (field.name.value.clone(), field.array.as_ref().map(|array| array.value));
+        Some(Field { name, span: field.name.span, element, array, struct_offset: 0, docs })
+    }
+
+    /// The type of this name: a scalar, or the message of another file.
+    fn element(&mut self, element: &Spanned<String>) -> Option<Element> {
+        let name = element.value.as_str();
+        if let Some(scalar) = Scalar::of(name) {
+            return Some(Element::Scalar(scalar));
+        }
+        if matches!(self.known.get(name), Some(Known::Begun)) {
+            let message = format!("`{name}` is nested in itself");
+            self.diagnostics.push(Diagnostic::new(Code::UorbNested, element.span, message));
+            return None;
+        }
+        if self.folder.has(name) {
+            let message = self.message(name);
+            if message.is_none() {
+                // What is wrong there was told there; here it must not look right.
+                self.diagnostics.push(Diagnostic::new(
+                    Code::UorbNested,
+                    element.span,
+                    format!("`{name}` has mistakes, so this cannot be laid out"),
+                ));
+            }
+            return message.map(Element::Message);
+        }
+        self.diagnostics.push(unknown_type(element, &self.folder));
+        None
+    }
+
+    fn constant(&mut self, constant: &ConstantSyntax) -> Option<Constant> {
+        let Some(scalar) = Scalar::of(&constant.element.value) else {
+            self.diagnostics.push(unknown_type(&constant.element, &self.folder));
+            return None;
+        };
+        let (name, span) = (constant.name.value.clone(), constant.name.span);
+        Some(Constant { name, span, scalar, value: constant.value.value, docs: docs(&constant.comment) })
+    }
+
+    /// PX4 refuses a message that does not say when it was made.
+    fn check_timestamp(&mut self, file: &MsgFile, fields: &[Field]) {
+        let is_time = |field: &Field| field.element == Element::Scalar(Scalar::U64) && field.array.is_none();
+        let problem = match file.fields.iter().find(|field| field.name.value == "timestamp") {
+            Some(_) if fields.iter().any(|field| field.name == "timestamp" && is_time(field)) => return,
+            Some(field) => Diagnostic::new(Code::UorbTimestamp, field.element.span, "`timestamp` is not a `uint64`"),
+            None => Diagnostic::new(Code::UorbTimestamp, Span::new(file.id, 0..0), "there is no `timestamp`"),
+        };
+        self.diagnostics.push(problem.help("every uORB message has `uint64 timestamp`, in microseconds"));
+    }
+}
+
+const VERSION: &str = "MESSAGE_VERSION";
+const QUEUE: &str = "ORB_QUEUE_LENGTH";
+
+fn unknown_type(element: &Spanned<String>, folder: &Folder) -> Diagnostic {
+    let name = element.value.as_str();
+    let problem = Diagnostic::new(Code::UorbType, element.span, format!("there is no type `{name}`"));
+    let scalars = Scalar::ALL.iter().map(|scalar| scalar.name());
+    match name {
+        "string" => problem.help("write the number of characters: `char[20]`"),
+        "byte" => problem.help("write `uint8`"),
+        _ => match nearest(name, scalars.chain(folder.names())) {
+            Some(meant) => problem.help(format!("did you mean `{meant}`?")),
+            None => problem.help("a type is a scalar, or the name of a `.msg` file in the same folder"),
+        },
+    }
+}
+
+fn docs(comment: &Comment) -> Docs {
+    let mut docs = Docs { lines: comment.lines.clone(), ..Docs::default() };
+    for group in &comment.groups {
+        match group.kind.clone() {
+            GroupKind::Units(units) => docs.units = Some(units),
+            GroupKind::Enum(mut prefixes) => docs.constants.append(&mut prefixes),
+            GroupKind::Range(low, high) => docs.range = Some((low, high)),
+            GroupKind::Invalid(value) => docs.invalid = Some(value),
+            GroupKind::Frame(frame) => docs.frame = Some(frame),
+        }
+    }
+    docs
+}

@@ -1,0 +1,179 @@
+//! Facts of messages against what PX4's own generator says of them, and odd files.
+
+use std::path::Path;
+use std::{env, fs};
+
+use super::model::Package;
+use super::{load, log_format, topic_name};
+use crate::diag::{Code, Diagnostics, Severity};
+use crate::source::Sources;
+
+fn package(files: &[(&str, &str)]) -> (Package, Vec<Code>) {
+    let folder = tempfile::tempdir().unwrap();
+    for (name, text) in files {
+        fs::write(folder.path().join(format!("{name}.msg")), text).unwrap();
+    }
+    let (mut sources, mut diagnostics) = (Sources::default(), Diagnostics::default());
+    let package = load(folder.path(), |_| true, &mut sources, &mut diagnostics);
+    (package, diagnostics.iter().map(|problem| problem.code).collect())
+}
+
+/// The codes of a file with a timestamp and these lines.
+fn problems(lines: &str) -> Vec<Code> {
+    package(&[("A", &format!("uint64 timestamp\n{lines}\n"))]).1
+}
+
+#[test]
+fn what_px4_refuses_or_takes_by_accident_is_an_error() {
+    for (line, code) in [
+        ("uint8", Code::UorbLine),
+        ("uint8 a b", Code::UorbLine),
+        ("uint8 a 5", Code::UorbLine),
+        ("uint8\ta", Code::UorbLine),
+        ("uint8 fooBar", Code::UorbName),
+        ("uint8 1st", Code::UorbName),
+        ("uint8 a-b", Code::UorbName),
+        ("uint8 größe", Code::UorbName),
+        ("uint9 a", Code::UorbType),
+        ("string a", Code::UorbType),
+        ("byte a", Code::UorbType),
+        ("Other a", Code::UorbType),
+        ("uint8[] a", Code::UorbArray),
+        ("uint8[<=4] a", Code::UorbArray),
+        ("uint8[0] a", Code::UorbArray),
+        ("uint8[-1] a", Code::UorbArray),
+        ("uint8[70000] a", Code::UorbArray),
+        ("uint8[3 a", Code::UorbArray),
+        ("uint8 A = ", Code::UorbConstant),
+        ("uint8 A = 256", Code::UorbConstant),
+        ("uint8 A = -1", Code::UorbConstant),
+        ("uint8 A = 0x10", Code::UorbConstant),
+        ("uint8 A = 1.5", Code::UorbConstant),
+        ("uint8 A = 010", Code::UorbConstant),
+        ("float32 A = 1", Code::UorbConstant),
+        ("bool A = 1", Code::UorbConstant),
+        ("uint8[2] A = 1", Code::UorbConstant),
+        ("A a", Code::UorbNested),
+        ("uint8 a\nuint8 a", Code::UorbDuplicate),
+        ("uint8 A = 1\nuint8 A = 1", Code::UorbDuplicate),
+        ("uint8 a\nuint8 a = 1", Code::UorbDuplicate),
+        ("uint8 a # [@enum A]", Code::UorbEnum),
+        ("uint8 a # [@unit m]", Code::UorbGroup),
+    ] {
+        assert_eq!(problems(line), [code], "{line}");
+    }
+    assert_eq!(package(&[("A", "uint8 a")]).1, [Code::UorbTimestamp]);
+    assert_eq!(package(&[("A", "uint32 timestamp")]).1, [Code::UorbTimestamp]);
+    assert_eq!(package(&[("A", "\u{feff}uint64 timestamp")]).1, [Code::UorbEncoding]);
+}
+
+#[test]
+fn what_both_readers_of_px4_take_is_taken() {
+    for line in [
+        "  uint8 a",
+        "uint8 a\r",
+        "uint8 a#x",
+        "uint8 a__b",
+        "uint8 type",
+        "uint8[1] a",
+        "uint8 A=1",
+        "int8   A  =  -128",
+    ] {
+        assert_eq!(problems(line), [], "{line:?}");
+    }
+}
+
+#[test]
+fn a_mistake_in_a_nested_message_is_told_in_both() {
+    let (package, codes) = package(&[("A", "uint64 timestamp\nB b\n"), ("B", "uint64 timestamp\nuint8 X\n")]);
+    assert!(package.messages.is_empty());
+    assert_eq!(codes, [Code::UorbNested, Code::UorbName]);
+    let (_, codes) = self::package(&[("A", "uint64 timestamp\nB b\n"), ("B", "uint64 timestamp\nA a\n")]);
+    assert!(codes.iter().all(|code| *code == Code::UorbNested), "{codes:?}");
+}
+
+#[test]
+fn comments_belong_to_what_follows_or_stands_before_them() {
+    let text = "# What it is.\n# More.\n\n# TOPICS a a_groundtruth\nuint64 timestamp # [us] when\n# [m]\n# Where.\nfloat32 x # [@invalid NaN] far\n\n# Alone.\n\nuint8 y\n";
+    let (package, codes) = package(&[("A", text)]);
+    let message = &package.messages[0];
+    assert_eq!(
+        (&message.about[..], &message.topics[..], codes),
+        (&["What it is.".into(), "More.".into()][..], &["a".into(), "a_groundtruth".into()][..], vec![])
+    );
+    let docs: Vec<_> = message.fields.iter().map(|field| &field.docs).collect();
+    assert_eq!((docs[0].units.as_deref(), &docs[0].lines[..]), (Some("us"), &["when".to_owned()][..]));
+    assert_eq!((docs[1].units.as_deref(), docs[1].invalid.as_deref()), (Some("m"), Some("NaN")));
+    assert_eq!(docs[1].lines, ["", "Where.", "far"]);
+    assert!(docs[2].lines.is_empty());
+}
+
+#[test]
+fn layouts_and_hashes_of_esc_status() {
+    let report = "uint64 timestamp\nuint32 esc_errorcount\nint32 esc_rpm\nfloat32 esc_voltage\nfloat32 esc_current\nfloat32 esc_temperature\n\
+                  int16 motor_temperature\nuint8 esc_state\nuint8 actuator_function\nuint16 failures\nint8 esc_power\n";
+    let status = "uint64 timestamp\nuint16 counter\nuint8 esc_count\nuint8 esc_connectiontype\nuint16 esc_online_flags\n\
+                  uint16 esc_armed_flags\nEscReport[12] esc\n";
+    let (package, codes) = package(&[("EscReport", report), ("EscStatus", status)]);
+    assert_eq!(codes, []);
+    let status = &package.messages[1];
+    assert_eq!((status.hash, status.cdr_len, status.struct_len), (0x4d8f_7be2, 491, 496));
+    assert_eq!(status.type_hash, "RIHS01_85dc04703b64002f2a39e5909078ae7b7301da32ef14a04329f4ca9e40e635a2");
+    assert_eq!(
+        log_format(status, &package),
+        "uint64_t timestamp;uint16_t counter;uint16_t esc_online_flags;uint16_t esc_armed_flags;uint8_t esc_count;\
+         uint8_t esc_connectiontype;esc_report[12] esc;"
+    );
+    assert_eq!(
+        log_format(&package.messages[0], &package),
+        "uint64_t timestamp;uint32_t esc_errorcount;int32_t esc_rpm;float esc_voltage;float esc_current;float esc_temperature;\
+         int16_t motor_temperature;uint16_t failures;uint8_t esc_state;uint8_t actuator_function;int8_t esc_power;\
+         uint8_t[5] _padding0;"
+    );
+}
+
+#[test]
+fn names_of_topics() {
+    for (message, topic) in
+        [("Px4ioStatus", "px4io_status"), ("EstimatorAidSource1d", "estimator_aid_source1d"), ("ADSB", "a_d_s_b")]
+    {
+        assert_eq!(topic_name(message), topic);
+    }
+}
+
+/// All messages of a release against a table that PX4's generator made: `UORB_TABLE`, `UORB_RELEASE` and `UORB_MESSAGES` name
+/// the table, the release in it, and the folder.
+#[test]
+#[ignore = "needs PX4's messages"]
+fn all_messages_of_a_release() {
+    let [table, release, folder] = ["UORB_TABLE", "UORB_RELEASE", "UORB_MESSAGES"].map(|name| env::var(name).unwrap());
+    let (mut sources, mut diagnostics) = (Sources::default(), Diagnostics::default());
+    let package = load(Path::new(&folder), |_| true, &mut sources, &mut diagnostics);
+    let errors: Vec<_> = diagnostics.iter().filter(|problem| problem.severity() == Severity::Error).collect();
+    assert!(errors.is_empty(), "{errors:?}");
+    let mut compared = 0;
+    for row in fs::read_to_string(table).unwrap().lines() {
+        let [of, name, hash, length, unpadded, cdr, type_hash, topics] = row.split('\t').collect::<Vec<_>>()[..] else {
+            panic!("{row}")
+        };
+        if of == release {
+            let message = package.messages.iter().find(|message| message.name == name).unwrap();
+            let ours = format!(
+                "{:08x} {} {} {} {} {}",
+                message.hash,
+                message.struct_len,
+                message.struct_len - message.struct_padding,
+                message.cdr_len,
+                message.type_hash.trim_start_matches("RIHS01_"),
+                message.topics.join(" ")
+            );
+            assert_eq!(
+                ours,
+                format!("{hash} {length} {unpadded} {cdr} {type_hash} {}", topics.replace(',', " ")),
+                "{name}"
+            );
+            compared += 1;
+        }
+    }
+    assert_eq!(compared, package.messages.len());
+}
