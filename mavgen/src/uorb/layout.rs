@@ -52,8 +52,9 @@ pub(super) fn cdr_end(fields: &[Field], nested: &Nested<'_>, mut at: u32) -> Opt
     for field in fields {
         match field.element {
             Element::Scalar(scalar) => {
-                at =
-                    at.checked_next_multiple_of(scalar.size())?.checked_add(scalar.size().checked_mul(field.elements())?)?;
+                at = at
+                    .checked_next_multiple_of(scalar.size())?
+                    .checked_add(scalar.size().checked_mul(field.elements())?)?;
             }
             Element::Message(index) => {
                 for _ in 0..field.elements() {
