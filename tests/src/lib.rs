@@ -13,9 +13,10 @@ pub mod fault;
 pub mod frames;
 mod layout;
 pub mod payload;
-pub mod random;
 pub mod sequences;
 pub mod signature;
 pub mod subject;
 pub mod values;
 pub mod vectors;
+
+pub use random_dialects as random;
