@@ -103,7 +103,7 @@ def of_repository(old):
     for dialect in ("common", "standard", "minimal"):
         yield from of_dialect(dialect, xml, [f"{dialect}.xml"], (), old)
     farm = ROOT / "examples/own-dialect/xml"
-    yield Probe("farm", farm, "generate", "in/farm.xml", *overlaid(["farm.overlay.xml"]), "--include-dir", xml, "--out", "out")
+    yield Probe("farm", farm, "generate", "in/farm.xml", *overlaid(["overlay/farm.xml"]), "--out", "out")
     yield from of_dialect("hostile", tests / "hostile", ["hostile.xml"], ["hostile.overlay.xml"], old)
     yield from of_dialect("names", tests / "hostile", ["names.xml"], (), old)
     yield from of_dialect("packed", tests / "packed", ["packed.xml"], ["packed.overlay.xml"], old)
