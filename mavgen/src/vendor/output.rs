@@ -26,45 +26,34 @@ pub struct Written {
 ///
 /// # Errors
 /// Before anything is written: if a copy would replace its own source, a file that is no copy, one that was edited, or one
-/// that has descriptions which are neither in the copies nor [`Vendored::homeless`]; or if the folder holds files, but no copy.
-/// Else, if the system refuses something.
+/// that has descriptions which are neither in the copies nor [`Vendored::homeless`]. Else, if the system refuses something.
 pub fn write(folder: &Path, vendored: &Vendored) -> Result<Written, OutputError> {
     let files = &vendored.files;
-    let present = present(folder)?;
-    let copies: Vec<&Found> = present.iter().filter(|found| found.is_copy).collect();
-    if copies.is_empty() && !present.is_empty() {
-        let text = "the folder is not empty and holds nothing that `mavgen vendor` wrote: choose another, or empty it";
-        return Err(refused(folder.to_owned(), text));
-    }
+    let copies = copies(folder)?;
     files.iter().try_for_each(|file| check(folder, file, vendored))?;
     let written = write_together(folder, files.iter().map(|file| (Path::new(&file.name), &*file.text)))?;
-    let others = copies.iter().filter(|found| !files.iter().any(|file| folder.join(&file.name) == found.path));
-    let mut others: Vec<PathBuf> = others.map(|found| found.path.clone()).collect();
+    let is_ours = |path: &PathBuf| files.iter().any(|file| folder.join(&file.name) == *path);
+    let mut others: Vec<PathBuf> = copies.into_iter().filter(|path| !is_ours(path)).collect();
     others.sort();
     Ok(Written { written, kept: files.len() - written, others })
 }
 
-/// A file or folder that is there already.
-struct Found {
-    path: PathBuf,
-    is_copy: bool,
-}
-
-/// What is in the folder; nothing if there is no folder.
-fn present(folder: &Path) -> Result<Vec<Found>, OutputError> {
+/// The copies that are in the folder already; none if there is no folder.
+fn copies(folder: &Path) -> Result<Vec<PathBuf>, OutputError> {
     let failed = |source| OutputError { path: folder.to_owned(), source };
     let entries = match fs::read_dir(folder) {
         Ok(entries) => entries,
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Vec::new()),
         Err(source) => return Err(failed(source)),
     };
-    let mut present = Vec::new();
+    let mut copies = Vec::new();
     for entry in entries {
         let path = entry.map_err(failed)?.path();
-        let is_copy = header::read(&head(&path)).is_some();
-        present.push(Found { path, is_copy });
+        if header::read(&head(&path)).is_some() {
+            copies.push(path);
+        }
     }
-    Ok(present)
+    Ok(copies)
 }
 
 /// Refuses to lose what a person wrote.

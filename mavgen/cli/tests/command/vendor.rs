@@ -56,6 +56,26 @@ fn a_copy_generates_what_its_original_does() {
     assert_eq!(generated("xml/acme.xml", "copy"), generated("acme.xml", "original"));
 }
 
+/// Beside one's own dialect, which includes what is copied, and its overlay.
+#[test]
+fn what_else_is_in_the_folder_stays() {
+    let folder = folder();
+    let xml = folder.path().join("xml");
+    fs::create_dir_all(xml.join("overlay")).unwrap();
+    fs::write(xml.join("own.xml"), "<mavlink><include>acme.xml</include></mavlink>").unwrap();
+    fs::write(xml.join("overlay/own.xml"), "<mavlink-overlay version='1' for='own.xml'/>").unwrap();
+    let before = tree(&xml);
+    for said in ["xml: 2 files written, 0 kept\n", "xml: 0 files written, 2 kept\n"] {
+        let copied = vendor(folder.path(), &[]);
+        assert_eq!((copied.status.code(), stderr(&copied).as_str()), (Some(0), said));
+        let mut after = tree(&xml);
+        after.retain(|(path, _)| !["acme.xml", "base.xml"].iter().any(|copy| path == Path::new(copy)));
+        assert_eq!(after, before);
+    }
+    let linted = mavgen(folder.path(), &["lint", "xml/own.xml", "--overlay", "xml/overlay/own.xml"]);
+    assert_eq!(linted.status.code(), Some(0), "{}", stderr(&linted));
+}
+
 #[test]
 fn descriptions_are_kept_over_new_facts() {
     let folder = folder();
@@ -92,10 +112,13 @@ fn descriptions_are_kept_over_new_facts() {
 fn refusals_are_2_and_cost_nothing() {
     let folder = folder();
     fs::create_dir(folder.path().join("xml")).unwrap();
-    fs::write(folder.path().join("xml/notes.txt"), "mine").unwrap();
-    assert_eq!(vendor(folder.path(), &[]).status.code(), Some(2));
+    fs::write(folder.path().join("xml/base.xml"), "<mavlink/>").unwrap();
+    let mine = vendor(folder.path(), &[]);
+    let said = "error: xml/base.xml: `mavgen vendor` did not write this file: remove it, or choose another folder\n";
+    assert_eq!((mine.status.code(), stderr(&mine).as_str()), (Some(2), said));
     assert_eq!(vendor(folder.path(), &["--no-prose", "--prose-from", "xml"]).status.code(), Some(2));
-    fs::remove_file(folder.path().join("xml/notes.txt")).unwrap();
+    assert_eq!(tree(&folder.path().join("xml")), [("base.xml".into(), b"<mavlink/>".to_vec())]);
+    fs::remove_file(folder.path().join("xml/base.xml")).unwrap();
     fs::write(folder.path().join("acme.xml"), ACME.replace("uint16_t", "uint24_t")).unwrap();
     let refused = vendor(folder.path(), &[]);
     assert_eq!(refused.status.code(), Some(2));

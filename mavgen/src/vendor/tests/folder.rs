@@ -20,13 +20,29 @@ fn again_writes_nothing() {
     }
 }
 
+/// As the README has it: the user's own dialect is there first, and includes what is vendored beside it.
 #[test]
-fn somebodys_folder_is_refused() {
+fn what_else_is_in_the_folder_stays_as_it_is() {
     let folder = dialect();
-    put(&folder.path().join("thesis/chapter.tex"), "x");
-    let error = write(&folder.path().join("thesis"), &copies(folder.path(), &Prose::Keep)).unwrap_err();
-    assert!(error.to_string().contains("not empty"), "{error}");
-    assert_eq!(fs::read_dir(folder.path().join("thesis")).unwrap().count(), 1);
+    let mine = folder.path().join("mine");
+    let files = [
+        ("own.xml", "<mavlink><include>a.xml</include></mavlink>"),
+        ("overlay/own.xml", "<mavlink-overlay version='1' for='own.xml'/>"),
+        ("notes.txt", "x"),
+    ];
+    files.iter().for_each(|(name, text)| put(&mine.join(name), text));
+    for prose in [Prose::Keep, Prose::Keep, Prose::From(mine.clone())] {
+        let vendored = copies(folder.path(), &prose);
+        if matches!(prose, Prose::From(_)) {
+            fs::remove_file(mine.join("a.xml")).unwrap();
+            fs::remove_file(mine.join("b.xml")).unwrap();
+        }
+        let done = write(&mine, &vendored).unwrap();
+        assert!(done.others.is_empty());
+        files.iter().for_each(|(name, text)| assert_eq!(fs::read_to_string(mine.join(name)).unwrap(), *text));
+        assert_eq!(fs::read_dir(&mine).unwrap().count(), 5);
+    }
+    assert!(Builder::new(mine.join("own.xml")).overlay(mine.join("overlay/own.xml")).resolve().is_ok());
 }
 
 #[test]
