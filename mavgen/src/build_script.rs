@@ -1,7 +1,8 @@
 //! The build script: generates into `OUT_DIR` and tells cargo what it needs to know.
 
-use std::env;
-use std::path::{Path, PathBuf, absolute};
+mod place;
+
+use std::path::{PathBuf, absolute};
 
 use crate::builder::{Builder, Failure, Resolved};
 use crate::diag::{Diagnostic, Diagnostics, Severity, Style, render};
@@ -11,29 +12,34 @@ use crate::names::dialect_module_name;
 use crate::output::{write, write_file};
 use crate::source::Sources;
 
+use place::{Claim, Place};
+
 impl Builder {
     /// The whole of a `build.rs`: generates into `OUT_DIR` and tells cargo what it needs to know.
     ///
     /// The crate takes the result in with `mavlink_wire::include_dialect!("acme")`, or with the name that
     /// [`Builder::name`] gives; several dialects are `dialects` unless they are given one. Problems are printed as cargo's own
-    /// errors and warnings, with file, line and column; errors make cargo fail the build after this returns. Warnings
-    /// about included files are not printed: they are for those who maintain them.
+    /// errors and warnings, with file, line and column; errors make cargo fail the build after this returns. Warnings about
+    /// somebody else's files are not printed (see [`Builder::concerns`]): they are for those who maintain them.
+    ///
+    /// A build script can have several builders, each with a name of its own.
     pub fn build_script(&self) {
-        let out_dir = env::var_os("OUT_DIR").map(PathBuf::from);
-        for line in self.cargo_directives(out_dir.as_deref()) {
+        for line in self.cargo_directives(&Place::of_process()) {
             println!("{line}");
         }
     }
 
-    fn cargo_directives(&self, out_dir: Option<&Path>) -> Vec<String> {
-        let mut directives = vec!["cargo::rerun-if-changed=build.rs".to_owned()];
+    fn cargo_directives(&self, place: &Place<'_>) -> Vec<String> {
+        // Cargo follows the sources of the build script by itself, wherever they are.
+        let mut directives = Vec::new();
         let mut watch = |watched: &[PathBuf]| {
-            directives.extend(watched.iter().map(|path| format!("cargo::rerun-if-changed={}", path.display())));
+            let watched = watched.iter().map(|path| place.for_cargo(path));
+            directives.extend(watched.map(|path| format!("cargo::rerun-if-changed={}", path.display())));
         };
         let (problems, failure) = match self.resolve() {
             Ok(resolved) => {
                 watch(&resolved.watched);
-                (self.for_cargo(&resolved.diagnostics, &resolved.sources), self.write_out_dir(&resolved, out_dir).err())
+                (self.for_cargo(&resolved.diagnostics, &resolved.sources), self.write_out_dir(&resolved, place).err())
             }
             Err(Failure::Definitions(problems) | Failure::Denied(problems)) => {
                 watch(&problems.watched);
@@ -47,8 +53,11 @@ impl Builder {
     }
 
     /// Writes the tree and the one-line file that `include_dialect!` names.
-    fn write_out_dir(&self, resolved: &Resolved, out_dir: Option<&Path>) -> Result<(), Failure> {
-        let out = out_dir.ok_or_else(|| Failure::Usage("OUT_DIR is not set: this is no build script".into()))?;
+    fn write_out_dir(&self, resolved: &Resolved, place: &Place<'_>) -> Result<(), Failure> {
+        let out = place
+            .out_dir
+            .as_deref()
+            .ok_or_else(|| Failure::Usage("OUT_DIR is not set: this is no build script".into()))?;
         let (name, docs) = match &resolved.union {
             Some(union) => (&union.all.name, of_several(union)),
             None => (&resolved.dialect.name, of_one(&resolved.dialect)),
@@ -59,6 +68,8 @@ impl Builder {
             Some(folder) => (folder.clone(), absolute(folder).unwrap_or_else(|_| folder.clone()).join("mod.rs")),
             None => (out.join(&module), PathBuf::from(format!("{module}/mod.rs"))),
         };
+        let root = self.roots.first().cloned().unwrap_or_default();
+        place.builders.claim(Claim { root, module: module.clone(), tree: tree.clone() }).map_err(Failure::Usage)?;
         write(&tree, &self.emit(resolved)?).map_err(Failure::Output)?;
         let path = path.to_string_lossy();
         let entry_point = format!("{MARK}; do not edit.\n\n{docs}\n#[path = {path:?}]\npub mod {module};\n");

@@ -29,19 +29,22 @@ struct Build {
 }
 
 impl Crate {
-    fn new() -> Self {
+    /// With the build script in this file.
+    fn new(script: &str, build: &str) -> Self {
         let made = Self { folder: tempfile::tempdir().unwrap() };
         let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
         let path = |name: &str| workspace.join(name).display().to_string();
         let manifest = format!(
-            "[package]\nname = \"rebuilt\"\nversion = \"0.0.0\"\nedition = \"2024\"\n[workspace]\n\
+            "[package]\nname = \"rebuilt\"\nversion = \"0.0.0\"\nedition = \"2024\"\nbuild = {script:?}\n[workspace]\n\
              [dependencies]\nmavlink-wire = {{ path = {:?} }}\n[build-dependencies]\nmavgen = {{ path = {:?} }}\n",
             path("mavlink-wire"),
             path("mavgen"),
         );
-        fs::create_dir(made.path("src")).unwrap();
+        for file in ["src/lib.rs", script] {
+            fs::create_dir_all(made.path(file).parent().unwrap()).unwrap();
+        }
         fs::copy(workspace.join("Cargo.lock"), made.path("Cargo.lock")).unwrap();
-        let files = [("Cargo.toml", &*manifest), ("build.rs", BUILD), ("src/lib.rs", LIB)];
+        let files = [("Cargo.toml", &*manifest), (script, build), ("src/lib.rs", LIB)];
         let definitions = [("acme.xml", ACME), ("base.xml", BASE), ("acme.overlay.xml", OVERLAY)];
         files.iter().chain(&definitions).for_each(|(name, text)| made.write(name, text));
         made
@@ -58,6 +61,7 @@ impl Crate {
     fn build(&self) -> Build {
         let mut cargo = Command::new(env!("CARGO"));
         cargo.args(["check", "--offline", "-v", "--color", "never"]).current_dir(self.folder.path());
+        // The dependencies are compiled once for all of these crates, which do not build at the same time: cargo locks the folder.
         cargo.env("CARGO_TARGET_DIR", Path::new(env!("CARGO_TARGET_TMPDIR")).join("rebuild"));
         let output = cargo.output().unwrap();
         Build { succeeded: output.status.success(), said: String::from_utf8(output.stderr).unwrap() }
@@ -76,7 +80,7 @@ impl Crate {
 #[test]
 #[ignore = "builds a crate with cargo"]
 fn what_a_dialect_is_made_of_is_what_it_is_built_again_for() {
-    let made = Crate::new();
+    let made = Crate::new("build.rs", BUILD);
     assert!(made.rebuilds());
     assert!(!made.rebuilds(), "nothing was touched");
 
@@ -97,4 +101,32 @@ fn what_a_dialect_is_made_of_is_what_it_is_built_again_for() {
     fs::rename(made.path("base.xml"), made.path("later.xml")).unwrap();
     assert!(made.rebuilds(), "the missing file is there");
     assert!(!made.rebuilds());
+}
+
+#[test]
+#[ignore = "builds a crate with cargo"]
+fn a_build_script_can_be_anywhere() {
+    let made = Crate::new("build/main.rs", BUILD);
+    assert!(made.rebuilds());
+    assert!(!made.rebuilds(), "nothing was touched");
+    made.write("build/main.rs", &BUILD.replace(".build_script", ".deprecated(false).build_script"));
+    assert!(made.rebuilds(), "the script was changed");
+    assert!(!made.rebuilds());
+
+    // What is watched is relative to the package, where the script no longer is.
+    let gone = BUILD.replace("{ ", "{ std::env::set_current_dir(\"src\").unwrap(); ").replace("(\"acme", "(\"../acme");
+    made.write("build/main.rs", &gone);
+    assert!(made.rebuilds());
+    assert!(!made.rebuilds());
+    made.write("base.xml", &BASE.replace("PUMP", "VALVE"));
+    assert!(made.rebuilds(), "an included file was changed");
+}
+
+#[test]
+#[ignore = "builds a crate with cargo"]
+fn two_builders_of_one_name_are_an_error() {
+    let other = "mavgen::Builder::new(\"base.xml\").name(\"acme\").build_script(); }";
+    let made = Crate::new("build.rs", &BUILD.replace('}', other));
+    let Build { succeeded, said } = made.build();
+    assert!(!succeeded && said.contains("make one module, `acme`"), "{said}");
 }
