@@ -34,7 +34,7 @@ pub(super) struct Decode {
     xml: PathBuf,
     #[command(flatten)]
     reading: Reading,
-    /// What to read; standard input if it is `-` or not given.
+    /// What to decode; standard input if it is `-` or not given.
     file: Option<PathBuf>,
     /// What it holds.
     #[arg(long = "input", value_enum, default_value_t = Layout::Auto, value_name = "LAYOUT")]
@@ -63,6 +63,9 @@ enum Format {
 
 impl Decode {
     pub(super) fn run(&self, report: &Report) -> Result<ExitCode, Failure> {
+        if source::is_recording(&self.xml) {
+            return Err(Failure::Usage(self.without_dialect()));
+        }
         let Resolved { dialect, .. } = resolve(&self.reading.whole(&self.xml), report)?;
         let wanted = self.wanted()?;
         let printer = Printer::new(self.format, &dialect, wanted)?;
@@ -82,6 +85,13 @@ impl Decode {
         }
         stream.tally().lines(printer.tables.table()).iter().for_each(|line| report.note(line));
         Ok(ExitCode::SUCCESS)
+    }
+
+    /// What is said where a recording is named in the place of the dialect.
+    fn without_dialect(&self) -> String {
+        let recording = self.xml.display();
+        let dialect = self.file.as_ref().map_or("xml/common.xml".into(), |file| file.display().to_string());
+        format!("`{recording}` is not a dialect's XML file, which is named first: mavgen decode {dialect} {recording}")
     }
 
     /// The ids of the messages that were asked for; `None` for all.

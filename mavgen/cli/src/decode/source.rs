@@ -44,6 +44,25 @@ pub(super) fn open<'t>(file: Option<&Path>, layout: Layout, table: &'t Table<'t>
     })
 }
 
+/// Whether a file that stands where a dialect should is standard input or something with frames: not called `.xml`, and of bytes
+/// that begin no XML in any encoding.
+pub(super) fn is_recording(path: &Path) -> bool {
+    if path == Path::new("-") {
+        return true;
+    }
+    let mut first = Vec::new();
+    let is_xml = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("xml"));
+    // What cannot be read is told by the reader of definitions.
+    let read = File::open(path).and_then(|file| file.take(64).read_to_end(&mut first));
+    !is_xml && read.is_ok() && !begins_xml(&first)
+}
+
+/// Nothing but blanks and marks of an encoding in front of a tag.
+fn begins_xml(first: &[u8]) -> bool {
+    let in_front = |byte: &u8| byte.is_ascii_whitespace() || [0, 0xef, 0xbb, 0xbf, 0xfe, 0xff].contains(byte);
+    first.iter().find(|byte| !in_front(byte)).is_none_or(|byte| *byte == b'<')
+}
+
 /// What begins like this: text of hexadecimal digits; a time before the year 4253, which has a zero first, and a frame;
 /// or frames, perhaps after noise.
 fn layout(first: &[u8]) -> Layout {
@@ -58,6 +77,16 @@ fn layout(first: &[u8]) -> Layout {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn definitions_and_recordings_are_told_apart() {
+        for xml in [&b"<mavlink>"[..], b"\xef\xbb\xbf\n <?xml", b"\xff\xfe<\0", b"\xfe\xff\0<", b"", b"\n"] {
+            assert!(begins_xml(xml), "{xml:02x?}");
+        }
+        for other in [&[0xfe, 9, 0, 1, 1][..], &[0, 4, 0xf9, 0x4d, 0xba, 0xd8, 0x41, 0, 0xfe], b"fe 09", b"FMAV"] {
+            assert!(!begins_xml(other), "{other:02x?}");
+        }
+    }
 
     #[test]
     fn layouts_are_told_apart() {

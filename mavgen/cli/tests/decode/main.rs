@@ -198,6 +198,22 @@ fn wrong_input_is_2() {
         assert_eq!(output.status.code(), Some(2), "{arguments:?}: {}", stderr(&output));
         assert!(stderr(&output).contains(said), "{}", stderr(&output));
     }
+    for name in ["flight.tlog", "flight"] {
+        fs::write(bench.folder.path().join(name), [0, 4, 0xf9, 0x4d, 0xba, 0xd8, 0x41, 0, 0xfe, 9]).unwrap();
+    }
+    for (arguments, instead) in [
+        (&["flight.tlog"][..], "xml/common.xml flight.tlog"),
+        (&["flight", "--format", "csv"], "xml/common.xml flight"),
+        (&["flight.tlog", "acme.xml"], "acme.xml flight.tlog"),
+        (&["-"], "xml/common.xml -"),
+    ] {
+        let output = bench.decode(arguments, b"");
+        let recording = arguments[0];
+        let said = format!(
+            "error: `{recording}` is not a dialect's XML file, which is named first: mavgen decode {instead}\n"
+        );
+        assert_eq!((output.status.code(), stderr(&output)), (Some(2), said));
+    }
     let nothing = bench.decode(&["acme.xml"], b"");
     assert_eq!((nothing.status.code(), nothing.stdout.len()), (Some(0), 0));
 }
