@@ -1,9 +1,11 @@
 //! The library's front door: from a path to a resolved dialect, to files, to a build script.
 
+mod warnings;
+
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-use crate::diag::{Diagnostic, Diagnostics, Severity, Style, render};
+use crate::diag::{Diagnostics, Style, render};
 use crate::emit::{GeneratedFile, Options, emit, emit_union};
 use crate::ir::{Dialect, Union};
 use crate::output::{Differences, OutputError, Report, check, write};
@@ -37,6 +39,7 @@ pub struct Builder {
     runtime: String,
     deprecated: bool,
     pub(crate) deny_warnings: bool,
+    allowed: Vec<String>,
 }
 
 /// A dialect that was read and resolved without errors.
@@ -94,6 +97,7 @@ impl Builder {
             runtime: "::mavlink_wire".to_owned(),
             deprecated: true,
             deny_warnings: false,
+            allowed: Vec::new(),
         }
     }
 
@@ -173,28 +177,18 @@ impl Builder {
         self
     }
 
-    /// Whether warnings fail, as [`Failure::Denied`] (off by default).
-    ///
-    /// Only those that [`Builder::concerns`] says are about the dialect's own file or its overlays: nobody can mend an
-    /// upstream file that they include.
-    #[must_use]
-    pub fn deny_warnings(mut self, deny: bool) -> Self {
-        self.deny_warnings = deny;
-        self
-    }
-
     /// Reads, resolves and selects; writes nothing.
     ///
     /// # Errors
     /// [`Failure::Definitions`] with every problem, [`Failure::Denied`] if [`Builder::deny_warnings`] was asked for and there
-    /// are some, [`Failure::Usage`] if [`Builder::messages`] names what there is not, if two dialects have one name, or if
-    /// several are given one that is no name for a module.
+    /// are some, [`Failure::Usage`] if [`Builder::messages`] or [`Builder::allow`] names what there is not, if two dialects have
+    /// one name, or if several are given one that is no name for a module.
     pub fn resolve(&self) -> Result<Resolved, Failure> {
         let (selection, tree) = (self.selection()?, self.name.as_deref().unwrap_or(roots::TREE));
         if let Some(conflict) = roots::conflict(&self.roots, tree) {
             return Err(Failure::Usage(conflict));
         }
-        let (mut sources, mut diagnostics) = (Sources::default(), Diagnostics::default());
+        let (mut sources, mut diagnostics) = (Sources::default(), Diagnostics::leaving_out(self.allowed_codes()?));
         let mut all = load_all(&self.roots, &self.include_dirs, &self.overlays, &mut sources, &mut diagnostics);
         if let ([only], Some(name)) = (all.as_mut_slice(), &self.name) {
             only.name.clone_from(name);
@@ -269,32 +263,6 @@ impl Builder {
     pub(crate) fn selection(&self) -> Result<Option<Selection>, Failure> {
         let names = self.messages.as_ref().map(|names| Selection::new(names.iter().map(String::as_str)));
         names.transpose().map_err(Failure::Usage)
-    }
-
-    /// Whether a diagnostic is about a dialect's own file, one of its overlays, or no file at all: about what the user of
-    /// this builder wrote, not about a file that one of those includes.
-    pub fn concerns(&self, diagnostic: &Diagnostic, sources: &Sources) -> bool {
-        let file = diagnostic.span.and_then(|span| sources.get(span.file));
-        file.is_none_or(|file| self.roots.iter().chain(&self.overlays).any(|named| named == file.path()))
-    }
-
-    /// Fails if there are warnings that are not let pass, with them.
-    pub(crate) fn check_denied(
-        &self,
-        diagnostics: &Diagnostics,
-        sources: &Sources,
-        watched: &[PathBuf],
-    ) -> Result<(), Failure> {
-        let is_denied = |diagnostic: &&Diagnostic| {
-            self.deny_warnings && diagnostic.severity() == Severity::Warning && self.concerns(diagnostic, sources)
-        };
-        let mut denied = Diagnostics::default();
-        denied.extend(diagnostics.iter().filter(is_denied).cloned());
-        if denied.is_empty() {
-            return Ok(());
-        }
-        let (sources, watched) = (sources.clone(), watched.to_owned());
-        Err(Failure::Denied(Box::new(Problems { diagnostics: denied, sources, watched })))
     }
 
     fn folder(&self) -> Result<&Path, Failure> {

@@ -6,7 +6,7 @@ mod code;
 mod nearest;
 mod render;
 
-pub use code::{Code, Severity};
+pub use code::{Code, Severity, UnknownCode};
 pub use nearest::nearest;
 pub use render::{Style, one_line, render};
 
@@ -91,11 +91,21 @@ pub struct Diagnostics {
     /// How many of a severity are not in the list.
     more: BTreeMap<Severity, usize>,
     broken: BTreeSet<Option<FileId>>,
+    /// The kinds that nobody wants to hear of.
+    left_out: Vec<Code>,
 }
 
 impl Diagnostics {
+    /// None yet, and none of these kinds later.
+    pub(crate) fn leaving_out(codes: Vec<Code>) -> Self {
+        Self { left_out: codes, ..Self::default() }
+    }
+
     /// Adds one.
     pub fn push(&mut self, diagnostic: Diagnostic) {
+        if self.left_out.contains(&diagnostic.code) {
+            return;
+        }
         if diagnostic.severity() == Severity::Error {
             self.broken.insert(diagnostic.span.map(|span| span.file));
         }

@@ -60,6 +60,7 @@ mod names;
 pub mod output;
 #[doc = include_str!("overlay.md")]
 pub mod overlay {}
+mod provenance;
 pub mod read;
 pub mod resolve;
 mod roots;

@@ -147,7 +147,7 @@ pub fn vendor(builder: &Builder, prose: &Prose) -> Result<Vendored, Failure> {
         return Err(Failure::Usage("definitions are copied one dialect at a time, and without overlays".into()));
     };
     let selection = builder.selection()?;
-    let (mut sources, mut diagnostics) = (Sources::default(), Diagnostics::default());
+    let (mut sources, mut diagnostics) = (Sources::default(), Diagnostics::leaving_out(builder.allowed_codes()?));
     let loaded = load(xml, &builder.include_dirs, &[], &mut sources, &mut diagnostics);
     let Some(whole) = resolve(&loaded, &sources, &mut diagnostics) else {
         let watched = loaded.watched;

@@ -39,9 +39,13 @@ pub(super) struct Definitions {
     /// name that means no message is an error.
     #[arg(long, visible_alias = "message", value_name = "NAME,PREFIX_*", value_delimiter = ',')]
     pub(super) messages: Option<Vec<String>>,
-    /// Warnings are errors: those about the files that are named here, not about files that they include.
+    /// Warnings are errors: those about the files that are named here, not about files that they include, nor about a vendored
+    /// copy.
     #[arg(long)]
     pub(super) deny_warnings: bool,
+    /// Leave out the warnings of this code, as M313: neither told nor denied; several are separated by commas.
+    #[arg(long, value_name = "CODE", value_delimiter = ',')]
+    allow: Vec<String>,
 }
 
 /// The definitions, and a folder for what becomes of them.
@@ -83,13 +87,14 @@ impl Definitions {
 
     fn whole(&self, xml: &Path) -> Builder {
         let builder = Builder::new(xml).deny_warnings(self.deny_warnings);
-        self.include_dir.iter().fold(builder, |builder, folder| builder.include_dir(folder))
+        let builder = self.include_dir.iter().fold(builder, |builder, folder| builder.include_dir(folder));
+        self.allow.iter().fold(builder, |builder, code| builder.allow(code))
     }
 }
 
 /// Reads and resolves, and shows what concerns the user.
 ///
-/// Warnings about included files and notes are for `mavgen lint`: they would be in the way of everything else.
+/// Warnings about somebody else's files and notes are for `mavgen lint`: they would be in the way of everything else.
 pub(super) fn resolve(builder: &Builder, report: &Report) -> Result<Resolved, Failure> {
     let resolved = resolve_silently(builder)?;
     report.diagnostics(&concerning(builder, &resolved.diagnostics, &resolved.sources), &resolved.sources);

@@ -12,8 +12,8 @@ use super::report::{Report, plural};
 
 /// Says all that there is to say about a dialect, and no (exit status 1) if something is wrong with it.
 ///
-/// Warnings and notes about included files are shown as well, which other commands do not. A warning is no reason to say no,
-/// unless warnings are denied.
+/// Warnings and notes about included files and vendored copies are shown as well, which other commands do not. A warning is no
+/// reason to say no, unless warnings are denied.
 #[derive(Args)]
 #[command(after_help = AFTER_HELP, mut_arg("messages", |messages| messages.help(MESSAGES)))]
 pub(super) struct Lint {
@@ -25,6 +25,7 @@ const AFTER_HELP: &str = "\
 Examples:
   mavgen lint xml/acme.xml
   mavgen lint xml/acme.xml --overlay xml/overlay/acme.xml --deny-warnings
+  mavgen lint xml/acme.xml --allow M313,M404
   mavgen lint xml/acme.xml --message-format json 2>&1 | jq .message
 
 Exit status: 0 fine, 1 errors (or denied warnings), 2 the file or an overlay cannot be read, or the usage is wrong.";

@@ -4,6 +4,9 @@
 //! together, `M3xx` messages, `M4xx` enums, `M5xx` commands, `M6xx` names, `M7xx` overlays, `M8xx` several dialects, `M9xx` PX4's `.msg` files.
 
 use std::fmt;
+use std::str::FromStr;
+
+use super::nearest;
 
 /// How bad a problem is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -227,6 +230,34 @@ impl fmt::Display for Code {
     }
 }
 
+/// A text that is no [`Code`]. `Display` says which one may have been meant.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UnknownCode(String);
+
+impl FromStr for Code {
+    type Err = UnknownCode;
+
+    /// `M304`, in any case, or `304`.
+    fn from_str(text: &str) -> Result<Self, UnknownCode> {
+        let number = text.trim().trim_start_matches(['M', 'm']).parse().ok();
+        let code = Self::ALL.iter().copied().find(|code| Some(code.number()) == number);
+        code.ok_or_else(|| UnknownCode(text.to_owned()))
+    }
+}
+
+impl fmt::Display for UnknownCode {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let codes: Vec<String> = Code::ALL.iter().map(Code::to_string).collect();
+        write!(f, "there is no diagnostic `{}`; ", self.0)?;
+        match nearest(&self.0, codes.iter().map(String::as_str)) {
+            Some(meant) => write!(f, "did you mean `{meant}`?"),
+            None => f.write_str("`mavgen explain` lists all"),
+        }
+    }
+}
+
+impl std::error::Error for UnknownCode {}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -235,5 +266,17 @@ mod tests {
     fn numbers_rise() {
         assert!(Code::ALL.is_sorted_by(|a, b| a.number() < b.number()));
         assert_eq!(Code::UnknownType.to_string(), "M304");
+    }
+
+    #[test]
+    fn any_spelling_of_a_code() {
+        for text in ["M304", "m304", "304", " M304 "] {
+            assert_eq!(text.parse(), Ok(Code::UnknownType), "{text}");
+        }
+        assert_eq!("M007".parse::<Code>(), "7".parse());
+        for (text, help) in [("M3O4", "did you mean `M304`?"), ("M9999", "lists all"), ("", "lists all")] {
+            let message = text.parse::<Code>().unwrap_err().to_string();
+            assert!(message.contains(help), "{message}");
+        }
     }
 }

@@ -6,9 +6,10 @@ use std::fmt;
 use sha2::{Digest, Sha256};
 
 use super::digest;
+use crate::provenance::{self, MARK};
 
-/// How every header starts.
-const MARK: &str = "<!-- Vendored by mavgen ";
+pub(super) use crate::provenance::split_declaration;
+
 /// What the header says where the descriptions are not the source's.
 const DESCRIBED_HERE: &str = "its facts, with descriptions written here";
 /// What the header says where there are no descriptions, unless somebody wrote some later.
@@ -88,8 +89,7 @@ pub(super) struct Ours<'t> {
 /// The file with this text, if it is one of ours; its start is enough to know.
 pub(super) fn read(text: &str) -> Option<Ours<'_>> {
     let text = text.trim_start_matches('\u{feff}');
-    let (declaration, rest) = split_declaration(text);
-    let comment = rest.trim_start().strip_prefix(MARK)?;
+    let (declaration, comment) = provenance::split(text)?;
     let (comment, below) = comment.split_once("-->").unwrap_or((comment, ""));
     let facts = comment.contains(DESCRIBED_HERE) || comment.contains(NOT_DESCRIBED);
     let digest = comment.rsplit_once(DIGEST).map(|(_, digest)| digest.trim_end().trim_end_matches('.'));
@@ -105,12 +105,6 @@ impl Ours<'_> {
         };
         self.digest.is_some() && self.digest == digest.as_deref()
     }
-}
-
-/// The declaration and what follows it, if a text begins with one.
-pub(super) fn split_declaration(text: &str) -> (&str, &str) {
-    let end = if text.starts_with("<?xml") { text.find("?>").map_or(0, |at| at + 2) } else { 0 };
-    text.split_at_checked(end).unwrap_or(("", text))
 }
 
 /// A name as a comment can hold it: no `--`, and nothing that XML does not allow.

@@ -64,6 +64,33 @@ fn warnings_about_included_files_are_shown_by_lint_alone_and_never_denied() {
     }
 }
 
+/// A vendored copy is upstream's, also as the dialect that is named.
+#[test]
+fn warnings_about_a_vendored_copy_are_shown_by_lint_alone_and_never_denied() {
+    let folder = upstream_and_own();
+    assert!(mavgen(folder.path(), &["vendor", "acme.xml", "--out", "xml"]).status.success());
+    let lint = mavgen(folder.path(), &["lint", "xml/acme.xml", "--deny-warnings"]);
+    assert!(lint.status.success() && stderr(&lint).contains("warning[M313]"), "{}", stderr(&lint));
+    for command in [&["dump"][..], &["generate", "--out", "out"], &["check", "--out", "out"]] {
+        let fine = mavgen(folder.path(), &[command, &["xml/acme.xml", "--deny-warnings"]].concat());
+        assert!(fine.status.success() && !stderr(&fine).contains("warning"), "{}", stderr(&fine));
+    }
+}
+
+#[test]
+fn what_is_allowed_is_not_told() {
+    let folder = upstream_and_own();
+    for codes in [&["--allow", "M313"][..], &["--allow=m101,313"], &["--allow", "M101", "--allow", "M313"]] {
+        for command in [&["lint"][..], &["dump"], &["generate", "--out", "out"], &["vendor", "--out", "xml"]] {
+            let fine = mavgen(folder.path(), &[command, &["acme.xml", "--deny-warnings"], codes].concat());
+            assert!(fine.status.success() && !stderr(&fine).contains("M313"), "{command:?}: {}", stderr(&fine));
+        }
+    }
+    let unknown = mavgen(folder.path(), &["lint", "acme.xml", "--allow", "M31X"]);
+    let said = "error: there is no diagnostic `M31X`; did you mean `M310`?\n";
+    assert_eq!((unknown.status.code(), &*stderr(&unknown)), (Some(2), said));
+}
+
 #[test]
 fn denied_warnings_stop_every_command_before_it_writes() {
     let folder = upstream_and_own();
