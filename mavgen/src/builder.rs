@@ -71,6 +71,8 @@ pub enum Failure {
     Output(OutputError),
     /// The builder was told something impossible.
     Usage(String),
+    /// A mistake of mavgen's own, and nothing of its user's: please report it.
+    Internal(String),
 }
 
 /// The problems of a set of definitions.
@@ -254,10 +256,11 @@ impl Builder {
             sources.push_str(&format!("\n// only {selection}, and what they need"));
         }
         let options = Options { runtime: self.runtime.clone(), deprecated: self.deprecated, sources };
-        Ok(match &resolved.union {
+        let files = match &resolved.union {
             Some(union) => emit_union(union, &options),
             None => emit(&resolved.dialect, &options),
-        })
+        };
+        files.map_err(|internal| Failure::Internal(internal.to_string()))
     }
 
     pub(crate) fn selection(&self) -> Result<Option<Selection>, Failure> {
@@ -294,6 +297,7 @@ impl fmt::Display for Failure {
             Self::Denied(problems) => write!(f, "{problems}\n\nerror: {DENIED}"),
             Self::Output(error) => error.fmt(f),
             Self::Usage(text) => f.write_str(text),
+            Self::Internal(text) => write!(f, "mavgen is wrong: {text}"),
         }
     }
 }

@@ -44,11 +44,14 @@ pub fn select(old: Dialect, new: Dialect, messages: &[String]) -> Result<(Dialec
 /// The changes from `old` to `new`, group by group, in each by message or enum; nothing if they are the same but for their prose.
 ///
 /// The dialects may be called differently, like `acme_1.xml` and `acme_2.xml`: what that alone changes in Rust is not listed.
-pub fn compare(old: &Dialect, new: &Dialect) -> Vec<Change> {
+///
+/// # Errors
+/// [`Failure::Internal`] for a model that says something impossible.
+pub fn compare(old: &Dialect, new: &Dialect) -> Result<Vec<Change>, Failure> {
     let pairs = Pairs::of(old, new);
     let mut changes = wire::changes(&pairs);
     changes.extend(enums::changes(&pairs));
-    changes.extend(api::changes(old, new, &pairs));
+    changes.extend(api::changes(old, new, &pairs).map_err(|internal| Failure::Internal(internal.to_string()))?);
     changes.extend(metadata::changes(old, new, &pairs));
-    changes
+    Ok(changes)
 }

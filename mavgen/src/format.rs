@@ -4,13 +4,15 @@
 
 use proc_macro2::TokenStream;
 
+use crate::lower::Internal;
+
 /// The text of a file made of these items.
-pub(crate) fn format(items: TokenStream) -> String {
-    match syn::parse2(items.clone()) {
-        Ok(file) => blank_lines(&prettyplease::unparse(&file)),
-        // The emitters write whole items, so this does not happen; if it did, the compiler would show the place.
-        Err(_) => items.to_string(),
-    }
+///
+/// # Errors
+/// If they are no items, which is a mistake of the emitters.
+pub(crate) fn format(items: TokenStream) -> Result<String, Internal> {
+    let file = syn::parse2(items).map_err(|error| Internal::new(format!("generated code is no Rust: {error}")))?;
+    Ok(blank_lines(&prettyplease::unparse(&file)))
 }
 
 /// Separates items by empty lines, in modules and in `impl` blocks; one-line constants, imports and modules stay together.
@@ -129,6 +131,6 @@ mod tests {
         let expected = "use super::A;\nuse super::B;\n\n/// A type.\npub struct C(pub u8);\n\nimpl C {\n    /// One.\n    pub const ONE: Self = \
                         Self(1);\n    /// Two.\n    pub const TWO: Self = Self(2);\n\n    /// Get.\n    pub fn get(self) -> u8 \
                         {\n        self.0\n    }\n}\n\nmod x;\nmod y;\n";
-        assert_eq!(text, expected);
+        assert_eq!(text.unwrap(), expected);
     }
 }

@@ -56,6 +56,7 @@ mod docs;
 mod emit;
 mod format;
 pub mod ir;
+mod lower;
 mod names;
 pub mod output;
 #[doc = include_str!("overlay.md")]
@@ -64,6 +65,7 @@ mod provenance;
 pub mod read;
 pub mod resolve;
 mod roots;
+mod rust;
 mod select;
 pub mod source;
 pub mod syntax;

@@ -16,7 +16,8 @@ use mavgen::Builder;
 
 fn main() {
     let out = PathBuf::from(env::var_os("OUT_DIR").unwrap());
-    for input in ["build", "src/definition.rs", "vectors/autoquad.txt", "hostile", "packed", "roots", "../xml"] {
+    for input in ["build", "src/definition.rs", "vectors/autoquad.txt", "hostile", "packed", "roots", "typed", "../xml"]
+    {
         println!("cargo::rerun-if-changed={input}");
     }
     let text = fs::read_to_string("vectors/autoquad.txt").unwrap();
@@ -42,6 +43,7 @@ fn generate_others(out: &Path) {
         ("names", Builder::new("hostile/names.xml")),
         ("packed", packed),
         ("selected", selected.name("selected")),
+        ("typed", Builder::new("typed/typed.xml").overlay("typed/typed.overlay.xml")),
         ("roots", overlays.iter().fold(roots, Builder::overlay)),
     ];
     for (name, builder) in others {

@@ -67,7 +67,7 @@ impl Diff {
         if let Some(messages) = &self.reading.definitions.messages {
             (old.dialect, new.dialect) = select(old.dialect, new.dialect, messages)?;
         }
-        let mut changes = compare(&old.dialect, &new.dialect);
+        let mut changes = compare(&old.dialect, &new.dialect)?;
         changes.retain(|change| self.asks_for(change.group()));
         let places = Places { old: &old.sources, new: &new.sources };
         report::print(&if self.json { self.as_json(&changes, &places) } else { self.text(&changes, &places) })?;

@@ -8,12 +8,13 @@ use super::surface::{Member, Name, Shape, Surface};
 use super::surfaces::surfaces;
 use super::{Change, Kind};
 use crate::ir::Dialect;
+use crate::lower::Internal;
 use crate::source::Span;
 
 /// The changes of all types.
-pub(super) fn changes(old: &Dialect, new: &Dialect, pairs: &Pairs<'_>) -> Vec<Change> {
+pub(super) fn changes(old: &Dialect, new: &Dialect, pairs: &Pairs<'_>) -> Result<Vec<Change>, Internal> {
     let names = Renamed::of(pairs);
-    let (before, after) = surfaces(old, new, &names);
+    let (before, after) = surfaces(old, new, &names)?;
     let (before, after) = (Side::of(old, before), Side::of(new, after));
     let mut changes = Vec::new();
     let mut matched: BTreeMap<&str, &str> = BTreeMap::new();
@@ -31,7 +32,7 @@ pub(super) fn changes(old: &Dialect, new: &Dialect, pairs: &Pairs<'_>) -> Vec<Ch
     for name in after.surface.keys().filter(|name| !matched.contains_key(name.as_str())) {
         changes.push(Change::new(Kind::ItemAdded, false, name).at(None, after.place(name, None)));
     }
-    changes
+    Ok(changes)
 }
 
 /// One state.

@@ -10,16 +10,18 @@ use super::surface::{Surface, plain, surface};
 use crate::emit::threads::in_order;
 use crate::emit::{Options, items_of_enum, items_of_message};
 use crate::ir::{Dialect, Enum, Message};
+use crate::lower::Internal;
 
 /// What users see of the types of both states, but for those of messages and enums whose code is the same in both.
-pub(super) fn surfaces(old: &Dialect, new: &Dialect, names: &Renamed<'_>) -> (Surface, Surface) {
+pub(super) fn surfaces(old: &Dialect, new: &Dialect, names: &Renamed<'_>) -> Result<(Surface, Surface), Internal> {
     let renamed = names.changed();
     let (mut before, mut after) = (Surface::new(), Surface::new());
-    for (old, new) in in_order(&pairs(old, new), |pair| of_pair(pair, &renamed)) {
+    for pair in in_order(&pairs(old, new), |pair| of_pair(pair, &renamed)) {
+        let (old, new) = pair?;
         before.extend(old);
         after.extend(new);
     }
-    (before, after)
+    Ok((before, after))
 }
 
 /// What declares types: an enum; a message, which has views.
@@ -47,22 +49,23 @@ fn pairs<'a>(old: &'a Dialect, new: &'a Dialect) -> Vec<Pair<'a>> {
 }
 
 /// Nothing if the code is the same, and means the same: it does not if it names what is called differently now.
-fn of_pair(pair: &Pair<'_>, renamed: &HashSet<&str>) -> (Surface, Surface) {
-    let [old, new] = pair.map(|declared| declared.map(Declared::code));
+fn of_pair(pair: &Pair<'_>, renamed: &HashSet<&str>) -> Result<(Surface, Surface), Internal> {
+    let [old, new] = pair.map(|declared| declared.map(Declared::code).transpose());
+    let (old, new) = (old?, new?);
     if let (Some(old), Some(new)) = (&old, &new)
         && is_same(old, new)
         && (renamed.is_empty() || !names_any(old, renamed))
     {
-        return (Surface::new(), Surface::new());
+        return Ok((Surface::new(), Surface::new()));
     }
-    (old.map(surface).unwrap_or_default(), new.map(surface).unwrap_or_default())
+    Ok((old.map(surface).unwrap_or_default(), new.map(surface).unwrap_or_default()))
 }
 
 impl Declared<'_> {
-    fn code(self) -> TokenStream {
+    fn code(self) -> Result<TokenStream, Internal> {
         let options = Options { runtime: "::mavlink_wire".to_owned(), deprecated: true, sources: String::new() };
         match self {
-            Self::Enum(dialect, values) => items_of_enum(dialect, &options, values),
+            Self::Enum(dialect, values) => Ok(items_of_enum(dialect, &options, values)),
             Self::Message(dialect, message) => items_of_message(dialect, &options, message),
         }
     }

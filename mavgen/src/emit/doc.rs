@@ -3,9 +3,10 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::docs::{line, prose};
+use crate::docs::{line, prose, prose_with};
 use crate::emit::Context;
 use crate::ir::{Lifecycle, Limits, Name, Origin, Successor};
+use crate::rust::{Docs, Paragraph};
 
 /// One `#[doc]` a line, which prints as `///`.
 pub(crate) fn attributes(lines: &[String]) -> TokenStream {
@@ -17,6 +18,19 @@ pub(crate) fn attributes(lines: &[String]) -> TokenStream {
 pub(crate) fn inner_attributes(lines: &[String]) -> TokenStream {
     let lines = lines.iter().map(|line| spaced(line));
     quote!(#(#![doc = #lines])*)
+}
+
+/// A documentation: its paragraphs, of which those that say nothing are left out.
+pub(crate) fn documentation(docs: &Docs<'_>) -> TokenStream {
+    let paragraphs = docs.0.iter().map(|paragraph| match paragraph {
+        Paragraph::Prose(text, sentences) => {
+            let words = sentences.iter().flat_map(|sentence| sentence.split(' ')).map(str::to_owned);
+            prose_with(text, words.collect())
+        }
+        Paragraph::Lines(lines) => lines.clone(),
+        Paragraph::Table(head, rows) => table(head, rows),
+    });
+    attributes(&join(paragraphs))
 }
 
 fn spaced(line: &str) -> String {
@@ -109,35 +123,30 @@ pub(crate) fn link(name: &Name) -> String {
 }
 
 /// A markdown table with aligned columns: the first to the right, the last as it is.
-pub(crate) fn table<const N: usize>(head: [&str; N], rows: &[[String; N]]) -> Vec<String> {
-    let width = |column: usize| {
+pub(crate) fn table(head: &[&str], rows: &[Vec<String>]) -> Vec<String> {
+    let last = head.len().saturating_sub(1);
+    let width = |(column, title): (usize, &&str)| {
         let cells = rows.iter().filter_map(|row| row.get(column)).map(|cell| cell.chars().count());
-        cells.chain(head.get(column).map(|cell| cell.chars().count())).max().unwrap_or_default()
+        cells.fold(title.chars().count(), usize::max)
     };
-    let widths: [usize; N] = std::array::from_fn(width);
-    let cell = |text: &str, column: usize| {
-        let width = widths.get(column).copied().unwrap_or_default();
-        match column {
-            0 => format!(" {text:>width$} "),
-            _ if column + 1 == N => format!(" {text} "),
-            _ => format!(" {text:<width$} "),
-        }
+    let widths: Vec<usize> = head.iter().enumerate().map(width).collect();
+    let cell = |column: usize, width: usize, text: &str| match column {
+        0 => format!(" {text:>width$} "),
+        _ if column == last => format!(" {text} "),
+        _ => format!(" {text:<width$} "),
     };
-    let row = |cells: [&str; N]| {
-        let cells: Vec<String> = cells.iter().enumerate().map(|(column, text)| cell(text, column)).collect();
-        format!("|{}|", cells.join("|"))
+    let row = |cells: &mut dyn Iterator<Item = &str>| {
+        let cells = widths.iter().zip(cells).enumerate().map(|(column, (width, text))| cell(column, *width, text));
+        format!("|{}|", cells.collect::<Vec<_>>().join("|"))
     };
-    let rule = |column: usize| {
-        let dashes = "-".repeat(widths.get(column).copied().unwrap_or_default() + 1);
-        match column {
-            0 => format!("{dashes}:"),
-            _ if column + 1 == N => "---".to_owned(),
-            _ => format!("-{dashes}"),
-        }
+    let rule = |(column, width): (usize, &usize)| match column {
+        0 => format!("{}:", "-".repeat(width + 1)),
+        _ if column == last => "---".to_owned(),
+        _ => "-".repeat(width + 2),
     };
-    let rules: Vec<String> = (0..N).map(rule).collect();
-    let mut lines = vec![row(head), format!("|{}|", rules.join("|"))];
-    lines.extend(rows.iter().map(|cells| row(std::array::from_fn(|at| cells.get(at).map_or("", String::as_str)))));
+    let rules: Vec<String> = widths.iter().enumerate().map(rule).collect();
+    let mut lines = vec![row(&mut head.iter().copied()), format!("|{}|", rules.join("|"))];
+    lines.extend(rows.iter().map(|cells| row(&mut cells.iter().map(String::as_str))));
     lines
 }
 
@@ -177,13 +186,13 @@ mod tests {
 
     #[test]
     fn tables_are_aligned() {
-        let rows = [["0", "`time`", "us"], ["10", "`x`", ""]].map(|row| row.map(str::to_owned));
+        let rows = [["0", "`time`", "us"], ["10", "`x`", ""]].map(|row| row.map(str::to_owned).to_vec());
         let lines = [
             "| offset | field  | units |",
             "|-------:|--------|---|",
             "|      0 | `time` | us |",
             "|     10 | `x`    |  |",
         ];
-        assert_eq!(table(["offset", "field", "units"], &rows), lines);
+        assert_eq!(table(&["offset", "field", "units"], &rows), lines);
     }
 }

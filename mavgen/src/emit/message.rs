@@ -43,12 +43,14 @@ use quote::quote;
 
 use crate::docs::line;
 use crate::emit::field::{FieldTokens, field, xml_type};
+use crate::emit::method::method;
 use crate::emit::token::{decimal, ident};
-use crate::emit::{Context, accessor, doc, rivals, secret, view};
+use crate::emit::{Context, accessor, doc, rivals, secret};
 use crate::ir::{Field, Message};
+use crate::lower::Internal;
 
 /// The items of a message's file.
-pub(crate) fn message(context: &Context<'_>, message: &Message) -> TokenStream {
+pub(crate) fn message(context: &Context<'_>, message: &Message) -> Result<TokenStream, Internal> {
     let imports = imports(context, message);
     let fields: Vec<FieldTokens> = message.fields.iter().map(|one| field(context, message, one)).collect();
     let declaration = declaration(context, message, &fields);
@@ -56,9 +58,9 @@ pub(crate) fn message(context: &Context<'_>, message: &Message) -> TokenStream {
     let encode_impl = encode_impl(message, &fields);
     let targeted = targeted(message);
     let accessors = accessor::accessors(context, message);
-    let bindings = view::bindings(context, message);
+    let bindings = bindings(context, message)?;
     let name = ident(&message.name.rust);
-    quote! {
+    Ok(quote! {
         #imports
         #declaration
         #accessors
@@ -67,7 +69,17 @@ pub(crate) fn message(context: &Context<'_>, message: &Message) -> TokenStream {
         #encode_impl
         #targeted
         wire::message!(#name);
+    })
+}
+
+/// The `impl` with the enums that overlays bind to fields; nothing if there are none.
+fn bindings(context: &Context<'_>, message: &Message) -> Result<TokenStream, Internal> {
+    let methods = context.items().bindings(message)?;
+    if methods.is_empty() {
+        return Ok(TokenStream::new());
     }
+    let (name, methods) = (ident(&message.name.rust), methods.iter().map(method));
+    Ok(quote!(impl #name { #(#methods)* }))
 }
 
 fn imports(context: &Context<'_>, message: &Message) -> TokenStream {
@@ -119,10 +131,15 @@ fn wire_table(message: &Message) -> Vec<String> {
     let row = |field: &Field| {
         let extension = if field.extension { " (extension)" } else { "" };
         let units = field.units.as_deref().map(line).unwrap_or_default();
-        [field.offset.to_string(), format!("`{}`{extension}", field.name.text), format!("`{}`", xml_type(field)), units]
+        vec![
+            field.offset.to_string(),
+            format!("`{}`{extension}", field.name.text),
+            format!("`{}`", xml_type(field)),
+            units,
+        ]
     };
     let rows: Vec<_> = message.wire_order().into_iter().map(row).collect();
-    doc::table(["offset", "field", "type", "units"], &rows)
+    doc::table(&["offset", "field", "type", "units"], &rows)
 }
 
 /// The implementation of `wire::Message`.

@@ -11,7 +11,9 @@ use crate::emit::place::path;
 use crate::emit::token::{decimal, ident};
 use crate::emit::{Context, dialect as dialects, doc};
 use crate::ir::{Access, Home, Message, Name, Origin, View};
+use crate::lower::Internal;
 use crate::names::item_module_name;
+use crate::rust::Mentions;
 
 /// `mod.rs`: modules and flat names, of what there is. It begins with an item, so that `include!` takes it.
 ///
@@ -65,10 +67,10 @@ pub(crate) fn messages(context: &Context<'_>, folder: &Folder<'_>) -> TokenStrea
         .iter()
         .map(|Listed { item, .. }| {
             let (id, link) = (item.id.to_string(), doc::link(&item.name));
-            [id, link, first_sentence(&item.origin.description)]
+            vec![id, link, first_sentence(&item.origin.description)]
         })
         .collect();
-    let toc = doc::table(["id", "message", ""], &rows);
+    let toc = doc::table(&["id", "message", ""], &rows);
     let title = match folder.dialect {
         Some(_) => "The messages of the dialect, one type each.",
         None => "The messages that are the same in all dialects that have them, one type each.",
@@ -91,10 +93,10 @@ pub(crate) fn enums(context: &Context<'_>, folder: &Folder<'_>) -> TokenStream {
         .iter()
         .map(|Listed { item, .. }| {
             let entries = decimal(item.entries.len() as u64).to_string();
-            [entries, doc::link(&item.name), first_sentence(&item.origin.description)]
+            vec![entries, doc::link(&item.name), first_sentence(&item.origin.description)]
         })
         .collect();
-    let toc = doc::table(["entries", "enum", ""], &rows);
+    let toc = doc::table(&["entries", "enum", ""], &rows);
     let title = match folder.dialect {
         Some(_) => "The enums and flags of the dialect.",
         None => "The enums and flags that are the same in all dialects that have them, with the constants of all.",
@@ -112,14 +114,16 @@ pub(crate) fn enums(context: &Context<'_>, folder: &Folder<'_>) -> TokenStream {
 }
 
 /// `views.rs`: the views, and the slots that messages give them in.
-pub(crate) fn views(context: &Context<'_>, folder: &Folder<'_>) -> TokenStream {
+pub(crate) fn views(context: &Context<'_>, folder: &Folder<'_>) -> Result<TokenStream, Internal> {
     let docs = doc::inner_attributes(&["Views of bits that are packed into fields.".to_owned()]);
     let own = folder.views.iter().filter(|listed| listed.home == folder.home);
     let modules = own.map(|Listed { item: (message, view), .. }| {
-        let expect = expect_deprecated(context.is_deprecated(&message.origin));
+        let named = Mentions::of_view(&context.items().view(message, view)?);
+        let expect = expect_deprecated(context.is_deprecated(&message.origin) || named.is_any_deprecated());
         let file = ident(&item_module_name(&view.name.text));
-        quote!(#expect mod #file;)
+        Ok(quote!(#expect mod #file;))
     });
+    let modules = modules.collect::<Result<Vec<_>, Internal>>()?;
     let exports = folder.views.iter().map(|Listed { item: (_, view), home }| {
         let from = if *home == folder.home {
             ident(&item_module_name(&view.name.text)).into_token_stream()
@@ -129,7 +133,7 @@ pub(crate) fn views(context: &Context<'_>, folder: &Folder<'_>) -> TokenStream {
         };
         view_export(&from, view)
     });
-    quote!(#docs #(#modules)* #(#exports)*)
+    Ok(quote!(#docs #(#modules)* #(#exports)*))
 }
 
 fn view_export(from: &TokenStream, view: &View) -> TokenStream {

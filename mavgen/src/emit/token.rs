@@ -17,9 +17,11 @@ pub(crate) fn decimal(value: impl Into<u64>) -> Literal {
 }
 
 /// A number as a hexadecimal mask: `0x8000_0000`.
-pub(crate) fn mask(value: u64) -> TokenStream {
+pub(crate) fn mask(value: impl Into<u128>) -> TokenStream {
+    let value = value.into();
+    let decimal = Literal::u128_unsuffixed(value).into_token_stream();
     if value < 10 {
-        return decimal(value).into_token_stream();
+        return decimal;
     }
     let digits = format!("{value:x}");
     let mut grouped = String::from("0x");
@@ -29,7 +31,7 @@ pub(crate) fn mask(value: u64) -> TokenStream {
         }
         grouped.push(digit);
     }
-    grouped.parse::<Literal>().map_or_else(|_| decimal(value).into_token_stream(), ToTokens::into_token_stream)
+    grouped.parse::<Literal>().map_or(decimal, ToTokens::into_token_stream)
 }
 
 /// An integer that may be negative, without a type suffix.
@@ -76,9 +78,9 @@ mod tests {
 
     #[test]
     fn numbers() {
-        assert_eq!(mask(8).to_string(), "8");
-        assert_eq!(mask(0x8000_0000).to_string(), "0x8000_0000");
-        assert_eq!(mask(0x10000).to_string(), "0x1_0000");
+        assert_eq!(mask(8_u64).to_string(), "8");
+        assert_eq!(mask(0x8000_0000_u64).to_string(), "0x8000_0000");
+        assert_eq!(mask(0x10000_u64).to_string(), "0x1_0000");
         assert_eq!(integer(-32768).to_string(), "- 32768");
         assert_eq!(float(-1.5).to_string(), "- 1.5");
         assert_eq!(float(-0.0).to_string(), "- 0.0");

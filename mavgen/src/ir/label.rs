@@ -24,12 +24,6 @@ impl Label {
         Self { name, suffix: None }
     }
 
-    /// The label with one more word: `level_raw`.
-    pub(crate) fn with(&self, word: &str) -> Self {
-        let suffix = self.suffix.iter().map(String::as_str).chain([word]).collect::<Vec<_>>().join("_");
-        Self { name: self.name.clone(), suffix: Some(suffix) }
-    }
-
     /// What tables, JSON and columns call it: `age_ms`. Keywords of a language are not known here.
     pub fn shown(&self) -> String {
         let name = self.name.text.to_snake_case();

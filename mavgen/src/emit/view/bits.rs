@@ -1,58 +1,125 @@
-//! Bits in expressions: masks, shifts, and the test for a layout.
+//! Getters and setters of named bits: masks, shifts, and the test for a layout.
 
 use std::ops::RangeInclusive;
 
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Delimiter, Literal, TokenStream, TokenTree};
 use quote::quote;
 
-use super::storage;
 use crate::emit::token::{ident, mask};
-use crate::ir::{Member, Presence, SwitchOn, View};
+use crate::emit::ty::{int, number_in, value_of};
+use crate::ir::Repeat;
+use crate::rust::{AsInt, BitField, Holds, Int, Present, Selector, Through};
 
-/// The integer of a member's raw number: the smallest that holds it.
-pub(super) fn raw_type(member: &Member) -> Ident {
-    let (sign, width) = (if member.signed { 'i' } else { 'u' }, integer_width(member.width));
-    ident(&format!("{sign}{width}"))
+/// What the bits hold: `((self.bits >> 29) & 0x7fff) as u16`, `self.bits & (1 << 4) != 0`; in an `Option` where there may be none.
+pub(in crate::emit) fn get(bits: &BitField<'_>) -> TokenStream {
+    let value = match as_int(bits) {
+        None => {
+            let bit = At::of(bits).left(&quote!(1));
+            quote!(self.bits & #bit != 0)
+        }
+        Some(as_int) => {
+            let raw = read(bits.storage, &At::of(bits), bits.width, bits.raw);
+            let wanted = int(as_int.int);
+            let number = if bits.raw == as_int.int { raw } else { quote!((#raw) as #wanted) };
+            value_of(as_int, &number)
+        }
+    };
+    let there = bits.present.as_ref().map(|present| {
+        let (selector, patterns) = (selector(bits.storage, present), patterns(present));
+        quote! {
+            match #selector {
+                #patterns => Some(#value),
+                _ => None,
+            }
+        }
+    });
+    match (bits.repeat.map(|repeat| Literal::u8_unsuffixed(repeat.count)), there) {
+        (None, None) => value,
+        (None, Some(there)) => there,
+        (Some(count), None) => quote!(if index < #count { Some(#value) } else { None }),
+        (Some(count), Some(there)) => quote!(if index < #count { #there } else { None }),
+    }
 }
 
-/// Bits of the smallest integer for `width` bits.
-pub(super) fn integer_width(width: u8) -> u8 {
-    width.next_power_of_two().max(8)
+/// Puts `value` into the bits if it fits, and if there are such bits.
+pub(in crate::emit) fn set(bits: &BitField<'_>) -> TokenStream {
+    let is_there = bits.present.as_ref().map(|present| {
+        let (selector, patterns) = (selector(bits.storage, present), patterns(present));
+        quote! {
+            match #selector {
+                #patterns => {}
+                _ => return Err(wire::ViewError::Absent),
+            }
+        }
+    });
+    let is_one = bits.repeat.map(|repeat| {
+        let count = Literal::u8_unsuffixed(repeat.count);
+        quote!(if index >= #count { return Err(wire::ViewError::OutOfRange); })
+    });
+    let store = store(bits);
+    quote!(#is_there #is_one #store)
 }
 
-/// `0xfff`
-pub(super) fn mask_of(width: u8) -> TokenStream {
-    let all = u128::MAX.checked_shr(128 - u32::from(width)).unwrap_or_default();
-    u64::try_from(all).map_or_else(
-        |_| {
-            let hexadecimal = format!("{all:#x}").parse::<Literal>();
-            hexadecimal.map_or_else(|_| quote!(u128::MAX), |literal| quote!(#literal))
-        },
-        mask,
-    )
+/// What the bits hold as an integer; `None` for a flag.
+fn as_int<'d>(bits: &BitField<'d>) -> Option<AsInt<'d>> {
+    match bits.holds {
+        Holds::Flag => None,
+        Holds::Number => Some(AsInt { int: bits.raw, through: Through::Plain }),
+        Holds::Enum(one) => Some(one.as_int()),
+    }
 }
 
-/// The raw number: `((self.bits >> 29) & 0x7fff) as u16`; with an offset `at` that is an expression for repeated bits.
-pub(super) fn read(view: &View, at: &At, width: u8, raw: &Ident, signed: bool) -> TokenStream {
-    let (storage, shifted) = (storage(view), at.right(&quote!(self.bits)));
+fn store(bits: &BitField<'_>) -> TokenStream {
+    let at = At::of(bits);
+    let Some(as_int) = as_int(bits) else {
+        let bit = at.left(&quote!(1));
+        return quote! {
+            self.bits = if value { self.bits | #bit } else { self.bits & !#bit };
+            Ok(())
+        };
+    };
+    let number = number_in(as_int, &quote!(value));
+    if as_int.int.bits() == bits.width {
+        let bits = write(bits, &at, &number, as_int.int);
+        return quote! {
+            self.bits = #bits;
+            Ok(())
+        };
+    }
+    let (range, bits) = (raw_range(bits), write(bits, &at, &quote!(raw), as_int.int));
+    quote! {
+        match #number {
+            raw @ #range => {
+                self.bits = #bits;
+                Ok(())
+            }
+            _ => Err(wire::ViewError::OutOfRange),
+        }
+    }
+}
+
+/// The raw number: `((self.bits >> 29) & 0x7fff) as u16`.
+fn read(storage: Int, at: &At, width: u8, raw: Int) -> TokenStream {
+    let shifted = at.right(&quote!(self.bits));
     // An integer that is exactly as wide takes no more bits than it should: the cast drops the others.
-    let number = if width == integer_width(width) {
+    let number = if width == raw.bits() {
         shifted
     } else {
         let mask = mask_of(width);
         quote!((#shifted & #mask))
     };
-    let unsigned = ident(&format!("u{}", integer_width(width)));
-    let number = if unsigned == storage { number } else { quote!((#number as #unsigned)) };
-    if !signed {
+    let unsigned = int(raw.unsigned());
+    let number = if raw.unsigned() == storage { number } else { quote!((#number as #unsigned)) };
+    if !raw.is_signed() {
         return unparenthesised(number);
     }
     // Two's complement: the sign bit goes to the top, and comes back with its copies.
-    match integer_width(width) - width {
-        0 => quote!(#number as #raw),
+    let signed = int(raw);
+    match raw.bits() - width {
+        0 => quote!(#number as #signed),
         spare => {
             let spare = Literal::u8_unsuffixed(spare);
-            quote!(((#number << #spare) as #raw) >> #spare)
+            quote!(((#number << #spare) as #signed) >> #spare)
         }
     }
 }
@@ -61,29 +128,63 @@ pub(super) fn read(view: &View, at: &At, width: u8, raw: &Ident, signed: bool) -
 fn unparenthesised(tokens: TokenStream) -> TokenStream {
     let mut trees = tokens.clone().into_iter();
     match (trees.next(), trees.next()) {
-        (Some(proc_macro2::TokenTree::Group(group)), None)
-            if group.delimiter() == proc_macro2::Delimiter::Parenthesis =>
-        {
-            group.stream()
-        }
+        (Some(TokenTree::Group(group)), None) if group.delimiter() == Delimiter::Parenthesis => group.stream(),
         _ => tokens,
     }
 }
 
 /// `(self.bits & !(0x7fff << 29)) | ((raw as u64) << 29)`
-pub(super) fn write(view: &View, at: &At, width: u8, raw: &TokenStream, raw_type: &Ident) -> TokenStream {
-    let (storage, mask) = (storage(view), mask_of(width));
-    let number = if *raw_type == storage { quote!(#raw) } else { quote!((#raw as #storage)) };
-    let number = if raw_type.to_string().starts_with('i') { quote!((#number & #mask)) } else { number };
-    if width == view.width && width == integer_width(view.width) {
-        return number;
+fn write(bits: &BitField<'_>, at: &At, number: &TokenStream, of: Int) -> TokenStream {
+    let (storage, mask) = (int(bits.storage), mask_of(bits.width));
+    if bits.width == bits.storage.bits() {
+        return if of == bits.storage { number.clone() } else { quote!(#number as #storage) };
     }
+    let number = if of == bits.storage { number.clone() } else { quote!((#number as #storage)) };
+    let number = if of.is_signed() { quote!((#number & #mask)) } else { number };
     let (place, value) = (at.left(&mask), at.left(&number));
     quote!((self.bits & !#place) | #value)
 }
 
+/// `0..=0xfff`, `-256..=255`: the raw numbers that fit.
+pub(super) fn raw_range(bits: &BitField<'_>) -> TokenStream {
+    if !bits.raw.is_signed() {
+        let mask = mask_of(bits.width);
+        return quote!(0..=#mask);
+    }
+    let end = 1_i128.checked_shl(u32::from(bits.width) - 1).unwrap_or_default();
+    let (start, last) = (Literal::i128_unsuffixed(end), Literal::i128_unsuffixed(end - 1));
+    quote!(-#start..=#last)
+}
+
+/// `0xfff`
+fn mask_of(width: u8) -> TokenStream {
+    mask(u128::MAX >> (128 - width.clamp(1, 128)))
+}
+
+/// The value that selects the layout: `self.data_version`.
+fn selector(storage: Int, present: &Present<'_>) -> TokenStream {
+    match &present.selector {
+        Selector::Field(name) => {
+            let name = ident(name);
+            quote!(self.#name)
+        }
+        Selector::Bits { at, width } => read(storage, &At::Bit(*at), *width, Int::of_bits(*width, false)),
+    }
+}
+
+/// `3..=9 | 30..=255`
+fn patterns(present: &Present<'_>) -> TokenStream {
+    let patterns = present.ranges.iter().map(pattern);
+    quote!(#(#patterns)|*)
+}
+
+fn pattern(range: &RangeInclusive<u64>) -> TokenStream {
+    let (start, end) = (Literal::u64_unsuffixed(*range.start()), Literal::u64_unsuffixed(*range.end()));
+    if range.start() == range.end() { quote!(#start) } else { quote!(#start..=#end) }
+}
+
 /// Where bits begin.
-pub(super) enum At {
+enum At {
     /// At this bit.
     Bit(u8),
     /// At the bit that this expression gives.
@@ -91,6 +192,13 @@ pub(super) enum At {
 }
 
 impl At {
+    fn of(bits: &BitField<'_>) -> Self {
+        match bits.repeat {
+            None => Self::Bit(bits.at),
+            Some(Repeat { stride, .. }) => Self::Computed(position(bits.at, stride)),
+        }
+    }
+
     fn right(&self, value: &TokenStream) -> TokenStream {
         match self {
             Self::Bit(0) => value.clone(),
@@ -102,7 +210,7 @@ impl At {
         }
     }
 
-    pub(super) fn left(&self, value: &TokenStream) -> TokenStream {
+    fn left(&self, value: &TokenStream) -> TokenStream {
         match self {
             Self::Bit(0) => value.clone(),
             Self::Bit(at) => {
@@ -114,38 +222,13 @@ impl At {
     }
 }
 
-/// The layouts that have a member: `match value { patterns => …, _ => … }`.
-pub(super) struct Present {
-    /// The value that selects the layout: `self.data_version`.
-    pub(super) value: TokenStream,
-    /// `3..=9 | 30..=255`
-    pub(super) patterns: TokenStream,
-}
-
-/// The layouts that have a member; nothing for what is in every layout.
-pub(super) fn present(view: &View, member: &Member) -> Option<Present> {
-    let (Presence::When(ranges), Some(switch)) = (&member.presence, &view.switch) else { return None };
-    let patterns = ranges.iter().map(pattern);
-    let value = match switch.on {
-        SwitchOn::Field(..) => {
-            let name = ident(&switch.name.rust());
-            quote!(self.#name)
-        }
-        SwitchOn::Bits { at, width } => {
-            let raw = ident(&format!("u{}", integer_width(width)));
-            read(view, &At::Bit(at), width, &raw, false)
-        }
-    };
-    Some(Present { value, patterns: quote!(#(#patterns)|*) })
-}
-
-fn pattern(range: &RangeInclusive<u64>) -> TokenStream {
-    let (start, end) = (Literal::u64_unsuffixed(*range.start()), Literal::u64_unsuffixed(*range.end()));
-    if range.start() == range.end() { quote!(#start) } else { quote!(#start..=#end) }
-}
-
-/// `3..=9`, `30`
-pub(super) fn range_text(range: &RangeInclusive<u64>) -> String {
-    let (start, end) = (range.start(), range.end());
-    if start == end { start.to_string() } else { format!("{start}..={end}") }
+/// `3 + index * 2`
+fn position(at: u8, stride: u8) -> TokenStream {
+    let (start, step) = (Literal::u8_unsuffixed(at), Literal::u8_unsuffixed(stride));
+    match (at, stride) {
+        (0, 1) => quote!(index),
+        (0, _) => quote!(index * #step),
+        (_, 1) => quote!(#start + index),
+        _ => quote!(#start + index * #step),
+    }
 }

@@ -45,7 +45,7 @@ impl Heartbeat {
     #[inline]
     pub fn nav_status(&self) -> Option<AutoquadNavStatus> {
         if self.autopilot == MavAutopilot::AUTOQUAD {
-            Some(AutoquadNavStatus::from(self.custom_mode))
+            Some(AutoquadNavStatus::from_bits_retain(self.custom_mode))
         } else {
             None
         }
@@ -54,7 +54,7 @@ impl Heartbeat {
     /// Sets [`Self::custom_mode`](field@Self::custom_mode) from [`AutoquadNavStatus`].
     #[inline]
     pub fn set_nav_status(&mut self, value: AutoquadNavStatus) {
-        self.custom_mode = value.into();
+        self.custom_mode = value.bits();
     }
 }
 

@@ -1,0 +1,85 @@
+//! A method: what its signature says, around the body of its kind.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::doc;
+use super::token::ident;
+use super::ty::{number_in, ty, value_of};
+use super::view::{bits, scaled, slots, source};
+use crate::rust::{Bind, Kind, Method, Receiver, Sig, Ty};
+
+pub(super) fn method(method: &Method<'_>) -> TokenStream {
+    let Method { ident: name, sig, docs, inline, kind } = method;
+    let Sig { public, is_const, receiver, params, result } = sig;
+    let (docs, name, body) = (doc::documentation(docs), ident(name), body(kind));
+    let inline = inline.then(|| quote!(#[inline]));
+    let public = public.then(|| quote!(pub));
+    let is_const = is_const.then(|| quote!(const));
+    let receiver = match receiver {
+        Receiver::None => None,
+        Receiver::Value => Some(quote!(self)),
+        Receiver::Ref => Some(quote!(&self)),
+        Receiver::Mut => Some(quote!(&mut self)),
+    };
+    let params = params.iter().map(|param| {
+        let (name, ty) = (ident(&param.ident), ty(&param.ty));
+        quote!(#name: #ty)
+    });
+    let params = receiver.into_iter().chain(params);
+    let result = match result {
+        Ty::Unit => quote!(),
+        other => {
+            let other = ty(other);
+            quote!(-> #other)
+        }
+    };
+    quote! {
+        #docs
+        #inline
+        #public #is_const fn #name(#(#params),*) #result {
+            #body
+        }
+    }
+}
+
+fn body(kind: &Kind<'_>) -> TokenStream {
+    match kind {
+        Kind::FromBits { switch } => {
+            let switch = switch.iter().map(|name| ident(name));
+            quote!(Self { bits #(, #switch)* })
+        }
+        Kind::Bits => quote!(self.bits),
+        Kind::SwitchGet(name) => {
+            let name = ident(name);
+            quote!(self.#name)
+        }
+        Kind::MemberGet(of) => bits::get(of),
+        Kind::MemberSet(of) => bits::set(of),
+        Kind::ScaledGet(scale) => scaled::get(scale),
+        Kind::ScaledSet(scale) => scaled::set(scale),
+        Kind::ExactGet(scale) => scaled::exact(scale),
+        Kind::ViewGet(of) => source::get(of),
+        Kind::ViewSet(of) => source::set(of),
+        Kind::Slots { get, length } => slots::all(get, *length),
+        Kind::SlotGet(slot) => slots::get(slot),
+        Kind::SlotSet { get, store } => slots::set(get, store),
+        Kind::SlotPush { count, length, store } => slots::push(*count, *length, store),
+        Kind::SlotStore(slot) => slots::store(slot),
+        Kind::BindGet(bind) => bind_get(bind),
+        Kind::BindSet(bind) => bind_set(bind),
+    }
+}
+
+/// `MavState(self.state)`, if the condition holds.
+fn bind_get(bind: &Bind<'_>) -> TokenStream {
+    let field = ident(bind.field);
+    let value = value_of(bind.bound.as_int(), &quote!(self.#field));
+    source::if_all_hold(bind.when.as_slice(), &value)
+}
+
+/// `self.state = value.0;`
+fn bind_set(bind: &Bind<'_>) -> TokenStream {
+    let (field, number) = (ident(bind.field), number_in(bind.bound.as_int(), &quote!(value)));
+    quote!(self.#field = #number;)
+}

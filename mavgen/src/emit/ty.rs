@@ -1,0 +1,81 @@
+//! Types, and the numbers in values and out of them.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
+
+use super::token::{ident, integer};
+use crate::rust::{AsInt, Error, Int, Literal, Through, Ty};
+
+pub(super) fn int(int: Int) -> Ident {
+    ident(int.name())
+}
+
+/// `u16`, `Option<MavState>`; `()` where nothing is given.
+pub(super) fn ty(of: &Ty<'_>) -> TokenStream {
+    match of {
+        Ty::Int(one) => {
+            let name = int(*one);
+            quote!(#name)
+        }
+        Ty::F32 => quote!(f32),
+        Ty::F64 => quote!(f64),
+        Ty::Bool => quote!(bool),
+        Ty::Usize => quote!(usize),
+        Ty::Unit => quote!(()),
+        Ty::Own => quote!(Self),
+        Ty::Enum(one) => named(one.ident),
+        Ty::Named(name) => named(name),
+        Ty::Option(inner) => {
+            let inner = ty(inner);
+            quote!(Option<#inner>)
+        }
+        Ty::Fallible(Error::View) => quote!(Result<(), wire::ViewError>),
+        Ty::Iterator(item) => {
+            let item = ty(item);
+            quote!(impl Iterator<Item = #item> + '_)
+        }
+    }
+}
+
+fn named(name: &str) -> TokenStream {
+    let name = ident(name);
+    quote!(#name)
+}
+
+/// The integer in a value: `x`, `x.0`, `x.bits()`.
+pub(super) fn number_in(as_int: AsInt<'_>, value: &TokenStream) -> TokenStream {
+    match as_int.through {
+        Through::Plain => value.clone(),
+        Through::Open(_) => quote!(#value.0),
+        Through::Flags(_) => quote!(#value.bits()),
+        Through::Float | Through::Double => quote!(#value.to_bits()),
+    }
+}
+
+/// The value of an integer: `n`, `T(n)`, `T::from_bits_retain(n)`.
+pub(super) fn value_of(as_int: AsInt<'_>, number: &TokenStream) -> TokenStream {
+    match as_int.through {
+        Through::Plain => number.clone(),
+        Through::Open(one) => {
+            let ty = ident(one.ident);
+            quote!(#ty(#number))
+        }
+        Through::Flags(one) => {
+            let ty = ident(one.ident);
+            quote!(#ty::from_bits_retain(#number))
+        }
+        Through::Float => quote!(f32::from_bits(#number)),
+        Through::Double => quote!(f64::from_bits(#number)),
+    }
+}
+
+/// `65535`, `MavAutopilot::AUTOQUAD`, `PodKind(7)`
+pub(super) fn literal(literal: Literal<'_>) -> TokenStream {
+    match literal {
+        Literal::Constant(one, constant) => {
+            let (ty, constant) = (ident(one.ident), ident(constant));
+            quote!(#ty::#constant)
+        }
+        Literal::Number(as_int, number) => value_of(as_int, &integer(number)),
+    }
+}

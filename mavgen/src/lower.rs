@@ -1,0 +1,47 @@
+//! The *lower* stage: from the wire model to the Rust model.
+//!
+//! It decides every item, and nothing can be wrong with what a user wrote any more: the model says only legal things. What it names
+//! and cannot find is a mistake of ours ([`Internal`]).
+
+mod binding;
+mod idents;
+mod types;
+mod view;
+
+use std::fmt;
+
+use crate::ir::{Dialect, Lifecycle, Origin};
+
+/// What the items of a dialect are made of.
+#[derive(Clone, Copy)]
+pub(crate) struct Items<'d> {
+    pub(crate) dialect: &'d Dialect,
+    /// Whether `<deprecated>` becomes `#[deprecated]`.
+    pub(crate) deprecated: bool,
+}
+
+impl Items<'_> {
+    /// Whether naming the item makes the compiler warn.
+    pub(crate) fn is_deprecated(&self, origin: &Origin) -> bool {
+        self.deprecated && matches!(origin.lifecycle, Some(Lifecycle::Deprecated(_)))
+    }
+}
+
+/// A mistake of mavgen's own: a model that says something impossible, or items that are no Rust.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Internal(String);
+
+impl Internal {
+    /// Says what is wrong; at once, where mavgen is tested.
+    pub(crate) fn new(what: impl Into<String>) -> Self {
+        let what = what.into();
+        debug_assert!(false, "{what}");
+        Self(what)
+    }
+}
+
+impl fmt::Display for Internal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.fmt(f)
+    }
+}

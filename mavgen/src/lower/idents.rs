@@ -1,0 +1,64 @@
+//! What things are called in Rust.
+
+use super::Items;
+use crate::ir::{Binding, Entry, Enum, Field, Key, Label, Member, Message, Name, Slots, Switch, View};
+use crate::names::field_name;
+
+impl<'d> Items<'d> {
+    pub(super) fn message_type(self, message: &'d Message) -> &'d str {
+        rust(&message.name)
+    }
+
+    pub(super) fn enum_name(self, one: &'d Enum) -> &'d str {
+        rust(&one.name)
+    }
+
+    pub(super) fn constant(self, entry: &'d Entry) -> &'d str {
+        rust(&entry.name)
+    }
+
+    pub(super) fn field_name(self, field: &'d Field) -> &'d str {
+        rust(&field.name)
+    }
+
+    pub(super) fn view_type(self, view: &'d View) -> &'d str {
+        rust(&view.name)
+    }
+
+    pub(super) fn slot_type(self, slots: &'d Slots) -> &'d str {
+        rust(&slots.item)
+    }
+
+    /// `esc`: the getter of a slot, and what its setters are named after.
+    pub(super) fn slot_getter(self, slots: &'d Slots) -> String {
+        field_name(&slots.item.text)
+    }
+
+    pub(super) fn slot_iterator(self, slots: &Slots) -> String {
+        slots.items.rust()
+    }
+
+    pub(super) fn once_getter(self, getter: &Label) -> String {
+        getter.rust()
+    }
+
+    pub(super) fn slot_field(self, key: &Key) -> String {
+        key.name.rust()
+    }
+
+    pub(super) fn member_getter(self, member: &Member) -> String {
+        member.name.rust()
+    }
+
+    pub(super) fn switch_getter(self, switch: &Switch) -> String {
+        switch.name.rust()
+    }
+
+    pub(super) fn binding_getter(self, binding: &Binding) -> String {
+        binding.name.rust()
+    }
+}
+
+fn rust(name: &Name) -> &str {
+    &name.rust
+}

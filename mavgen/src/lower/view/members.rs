@@ -1,0 +1,140 @@
+//! Named bits: getters and setters of what they hold, and of the values that raw numbers stand for.
+
+use super::super::{Internal, Items};
+use crate::ir::{Meaning, Member, Presence, Scaled, SwitchOn, View};
+use crate::rust::{
+    BitField, Docs, Error, Holds, Int, Kind, Method, Paragraph, Present, Receiver, Scale, Selector, Sig, Ty,
+};
+
+/// Numbers below this are exact in `f32`.
+const EXACT_IN_F32: i128 = 1 << 24;
+
+impl<'d> Items<'d> {
+    /// Everything that one member contributes to its view.
+    pub(super) fn member_methods(self, view: &'d View, member: &'d Member) -> Result<Vec<Method<'d>>, Internal> {
+        let name = self.member_getter(member);
+        let docs = [member_docs(&name, member), setter_docs(&name)];
+        Ok(match &member.meaning {
+            Meaning::Flag => accessors(&name, self.bits(view, member, Holds::Flag), docs),
+            Meaning::Values(id) => {
+                let holds = Holds::Enum(self.enum_type(*id)?);
+                accessors(&name, self.bits(view, member, holds), docs)
+            }
+            Meaning::Number { .. } => accessors(&name, self.bits(view, member, Holds::Number), docs),
+            Meaning::Scaled(scaled) => scaled_accessors(&name, self.bits(view, member, Holds::Number), scaled, docs),
+        })
+    }
+
+    fn bits(self, view: &'d View, member: &'d Member, holds: Holds<'d>) -> BitField<'d> {
+        BitField {
+            storage: Int::of_bits(view.width, false),
+            at: member.at,
+            width: member.width,
+            repeat: member.repeat,
+            raw: Int::of_bits(member.width, member.signed),
+            holds,
+            present: self.present(view, member),
+        }
+    }
+
+    fn present(self, view: &'d View, member: &'d Member) -> Option<Present<'d>> {
+        let (Presence::When(ranges), Some(switch)) = (&member.presence, &view.switch) else { return None };
+        let selector = match switch.on {
+            SwitchOn::Field(..) => Selector::Field(self.switch_getter(switch)),
+            SwitchOn::Bits { at, width } => Selector::Bits { at, width },
+        };
+        Some(Present { selector, ranges })
+    }
+}
+
+/// A getter and a setter of what the bits hold, without scaling.
+fn accessors<'d>(name: &str, bits: BitField<'d>, [get_docs, set_docs]: [Docs<'d>; 2]) -> Vec<Method<'d>> {
+    let several = bits.repeat.is_some();
+    let get_docs = match several {
+        true => get_docs.then(Paragraph::line("`None` where there is no such one.")),
+        false => get_docs,
+    };
+    let get = Method {
+        ident: name.to_owned(),
+        sig: Sig::const_getter(bits.ty().optional(bits.is_optional())).indexed(several),
+        docs: get_docs,
+        inline: true,
+        kind: Kind::MemberGet(bits.clone()),
+    };
+    let setter = Sig { is_const: true, ..Sig::setter("value", bits.ty()) };
+    let set = Method {
+        ident: format!("set_{name}"),
+        sig: setter.indexed(several).fallible(Error::View),
+        docs: set_docs,
+        inline: true,
+        kind: Kind::MemberSet(bits),
+    };
+    vec![get, set]
+}
+
+/// Of a scaled number: as a float, exactly in a smaller unit, and raw.
+fn scaled_accessors<'d>(
+    name: &str,
+    bits: BitField<'d>,
+    scaled: &'d Scaled,
+    [get_docs, set_docs]: [Docs<'d>; 2],
+) -> Vec<Method<'d>> {
+    let (several, optional, scale) = (bits.repeat.is_some(), bits.is_optional(), scale(name, &bits, scaled));
+    let method =
+        |ident: String, sig: Sig<'d>, docs, kind| Method { ident, sig: sig.indexed(several), docs, inline: true, kind };
+    let getter = Sig { receiver: Receiver::Value, ..Sig::getter(Ty::F32.optional(optional)) };
+    let setter = Sig::setter("value", Ty::F32).fallible(Error::View);
+    let mut methods = vec![
+        method(name.to_owned(), getter, get_docs, Kind::ScaledGet(scale.clone())),
+        method(format!("set_{name}"), setter, set_docs, Kind::ScaledSet(scale.clone())),
+    ];
+    methods.extend(scale.exact.map(|(exact, int)| {
+        let docs = Docs::line(format!("[`Self::{name}`] exactly, in {}.", exact.units));
+        let getter = Sig::const_getter(Ty::Int(int).optional(optional));
+        method(format!("{name}_{}", exact.suffix()), getter, docs, Kind::ExactGet(scale.clone()))
+    }));
+    let raw = |text: &str| Docs::line(format!("{text} raw number behind [`Self::{name}`]."));
+    methods.extend(accessors(&scale.get_raw, bits, [raw("The"), raw("Sets the")]));
+    methods
+}
+
+fn scale<'d>(name: &str, bits: &BitField<'d>, scaled: &'d Scaled) -> Scale<'d> {
+    let largest = |factor: i64, bias: i64| {
+        let product = i128::from(factor).abs().saturating_mul(1 << bits.width.min(64));
+        product.saturating_add(i128::from(bias).abs())
+    };
+    let Scaled { factor, bias, divisor, .. } = *scaled;
+    let exact = scaled.exact.as_ref().map(|exact| {
+        let fits = largest(exact.factor, exact.bias) <= i128::from(i32::MAX);
+        (exact, Int::of_bits(if fits { 32 } else { 64 }, true))
+    });
+    Scale {
+        bits: bits.clone(),
+        get_raw: format!("{name}_raw"),
+        set_raw: format!("set_{name}_raw"),
+        factor,
+        bias,
+        divisor,
+        in_f32: largest(factor, bias) < EXACT_IN_F32 && i128::from(divisor) < EXACT_IN_F32,
+        exact,
+    }
+}
+
+/// What the overlay says of the bits, and the unit.
+fn member_docs<'d>(name: &str, member: &'d Member) -> Docs<'d> {
+    let units = match &member.meaning {
+        Meaning::Number { units } => units.as_deref(),
+        Meaning::Scaled(scaled) => scaled.units.as_deref(),
+        Meaning::Flag | Meaning::Values(_) => None,
+    };
+    let mut sentences: Vec<String> = Vec::new();
+    if member.description.trim().is_empty() {
+        sentences.push(format!("`{name}`."));
+    }
+    sentences.extend(units.map(|units| format!("In {units}.")));
+    Docs(vec![Paragraph::Prose(&member.description, sentences)])
+}
+
+fn setter_docs<'d>(name: &str) -> Docs<'d> {
+    Docs::line(format!("Sets [`Self::{name}`]. An error if the value does not fit."))
+}

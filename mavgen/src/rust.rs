@@ -1,0 +1,19 @@
+//! The Rust model: every item that will exist, with its names, types, methods and documentation.
+//!
+//! *lower* makes it, *emit* prints it. Whatever was to be decided is decided here: a method is one of a few kinds with all that its
+//! body needs, and says its signature by itself. What a field of a message is as an integer is a fact of its type ([`AsInt`]).
+
+mod docs;
+mod mentions;
+mod method;
+mod ty;
+mod view;
+
+pub(crate) use docs::{Docs, Paragraph};
+pub(crate) use mentions::Mentions;
+pub(crate) use method::{Kind, Method, Param, Receiver, Sig};
+pub(crate) use ty::{AsInt, Element, EnumType, Error, Int, Literal, Shape, Through, Ty};
+pub(crate) use view::{
+    Bind, BitField, Count, Debugged, Holds, Key, Place, Present, Scale, Selector, Slot, SlotElement, SlotField,
+    SlotType, Source, Stored, Switch, Test, View, Word,
+};

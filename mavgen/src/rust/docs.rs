@@ -1,0 +1,41 @@
+//! Documentation as data; the words of the XML are made safe and wrapped where it is printed, by many threads.
+
+/// The documentation of an item: paragraphs in order.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Docs<'d>(pub(crate) Vec<Paragraph<'d>>);
+
+/// A part of a documentation. One that says nothing is left out.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Paragraph<'d> {
+    /// What the XML says, and sentences of ours at the end of its first paragraph.
+    Prose(&'d str, Vec<String>),
+    /// Lines of ours, as they are.
+    Lines(Vec<String>),
+    /// A table with aligned columns.
+    Table(Vec<&'static str>, Vec<Vec<String>>),
+}
+
+impl<'d> Docs<'d> {
+    /// One line of ours.
+    pub(crate) fn line(line: impl Into<String>) -> Self {
+        Self(vec![Paragraph::line(line)])
+    }
+
+    /// With another paragraph at the end.
+    pub(crate) fn then(mut self, paragraph: Paragraph<'d>) -> Self {
+        self.0.push(paragraph);
+        self
+    }
+}
+
+impl<'d> Paragraph<'d> {
+    /// One line of ours.
+    pub(crate) fn line(line: impl Into<String>) -> Self {
+        Self::Lines(vec![line.into()])
+    }
+
+    /// What the XML says.
+    pub(crate) fn prose(text: &'d str) -> Self {
+        Self::Prose(text, Vec::new())
+    }
+}

@@ -1,0 +1,115 @@
+//! Which enums an item names: what its file imports, and whether it names a deprecated one.
+
+use std::collections::BTreeMap;
+
+use super::EnumType;
+use super::{AsInt, Holds, Kind, Literal, Method, Place, Sig, Slot, Source, Stored, Test, Through, Ty, View};
+use crate::ir::EnumId;
+
+/// The enums that are named, each once.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Mentions<'d>(pub(crate) BTreeMap<EnumId, EnumType<'d>>);
+
+impl<'d> Mentions<'d> {
+    /// Those of a view's file.
+    pub(crate) fn of_view(view: &View<'d>) -> Self {
+        let mut mentions = Self::default();
+        view.methods.iter().chain(&view.message_methods).for_each(|method| mentions.method(method));
+        view.slot.iter().flat_map(|slot| &slot.fields).for_each(|field| mentions.ty(&field.ty));
+        mentions
+    }
+
+    /// Whether naming one of them makes the compiler warn.
+    pub(crate) fn is_any_deprecated(&self) -> bool {
+        self.0.values().any(|one| one.deprecated)
+    }
+
+    fn named(&mut self, one: EnumType<'d>) {
+        self.0.insert(one.id, one);
+    }
+
+    fn method(&mut self, method: &Method<'d>) {
+        let Sig { params, result, .. } = &method.sig;
+        params.iter().for_each(|param| self.ty(&param.ty));
+        self.ty(result);
+        self.kind(&method.kind);
+    }
+
+    fn ty(&mut self, ty: &Ty<'d>) {
+        match ty {
+            Ty::Enum(one) => self.named(*one),
+            Ty::Option(inner) | Ty::Iterator(inner) => self.ty(inner),
+            Ty::Int(_)
+            | Ty::F32
+            | Ty::F64
+            | Ty::Bool
+            | Ty::Usize
+            | Ty::Unit
+            | Ty::Own
+            | Ty::Named(_)
+            | Ty::Fallible(_) => {}
+        }
+    }
+
+    fn kind(&mut self, kind: &Kind<'d>) {
+        match kind {
+            Kind::MemberGet(bits) | Kind::MemberSet(bits) => {
+                if let Holds::Enum(one) = bits.holds {
+                    self.named(one);
+                }
+            }
+            Kind::ViewGet(source) => source.when.iter().for_each(|test| self.test(test)),
+            Kind::ViewSet(source) => self.made(source),
+            Kind::SlotGet(slot) => {
+                slot.source.when.iter().for_each(|test| self.test(test));
+                slot.keys.iter().filter_map(|key| key.invalid).for_each(|literal| self.literal(literal));
+            }
+            Kind::SlotStore(slot) => self.stored(slot),
+            Kind::SlotPush { count, .. } => self.made_of(count.as_int),
+            Kind::BindGet(bind) => {
+                self.named(bind.bound);
+                bind.when.iter().for_each(|test| self.test(test));
+            }
+            Kind::BindSet(bind) => self.named(bind.bound),
+            Kind::FromBits { .. } | Kind::Bits | Kind::SwitchGet(_) | Kind::Slots { .. } | Kind::SlotSet { .. } => {}
+            Kind::ScaledGet(_) | Kind::ScaledSet(_) | Kind::ExactGet(_) => {}
+        }
+    }
+
+    fn test(&mut self, test: &Test<'d>) {
+        match test {
+            Test::Is(_, literal) | Test::IsNot(_, literal) => self.literal(*literal),
+            Test::WordsAreNot(_) => {}
+        }
+    }
+
+    fn literal(&mut self, literal: Literal<'d>) {
+        match literal {
+            Literal::Constant(one, _) => self.named(one),
+            Literal::Number(as_int, _) => self.made_of(as_int),
+        }
+    }
+
+    /// What a value is made of its integer through.
+    fn made_of(&mut self, as_int: AsInt<'d>) {
+        match as_int.through {
+            Through::Open(one) | Through::Flags(one) => self.named(one),
+            Through::Plain | Through::Float | Through::Double => {}
+        }
+    }
+
+    /// What the setter of a view makes.
+    fn made(&mut self, source: &Source<'d>) {
+        source.words.iter().for_each(|word| self.made_of(word.as_int));
+        source.switch.iter().for_each(|switch| self.made_of(switch.as_int));
+    }
+
+    fn stored(&mut self, slot: &Slot<'d>) {
+        self.made(&slot.source);
+        let elements = slot.keys.iter().filter(|key| matches!(key.place, Place::Element(_)));
+        elements.filter_map(|key| key.invalid).for_each(|literal| self.literal(literal));
+        if let Stored::Field(_, literal) = slot.blank {
+            self.literal(literal);
+        }
+    }
+}

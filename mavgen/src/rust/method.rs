@@ -1,0 +1,115 @@
+//! Methods: a signature, and a kind with all that the body needs.
+
+use super::{Bind, BitField, Count, Docs, Error, Scale, Slot, Source, Ty};
+
+/// A method or an associated function.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Method<'d> {
+    /// Its name; a keyword is written raw.
+    pub(crate) ident: String,
+    pub(crate) sig: Sig<'d>,
+    pub(crate) docs: Docs<'d>,
+    /// Whether it is `#[inline]`.
+    pub(crate) inline: bool,
+    pub(crate) kind: Kind<'d>,
+}
+
+/// What callers see of a method.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Sig<'d> {
+    pub(crate) public: bool,
+    pub(crate) is_const: bool,
+    pub(crate) receiver: Receiver,
+    pub(crate) params: Vec<Param<'d>>,
+    pub(crate) result: Ty<'d>,
+}
+
+/// What a method is called on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Receiver {
+    /// Nothing.
+    None,
+    /// `self`
+    Value,
+    /// `&self`
+    Ref,
+    /// `&mut self`
+    Mut,
+}
+
+/// `index: usize`
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Param<'d> {
+    pub(crate) ident: String,
+    pub(crate) ty: Ty<'d>,
+}
+
+/// What a method does.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Kind<'d> {
+    /// Of a view: makes one of its bits, and of the switch value that it carries along.
+    FromBits { switch: Option<String> },
+    /// Of a view: its bits.
+    Bits,
+    /// Of a view: the switch value that it carries along.
+    SwitchGet(String),
+    /// Of a view: what some of its bits hold.
+    MemberGet(BitField<'d>),
+    /// Of a view: sets some of its bits.
+    MemberSet(BitField<'d>),
+    /// Of a view: the value that a raw number stands for.
+    ScaledGet(Scale<'d>),
+    /// Of a view: sets the raw number that stands for a value.
+    ScaledSet(Scale<'d>),
+    /// Of a view: the value as a whole number of a smaller unit.
+    ExactGet(Scale<'d>),
+    /// Of a message: a view.
+    ViewGet(Source<'d>),
+    /// Of a message: sets the bits of a view.
+    ViewSet(Source<'d>),
+    /// Of a message: iterates over the slots, of which `get` gives one.
+    Slots { get: String, length: u8 },
+    /// Of a message: a slot.
+    SlotGet(Slot<'d>),
+    /// Of a message: sets a slot that is in use, as `get` says, by `store`.
+    SlotSet { get: String, store: String },
+    /// Of a message: adds a slot by `store`.
+    SlotPush { count: Count<'d>, length: u8, store: String },
+    /// Of a message, and private: puts a slot into the arrays.
+    SlotStore(Slot<'d>),
+    /// Of a message: a field as the enum that an overlay binds to it.
+    BindGet(Bind<'d>),
+    /// Of a message: sets a field from the enum that an overlay binds to it.
+    BindSet(Bind<'d>),
+}
+
+impl<'d> Sig<'d> {
+    /// `pub fn …(&self) -> T`
+    pub(crate) fn getter(result: Ty<'d>) -> Self {
+        Self { public: true, is_const: false, receiver: Receiver::Ref, params: Vec::new(), result }
+    }
+
+    /// `pub fn …(&mut self, value: T)`
+    pub(crate) fn setter(ident: &str, ty: Ty<'d>) -> Self {
+        let params = vec![Param { ident: ident.to_owned(), ty }];
+        Self { public: true, is_const: false, receiver: Receiver::Mut, params, result: Ty::Unit }
+    }
+
+    /// Of a type that is copied: `pub const fn …(self) -> T`
+    pub(crate) fn const_getter(result: Ty<'d>) -> Self {
+        Self { is_const: true, receiver: Receiver::Value, ..Self::getter(result) }
+    }
+
+    /// With `index: usize` as the first parameter, if there are several.
+    pub(crate) fn indexed(mut self, indexed: bool) -> Self {
+        if indexed {
+            self.params.insert(0, Param { ident: "index".to_owned(), ty: Ty::Usize });
+        }
+        self
+    }
+
+    /// With `Result<(), …>`.
+    pub(crate) fn fallible(self, error: Error) -> Self {
+        Self { result: Ty::Fallible(error), ..self }
+    }
+}

@@ -1,0 +1,243 @@
+//! Types, and numbers of them.
+
+use crate::ir::{EnumId, Repr, Scalar};
+
+/// An integer type.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Int {
+    width: Width,
+    signed: bool,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Width {
+    W8,
+    W16,
+    W32,
+    W64,
+    W128,
+}
+
+impl Int {
+    /// The smallest that holds so many bits.
+    pub(crate) fn of_bits(bits: u8, signed: bool) -> Self {
+        let width = match bits {
+            0..=8 => Width::W8,
+            9..=16 => Width::W16,
+            17..=32 => Width::W32,
+            33..=64 => Width::W64,
+            _ => Width::W128,
+        };
+        Self { width, signed }
+    }
+
+    /// How many bits it has.
+    pub(crate) fn bits(self) -> u8 {
+        match self.width {
+            Width::W8 => 8,
+            Width::W16 => 16,
+            Width::W32 => 32,
+            Width::W64 => 64,
+            Width::W128 => 128,
+        }
+    }
+
+    /// Whether it can be negative.
+    pub(crate) fn is_signed(self) -> bool {
+        self.signed
+    }
+
+    /// The unsigned integer of the same width.
+    pub(crate) fn unsigned(self) -> Self {
+        Self { signed: false, ..self }
+    }
+
+    /// `u16`
+    pub(crate) fn name(self) -> &'static str {
+        match (self.width, self.signed) {
+            (Width::W8, false) => "u8",
+            (Width::W8, true) => "i8",
+            (Width::W16, false) => "u16",
+            (Width::W16, true) => "i16",
+            (Width::W32, false) => "u32",
+            (Width::W32, true) => "i32",
+            (Width::W64, false) => "u64",
+            (Width::W64, true) => "i64",
+            (Width::W128, false) => "u128",
+            (Width::W128, true) => "i128",
+        }
+    }
+}
+
+impl From<Repr> for Int {
+    fn from(repr: Repr) -> Self {
+        let bits = match repr.size() {
+            1 => 8,
+            2 => 16,
+            4 => 32,
+            _ => 64,
+        };
+        Self::of_bits(bits, repr.is_signed())
+    }
+}
+
+/// A type, as signatures and fields name it.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Ty<'d> {
+    /// An integer.
+    Int(Int),
+    /// `f32`
+    F32,
+    /// `f64`
+    F64,
+    /// `bool`
+    Bool,
+    /// `usize`
+    Usize,
+    /// `()`
+    Unit,
+    /// `Self`
+    Own,
+    /// An enum of the dialect.
+    Enum(EnumType<'d>),
+    /// A view or a slot, in whose file it is named.
+    Named(&'d str),
+    /// `Option<T>`
+    Option(Box<Self>),
+    /// `Result<(), E>`
+    Fallible(Error),
+    /// `impl Iterator<Item = T> + '_`
+    Iterator(Box<Self>),
+}
+
+impl Ty<'_> {
+    /// `Option<T>` where there may be none, else `T`.
+    pub(crate) fn optional(self, optional: bool) -> Self {
+        if optional { Self::Option(Box::new(self)) } else { self }
+    }
+}
+
+/// What a setter that may fail gives.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Error {
+    /// `wire::ViewError`
+    View,
+}
+
+/// An enum or a set of flags, as others name it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct EnumType<'d> {
+    /// Which of the dialect's it is.
+    pub(crate) id: EnumId,
+    /// Its name.
+    pub(crate) ident: &'d str,
+    /// The integer behind it.
+    pub(crate) int: Int,
+    /// Whether it is a set of flags.
+    pub(crate) flags: bool,
+    /// Whether naming it makes the compiler warn.
+    pub(crate) deprecated: bool,
+}
+
+impl<'d> EnumType<'d> {
+    /// What it is as an integer.
+    pub(crate) fn as_int(self) -> AsInt<'d> {
+        AsInt { int: self.int, through: if self.flags { Through::Flags(self) } else { Through::Open(self) } }
+    }
+}
+
+/// The type of one element of a field.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Element<'d> {
+    /// An integer, or a character.
+    Int(Int),
+    /// `float`
+    F32,
+    /// `double`
+    F64,
+    /// An enum of the field's own width and sign.
+    Enum(EnumType<'d>),
+}
+
+impl<'d> Element<'d> {
+    /// The element of a scalar that carries no enum.
+    pub(crate) fn plain(scalar: Scalar) -> Self {
+        let int = |bits, signed| Self::Int(Int::of_bits(bits, signed));
+        match scalar {
+            Scalar::Char | Scalar::U8 | Scalar::Version(_) => int(8, false),
+            Scalar::I8 => int(8, true),
+            Scalar::U16 => int(16, false),
+            Scalar::I16 => int(16, true),
+            Scalar::U32 => int(32, false),
+            Scalar::I32 => int(32, true),
+            Scalar::U64 => int(64, false),
+            Scalar::I64 => int(64, true),
+            Scalar::F32 => Self::F32,
+            Scalar::F64 => Self::F64,
+        }
+    }
+
+    /// The type.
+    pub(crate) fn ty(self) -> Ty<'d> {
+        match self {
+            Self::Int(int) => Ty::Int(int),
+            Self::F32 => Ty::F32,
+            Self::F64 => Ty::F64,
+            Self::Enum(one) => Ty::Enum(one),
+        }
+    }
+
+    /// What it is as an integer: the only way from a field to a number, so that no emitter has to remember what carries an enum.
+    pub(crate) fn as_int(self) -> AsInt<'d> {
+        match self {
+            Self::Int(int) => AsInt { int, through: Through::Plain },
+            Self::F32 => AsInt { int: Int::of_bits(32, false), through: Through::Float },
+            Self::F64 => AsInt { int: Int::of_bits(64, false), through: Through::Double },
+            Self::Enum(one) => one.as_int(),
+        }
+    }
+}
+
+/// How many elements a field has, and in what.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Shape {
+    /// `T`
+    One,
+    /// `[T; 4]`
+    Array(u8),
+    /// `wire::Chars<4>`
+    Chars(u8),
+}
+
+/// A value as an integer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct AsInt<'d> {
+    /// The integer.
+    pub(crate) int: Int,
+    /// How a value becomes one, and is made of one.
+    pub(crate) through: Through<'d>,
+}
+
+/// How a value becomes an integer, and is made of one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Through<'d> {
+    /// It is one.
+    Plain,
+    /// `x.0`, `T(n)`
+    Open(EnumType<'d>),
+    /// `x.bits()`, `T::from_bits_retain(n)`
+    Flags(EnumType<'d>),
+    /// `x.to_bits()`, `f32::from_bits(n)`
+    Float,
+    /// `x.to_bits()`, `f64::from_bits(n)`
+    Double,
+}
+
+/// A number in the type of a value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Literal<'d> {
+    /// The constant of an enum: `MavAutopilot::AUTOQUAD`.
+    Constant(EnumType<'d>, &'d str),
+    /// `65535`, `PodKind(7)`
+    Number(AsInt<'d>, i128),
+}
