@@ -40,6 +40,7 @@ pub struct Builder {
     deprecated: bool,
     pub(crate) deny_warnings: bool,
     allowed: Vec<String>,
+    lint: bool,
 }
 
 /// A dialect that was read and resolved without errors.
@@ -100,6 +101,7 @@ impl Builder {
             deprecated: true,
             deny_warnings: false,
             allowed: Vec::new(),
+            lint: false,
         }
     }
 
@@ -191,6 +193,9 @@ impl Builder {
             return Err(Failure::Usage(conflict));
         }
         let (mut sources, mut diagnostics) = (Sources::default(), Diagnostics::leaving_out(self.allowed_codes()?));
+        if self.lint {
+            diagnostics = diagnostics.for_lint();
+        }
         let mut all = load_all(&self.roots, &self.include_dirs, &self.overlays, &mut sources, &mut diagnostics);
         if let ([only], Some(name)) = (all.as_mut_slice(), &self.name) {
             only.name.clone_from(name);

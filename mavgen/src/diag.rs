@@ -93,6 +93,8 @@ pub struct Diagnostics {
     broken: BTreeSet<Option<FileId>>,
     /// The kinds that nobody wants to hear of.
     left_out: Vec<Code>,
+    /// Whether what only `lint` tells is listed.
+    for_lint: bool,
 }
 
 impl Diagnostics {
@@ -101,9 +103,16 @@ impl Diagnostics {
         Self { left_out: codes, ..Self::default() }
     }
 
+    /// Takes from now on what only `lint` tells as well: see [`Code::is_for_lint`].
+    #[must_use]
+    pub fn for_lint(mut self) -> Self {
+        self.for_lint = true;
+        self
+    }
+
     /// Adds one.
     pub fn push(&mut self, diagnostic: Diagnostic) {
-        if self.left_out.contains(&diagnostic.code) {
+        if self.left_out.contains(&diagnostic.code) || diagnostic.code.is_for_lint() && !self.for_lint {
             return;
         }
         if diagnostic.severity() == Severity::Error {
@@ -129,8 +138,12 @@ impl Diagnostics {
     }
 
     /// Puts them in the order in which a person mends them, file by file as they were loaded and from top to bottom, and says
-    /// at the end how many are not listed. Those without a place come first.
+    /// at the end how many are not listed. Those without a place come first. That pymavlink refuses something is left out
+    /// where something else is told of the same place.
     pub(crate) fn arrange(&mut self) {
+        let refusal = |diagnostic: &Diagnostic| diagnostic.code == Code::PymavlinkRefuses;
+        let told: BTreeSet<_> = self.list.iter().filter(|one| !refusal(one)).filter_map(|one| one.span).collect();
+        self.list.retain(|one| !refusal(one) || one.span.is_none_or(|span| !told.contains(&span)));
         self.list.sort_by_key(|diagnostic| diagnostic.span.map(|span| (span.file, span.start)));
         let mut listed: BTreeMap<Severity, usize> = BTreeMap::new();
         let more = &mut self.more;
@@ -157,6 +170,11 @@ impl Diagnostics {
     /// All that are listed: by file and place once the dialect is resolved, before that in the order in which they were found.
     pub fn iter(&self) -> std::slice::Iter<'_, Diagnostic> {
         self.list.iter()
+    }
+
+    /// Whether so many concern everybody, not `lint` alone.
+    pub(crate) fn are_at_least(&self, count: usize) -> bool {
+        self.list.iter().filter(|diagnostic| !diagnostic.code.is_for_lint()).nth(count.saturating_sub(1)).is_some()
     }
 
     /// How many are listed.

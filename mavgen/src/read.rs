@@ -9,11 +9,13 @@ mod elements;
 mod encoding;
 mod enums;
 mod fault;
+pub(crate) mod grammar;
 mod include;
 mod message;
 mod overlay;
 mod prose;
 mod range;
+mod schema;
 mod tag;
 mod xml;
 
@@ -25,12 +27,8 @@ pub(crate) use xml::MAX_DEPTH;
 use crate::diag::Diagnostics;
 use crate::source::{FileId, Sources, Span, Spanned};
 use crate::syntax::{File, Version};
-use elements::{Broken, Elements, Grammar};
+use elements::{Broken, Elements};
 use tag::Tag;
-
-const MAVLINK: Grammar = Grammar::parts(&["include", "version", "dialect", "enums", "messages"]);
-const ENUMS: Grammar = Grammar::parts(&["enum"]);
-const MESSAGES: Grammar = Grammar::parts(&["message"]);
 
 /// Adds the text of a file that was asked for by name to the sources; what is wrong with it goes to `diagnostics`.
 #[cfg(any(feature = "vendor", feature = "uorb"))]
@@ -56,11 +54,10 @@ pub fn read(id: FileId, sources: &Sources, diagnostics: &mut Diagnostics) -> Fil
 
 /// The root element, and nothing after it.
 fn document(elements: &mut Elements<'_, '_>, file: &mut File) -> Result<(), Broken> {
-    let mut root = elements.root("mavlink")?;
-    root.ignore(&["file"]);
+    let root = elements.root(&grammar::MAVLINK)?;
     elements.close_tag(root);
     let mut once = Once::default();
-    while let Some(tag) = elements.next_child(&MAVLINK)? {
+    while let Some(tag) = elements.next_child(&grammar::MAVLINK)? {
         match tag.name {
             "enums" => read_enums(elements, tag, file)?,
             "messages" => read_messages(elements, tag, file)?,
@@ -71,7 +68,7 @@ fn document(elements: &mut Elements<'_, '_>, file: &mut File) -> Result<(), Brok
     elements.end()
 }
 
-/// `<version>` and `<dialect>`, which may each stand once.
+/// `<version>` and `<dialect>`, of which the last counts.
 #[derive(Default)]
 struct Once<'t> {
     seen: Vec<(&'t str, Span)>,
@@ -85,10 +82,10 @@ impl<'t> Once<'t> {
             None => self.seen.push((name, span)),
         }
         elements.close_tag(tag);
-        let text = elements.trimmed_text()?;
         if name == "dialect" {
-            file.dialect = text;
+            file.dialect = elements.trimmed_text(&grammar::DIALECT)?;
         } else {
+            let text = elements.trimmed_text(&grammar::VERSION)?;
             let messages_before = file.messages.len();
             file.version = text.map(|text| Version { text, messages_before });
         }
@@ -99,14 +96,14 @@ impl<'t> Once<'t> {
 fn read_include<'t>(elements: &mut Elements<'t, '_>, tag: Tag<'t>, file: &mut File) -> Result<(), Broken> {
     let span = tag.span;
     elements.close_tag(tag);
-    let path = elements.trimmed_text()?;
+    let path = elements.trimmed_text(&grammar::INCLUDE)?;
     file.includes.push(path.unwrap_or_else(|| Spanned::new(String::new(), span)));
     Ok(())
 }
 
 fn read_enums<'t>(elements: &mut Elements<'t, '_>, tag: Tag<'t>, file: &mut File) -> Result<(), Broken> {
     elements.close_tag(tag);
-    while let Some(tag) = elements.next_child(&ENUMS)? {
+    while let Some(tag) = elements.next_child(&grammar::ENUMS)? {
         file.enums.extend(enums::read(elements, tag)?);
     }
     Ok(())
@@ -114,7 +111,7 @@ fn read_enums<'t>(elements: &mut Elements<'t, '_>, tag: Tag<'t>, file: &mut File
 
 fn read_messages<'t>(elements: &mut Elements<'t, '_>, tag: Tag<'t>, file: &mut File) -> Result<(), Broken> {
     elements.close_tag(tag);
-    while let Some(tag) = elements.next_child(&MESSAGES)? {
+    while let Some(tag) = elements.next_child(&grammar::MESSAGES)? {
         file.messages.extend(message::read(elements, tag)?);
     }
     Ok(())

@@ -5,6 +5,7 @@
 //! that one mistake is reported once.
 
 mod accessors;
+mod boolean;
 mod check;
 mod command;
 mod crc;
@@ -26,7 +27,6 @@ mod overlay;
 mod owner;
 mod reserved;
 mod suggest;
-mod truth;
 mod units;
 mod uses;
 mod version;

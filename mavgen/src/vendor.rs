@@ -32,7 +32,6 @@ mod cut;
 mod digest;
 mod facts;
 mod flat;
-mod grammar;
 mod header;
 mod original;
 mod output;

@@ -165,7 +165,10 @@ fn problems(code: Code, files: &Files, top: &str) -> Diagnostics {
             Err(other) => panic!("{code}: {other}"),
         };
     }
-    let (mut sources, mut diagnostics) = (Sources::default(), Diagnostics::default());
+    // Of most examples `lint` tells more: they leave out what has nothing to do with their subject.
+    let diagnostics = Diagnostics::default();
+    let mut diagnostics = if code.is_for_lint() { diagnostics.for_lint() } else { diagnostics };
+    let mut sources = Sources::default();
     let loaded = load(&folder.path().join(top), &[], &overlay, &mut sources, &mut diagnostics);
     resolve(&loaded, &sources, &mut diagnostics);
     diagnostics

@@ -24,6 +24,9 @@ const FOLDER: &str = "tests/ui";
 /// The rendering whose input is made here.
 const MANY: &str = "many_mistakes.stderr";
 
+/// How the inputs are called that are about what only `lint` tells: of all others it would be told of nearly every message.
+const FOR_LINT: &str = "refused";
+
 /// The problems of a dialect, or of several together.
 fn problems(top: &Path) -> (Diagnostics, Sources) {
     #[cfg(feature = "uorb")]
@@ -52,7 +55,10 @@ fn rendering(top: &Path) -> String {
 }
 
 fn of_one(top: &Path) -> (Diagnostics, Sources) {
-    let (mut sources, mut diagnostics) = (Sources::default(), Diagnostics::default());
+    let is_for_lint = top.file_stem().unwrap().to_str().unwrap().starts_with(FOR_LINT);
+    let diagnostics = Diagnostics::default();
+    let mut diagnostics = if is_for_lint { diagnostics.for_lint() } else { diagnostics };
+    let mut sources = Sources::default();
     let loaded = load(top, &[], &beside(top, ".overlay.xml"), &mut sources, &mut diagnostics);
     let dialect = resolve(&loaded, &sources, &mut diagnostics);
     assert_eq!(dialect.is_none(), diagnostics.has_errors(), "{}", top.display());

@@ -40,7 +40,7 @@ const UNREADABLE: [Code; 3] = [Code::Unreadable, Code::NotUtf8, Code::TooLarge];
 impl Lint {
     pub(super) fn run(&self, report: &Report) -> Result<ExitCode, Failure> {
         // Denied warnings are found here, beside all the others.
-        let builder = self.input.builder().deny_warnings(false);
+        let builder = self.input.builder().deny_warnings(false).lint(true);
         match builder.resolve() {
             Ok(Resolved { diagnostics, sources, .. }) => Ok(self.judge(&builder, &diagnostics, &sources, report)),
             Err(Failure::Definitions(problems)) => {
@@ -66,8 +66,9 @@ impl Lint {
             plural(warnings, "warning"),
             plural(notes, "note")
         ));
-        let denied = self.input.reading.definitions.deny_warnings
-            && found.iter().any(|one| one.severity() == Severity::Warning && builder.concerns(one, sources));
+        // What no other command tells, none other would deny.
+        let mut all = found.iter().filter(|one| one.severity() == Severity::Warning && !one.code.is_for_lint());
+        let denied = self.input.reading.definitions.deny_warnings && all.any(|one| builder.concerns(one, sources));
         if denied {
             report.denied();
         }

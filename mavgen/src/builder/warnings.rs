@@ -8,6 +8,14 @@ use crate::provenance;
 use crate::source::{SourceFile, Sources};
 
 impl Builder {
+    /// Whether what concerns those who maintain the definitions for other tools is told as well (off by default): that
+    /// pymavlink refuses what mavgen takes.
+    #[must_use]
+    pub fn lint(mut self, lint: bool) -> Self {
+        self.lint = lint;
+        self
+    }
+
     /// Whether warnings fail, as [`Failure::Denied`] (off by default).
     ///
     /// Only those that [`Builder::concerns`] says are about what the user of this builder wrote: nobody can mend an upstream

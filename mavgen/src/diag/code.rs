@@ -92,11 +92,15 @@ catalogue! {
     102 UnknownAttribute Warning "An attribute is not part of the grammar.";
     103 MissingAttribute Error "A required attribute is missing.";
     104 DuplicateAttribute Error "An attribute stands twice in one tag.";
-    105 DuplicateElement Error "An element that may stand once stands twice.";
+    105 DuplicateElement Error "`<version>` stands twice in a file.";
     106 BadNumber Error "A number is not written as one, or is out of range.";
     107 BadBoolean Error "A truth value is not `true`, `false`, `1` or `0`.";
     108 StrayText Warning "Text stands where the grammar has none.";
     109 TruthSpelling Warning "A truth value is spelled so that pymavlink takes it otherwise.";
+    110 Misspelt Error "An element or attribute is nearly one without which the wire, or a name, is another.";
+    111 PymavlinkRefuses Warning "pymavlink's validation refuses what mavgen takes.";
+    112 DocumentedNumber Warning "A number that only documentation shows is not written as one.";
+    113 RepeatedElement Warning "An element that no byte depends on stands twice.";
 
     200 MissingInclude Error "An included file cannot be read.";
     201 IncludeCycle Error "Files include each other in a circle.";
@@ -119,7 +123,7 @@ catalogue! {
     313 EnumWidths Warning "An enum is used by fields of different types.";
     314 Invalid Warning "An `invalid` value is not understood, or does not fit its field.";
     315 TargetType Warning "A target field is not a `uint8_t`.";
-    316 VersionField Error "`uint8_t_mavlink_version` is an array, or stands twice in a message.";
+    316 VersionField Error "`uint8_t_mavlink_version` is an array.";
     317 EmptyExtensions Warning "No field follows `<extensions/>`.";
     318 Range Warning "A range is empty: its minimum is above its maximum.";
     319 Display Warning "`display` is not understood, or does not suit its field.";
@@ -127,6 +131,7 @@ catalogue! {
     321 Units Warning "A unit is not one of MAVLink's.";
     322 TypeSpelling Warning "A field type is spelled as it was long ago.";
     323 LateVersion Warning "`<version>` stands after a message that has the version as a field.";
+    324 SecondVersionField Warning "A message has the version as a field twice.";
 
     400 BadValue Error "An enum value is not a number from 0 to 2^64 - 1.";
     401 DuplicateValue Error "Two entries of an enum have one value.";
@@ -136,11 +141,11 @@ catalogue! {
     405 BitmaskValue Warning "A value of a bitmask is not a single bit.";
     406 BitmaskDiffers Warning "Files disagree on whether an enum is a bitmask.";
     407 WidenedEnum Warning "An entry of another file does not fit the enum, which becomes wider.";
-    408 LikelyBitmask Warning "An enum has only single bits as values, and is not declared a bitmask.";
+    408 LikelyBitmask Warning "An enum looks like a bitmask, and is not declared one.";
     409 SameEntryName Warning "Entries of two enums have one name.";
     410 EnumTwice Warning "An enum is defined twice in one file.";
 
-    500 ParamIndex Error "A param index is not a number from 1 to 7, or stands twice.";
+    500 ParamIndex Warning "A param index is not a number from 1 to 7, or stands twice.";
     501 ParamEnum Warning "A param names an enum that does not exist.";
     502 ParamDefault Warning "A param that can be an integer on the wire has the default NaN.";
 
@@ -212,6 +217,12 @@ catalogue! {
 }
 
 impl Code {
+    /// Whether only `mavgen lint` tells of it: who uses a dialect has no use for it, who maintains it for other tools has.
+    /// [`super::Diagnostics::for_lint`] lists it.
+    pub fn is_for_lint(self) -> bool {
+        self == Self::PymavlinkRefuses
+    }
+
     /// The stable number.
     pub fn number(self) -> u16 {
         self as u16

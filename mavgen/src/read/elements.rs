@@ -2,7 +2,9 @@
 
 use super::characters::illegal;
 use super::encoding;
+use super::grammar::{self, Child, Element, Times, Words};
 use super::range::{first_line, trimmed};
+use super::schema;
 use super::tag::{self, Tag};
 use super::xml::{Content, Token, Xml};
 use crate::diag::{Code, Diagnostic, Diagnostics, nearest};
@@ -13,24 +15,6 @@ use crate::syntax::Text;
 #[derive(Debug)]
 pub(super) struct Broken;
 
-/// What may stand in an element.
-pub(super) struct Grammar {
-    children: &'static [&'static str],
-    prose: bool,
-}
-
-impl Grammar {
-    /// Elements, and blanks between them.
-    pub(super) const fn parts(children: &'static [&'static str]) -> Self {
-        Self { children, prose: false }
-    }
-
-    /// Text, and elements in it.
-    pub(super) const fn prose(children: &'static [&'static str]) -> Self {
-        Self { children, prose: true }
-    }
-}
-
 /// The elements of one text.
 pub(super) struct Elements<'t, 'd> {
     file: FileId,
@@ -38,6 +22,22 @@ pub(super) struct Elements<'t, 'd> {
     diagnostics: &'d mut Diagnostics,
     /// What stood in the element that was closed last.
     closed: Content,
+    /// Whether pymavlink reads the file, so that what it refuses is worth a word.
+    is_dialect: bool,
+    /// For each element that is open, from the root: what has stood in it so far.
+    inside: Vec<Progress>,
+    /// That of the element that was closed last.
+    left: Option<Progress>,
+}
+
+/// What has stood in an element so far.
+struct Progress {
+    /// The start tag of the element.
+    tag: Span,
+    /// The child of the highest place: none of a lower one may follow.
+    furthest: Option<&'static Child>,
+    /// The children that were there.
+    seen: Vec<&'static str>,
 }
 
 /// A token with its attributes read.
@@ -49,11 +49,13 @@ enum Step<'t> {
 
 impl<'t, 'd> Elements<'t, 'd> {
     pub(super) fn new(file: FileId, text: &'t str, diagnostics: &'d mut Diagnostics) -> Self {
-        Self { file, xml: Xml::new(file, text), diagnostics, closed: Content::default() }
+        let (closed, inside) = (Content::default(), Vec::new());
+        Self { file, xml: Xml::new(file, text), diagnostics, closed, is_dialect: false, inside, left: None }
     }
 
     /// The start tag of the root element.
-    pub(super) fn root(&mut self, name: &str) -> Result<Tag<'t>, Broken> {
+    pub(super) fn root(&mut self, element: &'static Element) -> Result<Tag<'t>, Broken> {
+        let name = element.name;
         if let Some((range, character)) = illegal(self.xml.text()) {
             let code = u32::from(character);
             let message = format!("the character U+{code:04X} is not allowed in XML");
@@ -62,7 +64,10 @@ impl<'t, 'd> Elements<'t, 'd> {
         }
         self.diagnostics.extend(encoding::check(self.file, self.xml.text()));
         match self.step()? {
-            Step::Child(tag) if tag.name == name => Ok(tag),
+            Step::Child(tag) if tag.name == name => {
+                self.is_dialect = std::ptr::eq(element, &grammar::MAVLINK);
+                Ok(self.known(tag, element))
+            }
             Step::Child(tag) => {
                 let message = format!("the root element is `<{}>`", tag.name);
                 let label = format!("`<{name}>` is expected");
@@ -84,42 +89,66 @@ impl<'t, 'd> Elements<'t, 'd> {
 
     /// Reports the attributes that were not asked for and those that are missing; whether none is missing.
     pub(super) fn close_tag(&mut self, tag: Tag<'t>) -> bool {
-        tag.report(self.diagnostics)
+        if self.is_dialect {
+            self.diagnostics.extend(tag.refused_names());
+        }
+        tag.report(self.is_dialect, self.diagnostics)
     }
 
-    /// The next element in the one that is open, if it is one that `grammar` has; `None` once it is closed.
+    /// The next element in the one that is open, an `element`, if the grammar has it; `None` once that is closed.
     ///
-    /// The caller reads the element to its end.
-    pub(super) fn next_child(&mut self, grammar: &Grammar) -> Result<Option<Tag<'t>>, Broken> {
+    /// The caller reads the child to its end.
+    pub(super) fn next_child(&mut self, element: &'static Element) -> Result<Option<Tag<'t>>, Broken> {
         loop {
-            let parent = self.xml.inside().unwrap_or_default();
             match self.step()? {
-                Step::Child(tag) if grammar.children.contains(&tag.name) => return Ok(Some(tag)),
-                Step::Child(tag) => {
-                    self.unknown(&tag, parent, grammar);
-                    self.skip()?;
-                }
+                Step::Child(tag) => match element.child(tag.name) {
+                    Some(child) => {
+                        self.check_place(&tag, element, child);
+                        return Ok(Some(self.known(tag, child.element)));
+                    }
+                    None => {
+                        self.unknown(&tag, element);
+                        self.skip()?;
+                    }
+                },
                 Step::Close | Step::End => {
-                    self.stray(parent, grammar);
+                    self.stray(element);
+                    self.check_complete(element);
                     return Ok(None);
                 }
             }
         }
     }
 
-    /// Reads to the end of an element that has only text, and elements that do not matter.
-    pub(super) fn text(&mut self, grammar: &Grammar) -> Result<Option<Text>, Broken> {
-        while self.next_child(grammar)?.is_some() {
+    /// The tag as that of an `element` of the grammar. Says what pymavlink's schema refuses of its attributes.
+    fn known(&mut self, tag: Tag<'t>, element: &'static Element) -> Tag<'t> {
+        let tag = tag.of(element);
+        if self.is_dialect {
+            self.diagnostics.extend(tag.refused_values());
+        }
+        tag
+    }
+
+    /// Reads to the end of an `element` that has only text, and elements that do not matter.
+    pub(super) fn text(&mut self, element: &'static Element) -> Result<Option<Text>, Broken> {
+        while self.next_child(element)?.is_some() {
             self.skip()?;
         }
-        Ok(self.closed.text.take())
+        let text = self.closed.text.take();
+        if let Words::Fact(ty) = element.text {
+            let (said, tag) = (text.as_ref(), self.left.as_ref().map(|left| left.tag));
+            let place = said.map(|text| self.xml.span(trimmed(self.xml.text(), text.span.range()))).or(tag);
+            let said = said.map_or("", |text| text.value.as_str());
+            if let Some(place) = place.filter(|_| self.is_dialect && !ty.allows(said)) {
+                self.diagnostics.push(schema::refused(&format!("`<{}>` is", element.name), ty, said, place));
+            }
+        }
+        Ok(text)
     }
 
     /// Like [`Self::text`], without blanks at both ends; blanks alone are no text.
-    pub(super) fn trimmed_text(&mut self) -> Result<Option<Text>, Broken> {
-        while self.next_child(&Grammar::prose(&[]))?.is_some() {
-            self.skip()?;
-        }
+    pub(super) fn trimmed_text(&mut self, element: &'static Element) -> Result<Option<Text>, Broken> {
+        self.closed.text = self.text(element)?;
         Ok(self.trimmed_content())
     }
 
@@ -150,20 +179,23 @@ impl<'t, 'd> Elements<'t, 'd> {
 
     /// Reports an element that may stand once and stood at `first` already.
     pub(super) fn repeated(&mut self, tag: &Tag<'t>, first: Span) {
-        let message = format!("a second `<{}>`", tag.name);
-        let error = Diagnostic::new(Code::DuplicateElement, tag.span, message).label("again here");
-        self.diagnostics.push(error.related(first, "first here"));
+        let essential = tag.element.is_some_and(|element| element.essential);
+        let code = if essential { Code::DuplicateElement } else { Code::RepeatedElement };
+        let problem = Diagnostic::new(code, tag.span, format!("a second `<{}>`", tag.name)).label("again here");
+        self.diagnostics.push(problem.related(first, "first here"));
     }
 
     fn step(&mut self) -> Result<Step<'t>, Broken> {
         match self.xml.next() {
             Ok(Token::Open(name, range)) => {
                 let source = (self.file, self.xml.text());
-                let tag = tag::read(source, name, range, self.diagnostics);
-                tag.map(Step::Child).map_err(|fault| self.broken(*fault))
+                let tag = tag::read(source, name, range, self.diagnostics).map_err(|fault| self.broken(*fault))?;
+                self.inside.push(Progress { tag: tag.span, furthest: None, seen: Vec::new() });
+                Ok(Step::Child(tag))
             }
             Ok(Token::Close(content)) => {
                 self.closed = content;
+                self.left = self.inside.pop();
                 Ok(Step::Close)
             }
             Ok(Token::End) => Ok(Step::End),
@@ -185,24 +217,79 @@ impl<'t, 'd> Elements<'t, 'd> {
         Broken
     }
 
-    fn unknown(&mut self, tag: &Tag<'t>, parent: &str, grammar: &Grammar) {
-        let message = format!("`<{parent}>` has no element `<{}>`", tag.name);
+    /// Says where pymavlink's schema wants another order. What is about to be read stands on top of what is open.
+    fn check_place(&mut self, tag: &Tag<'t>, element: &Element, child: &'static Child) {
+        let Some(around) = self.inside.iter_mut().nth_back(1).filter(|_| self.is_dialect) else { return };
+        let first = around.furthest.filter(|first| first.place > child.place);
+        let again = child.times != Times::Any && around.seen.contains(&tag.name);
+        around.seen.push(child.element.name);
+        if around.furthest.is_none_or(|first| first.place < child.place) {
+            around.furthest = Some(child);
+        }
+        let (name, place) = (tag.name, self.xml.span(first_line(self.xml.text(), tag.span.range())));
+        let problem = if let Some(first) = first {
+            let first = first.element.name;
+            schema::misplaced(
+                &format!("`<{name}>` stands after `<{first}>`"),
+                place,
+                format!("move it before the first `<{first}>`"),
+            )
+        } else if again {
+            schema::misplaced(
+                &format!("`<{name}>` stands twice in `<{}>`", element.name),
+                place,
+                "join the two".to_owned(),
+            )
+        } else {
+            return;
+        };
+        self.diagnostics.push(problem);
+    }
+
+    /// Says what pymavlink's schema misses in the element that was closed last.
+    fn check_complete(&mut self, element: &Element) {
+        let Some(left) = self.left.as_ref().filter(|_| self.is_dialect) else { return };
+        let mut required = element.children.iter().filter(|child| child.times == Times::Once);
+        let Some(missing) = required.find(|child| !left.seen.contains(&child.element.name)) else { return };
+        let missing = missing.element.name;
+        let place = self.xml.span(first_line(self.xml.text(), left.tag.range()));
+        let help = format!("add `<{missing}>…</{missing}>`, or an empty `<{missing}/>`");
+        self.diagnostics.push(schema::misplaced(&format!("`<{}>` has no `<{missing}>`", element.name), place, help));
+    }
+
+    /// Reports an element that the grammar does not have. One that is nearly another of which the wire, or a name, depends
+    /// would be lost from there in silence.
+    fn unknown(&mut self, tag: &Tag<'t>, element: &Element) {
+        let message = format!("`<{}>` has no element `<{}>`", element.name, tag.name);
         let place = self.xml.span(first_line(self.xml.text(), tag.span.range()));
-        let warning = Diagnostic::new(Code::UnknownElement, place, message);
-        let warning = warning.label("ignored, with all that is in it");
-        self.diagnostics.push(match nearest(tag.name, grammar.children.iter().copied()) {
-            Some(known) => warning.help(format!("did you mean `<{known}>`?")),
-            None if parent == "extensions" => warning.help("write `<extensions/>`, and the extension fields after it"),
-            None => warning,
+        let meant = nearest(tag.name, element.children.iter().map(|child| child.element.name));
+        let meant = meant.and_then(|name| element.child(name)).map(|child| child.element);
+        let code = match meant {
+            Some(meant) if meant.essential => Code::Misspelt,
+            _ => Code::UnknownElement,
+        };
+        let problem = Diagnostic::new(code, place, message);
+        let problem = match code {
+            Code::Misspelt => problem.label("all that is in it would be lost"),
+            _ if self.is_dialect => problem.label("ignored, with all that is in it; pymavlink refuses it"),
+            _ => problem.label("ignored, with all that is in it"),
+        };
+        self.diagnostics.push(match meant {
+            Some(meant) => problem.help(format!("did you mean `<{}>`?", meant.name)),
+            None if element.name == "extensions" => {
+                problem.help("write `<extensions/>`, and the extension fields after it")
+            }
+            None => problem,
         });
     }
 
     /// Reports text in the element that was closed last, if it is no place for text.
-    fn stray(&mut self, parent: &str, grammar: &Grammar) {
-        let Some(first) = self.closed.first.filter(|_| !grammar.prose) else { return };
+    fn stray(&mut self, element: &Element) {
+        let Some(first) = self.closed.first.filter(|_| element.text == Words::None) else { return };
         let text = self.xml.text();
         let place = self.xml.span(first_line(text, trimmed(text, first.range())));
-        let message = format!("text in `<{parent}>`");
-        self.diagnostics.push(Diagnostic::new(Code::StrayText, place, message).label("ignored"));
+        let message = format!("text in `<{}>`", element.name);
+        let label = if self.is_dialect { "ignored; pymavlink refuses it" } else { "ignored" };
+        self.diagnostics.push(Diagnostic::new(Code::StrayText, place, message).label(label));
     }
 }

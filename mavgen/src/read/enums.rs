@@ -1,13 +1,10 @@
 //! `<enum>`, its entries and their params.
 
-use super::elements::{Broken, Elements, Grammar};
+use super::elements::{Broken, Elements};
+use super::grammar;
 use super::prose::Prose;
 use super::tag::Tag;
 use crate::syntax::{Entry, Enum, Param};
-
-const ENUM: Grammar = Grammar::parts(&["entry", "description", "wip", "superseded", "deprecated"]);
-const ENTRY: Grammar = Grammar::parts(&["param", "description", "wip", "superseded", "deprecated"]);
-const PARAM: Grammar = Grammar::prose(&[]);
 
 /// Reads an enum; `None` if it has no name.
 pub(super) fn read<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>) -> Result<Option<Enum>, Broken> {
@@ -16,7 +13,7 @@ pub(super) fn read<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>) -> Res
     let complete = elements.close_tag(tag);
     let mut prose = Prose::default();
     let mut entries = Vec::new();
-    while let Some(tag) = elements.next_child(&ENUM)? {
+    while let Some(tag) = elements.next_child(&grammar::ENUM)? {
         match tag.name {
             "entry" => entries.extend(read_entry(elements, tag)?),
             _ => prose.read(elements, tag)?,
@@ -38,10 +35,9 @@ fn read_entry<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>) -> Result<O
         params: Vec::new(),
         span: tag.span,
     };
-    tag.ignore(&["hasAltitudeOnly", "mission", "fence", "rally", "command"]);
     let complete = elements.close_tag(tag);
     let mut prose = Prose::default();
-    while let Some(tag) = elements.next_child(&ENTRY)? {
+    while let Some(tag) = elements.next_child(&grammar::ENTRY)? {
         match tag.name {
             "param" => entry.params.extend(read_param(elements, tag)?),
             _ => prose.read(elements, tag)?,
@@ -65,8 +61,7 @@ fn read_param<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>) -> Result<O
         description: None,
         span: tag.span,
     };
-    tag.ignore(&["decimalPlaces", "multiplier", "instance"]);
     let complete = elements.close_tag(tag);
-    param.description = elements.text(&PARAM)?;
+    param.description = elements.text(&grammar::PARAM)?;
     Ok(complete.then_some(param))
 }

@@ -1,7 +1,12 @@
-//! What quick-xml refuses, sorted by what we say of it.
+//! What makes a text no XML: what quick-xml refuses, sorted by what we say of it.
 
 use quick_xml::Error;
 use quick_xml::errors::{IllFormedError, SyntaxError};
+
+use crate::diag::Diagnostic;
+
+/// What makes a text no XML. It ends the reading of the file.
+pub(super) type Fault = Box<Diagnostic>;
 
 /// Why quick-xml gave up.
 pub(super) enum Reason {

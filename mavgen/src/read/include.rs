@@ -224,7 +224,7 @@ impl Loader<'_> {
             return None;
         }
         let level = self.found.get(from.0).map_or(0, |found| found.level + 1);
-        let mut tried = Vec::new();
+        let (mut tried, mut there) = (Vec::new(), false);
         for place in places {
             if let Some(seen) = self.seen.get(&paths::absolute(place)) {
                 return *seen;
@@ -243,11 +243,12 @@ impl Loader<'_> {
                     return None;
                 }
                 Err(NoText::Io(error)) => {
+                    there |= place.exists();
                     tried.push(format!("`{}`: {}", place.display(), bytes::reason(&error)));
                 }
             }
         }
-        self.missing(from, include, places, &tried.join(", "));
+        self.missing(from, include, places, (&tried.join(", "), there));
         None
     }
 
@@ -267,12 +268,22 @@ impl Loader<'_> {
         Some(index)
     }
 
-    fn missing(&mut self, from: FileIndex, include: &Text, places: &[PathBuf], tried: &str) {
+    /// Says that an include cannot be read: where it was looked for, and whether something was there.
+    fn missing(&mut self, from: FileIndex, include: &Text, places: &[PathBuf], (tried, there): (&str, bool)) {
         self.loaded.watched.extend_from_slice(places);
         let message = format!("the included file `{}` cannot be read", include.value);
-        let help = match paths::similar(places) {
-            Some(name) => format!("looked for {tried}; did you mean `{name}`?"),
-            None => format!("looked for {tried}"),
+        let help = if include.value.contains('\\') {
+            let path = include.value.replace('\\', "/");
+            format!("write `{path}`: a backslash separates folders on Windows alone; looked for {tried}")
+        } else if let Some(name) = paths::similar(places) {
+            format!("looked for {tried}; did you mean `{name}`?")
+        } else if there {
+            format!("looked for {tried}")
+        } else {
+            format!(
+                "looked for {tried}; name the folder that has it (`--include-dir`, `Builder::include_dir`), or copy \
+                 the dialect with all that it includes by `mavgen vendor`"
+            )
         };
         let error = Diagnostic::new(Code::MissingInclude, include.span, message);
         let error = self.with_chain(from, error);

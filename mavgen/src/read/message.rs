@@ -1,13 +1,11 @@
 //! `<message>` and its fields.
 
-use super::elements::{Broken, Elements, Grammar};
-use super::prose::{self, Prose};
+use super::elements::{Broken, Elements};
+use super::grammar;
+use super::prose::Prose;
 use super::tag::Tag;
 use crate::source::Spanned;
 use crate::syntax::{Field, Message};
-
-const MESSAGE: Grammar = Grammar::parts(&["field", "extensions", "description", "wip", "superseded", "deprecated"]);
-const EXTENSIONS: Grammar = Grammar::parts(&[]);
 
 /// Reads a message; `None` if it has no id or no name.
 pub(super) fn read<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>) -> Result<Option<Message>, Broken> {
@@ -16,13 +14,13 @@ pub(super) fn read<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>) -> Res
     let complete = elements.close_tag(tag);
     let mut prose = Prose::default();
     let (mut fields, mut extensions) = (Vec::new(), Vec::new());
-    while let Some(tag) = elements.next_child(&MESSAGE)? {
+    while let Some(tag) = elements.next_child(&grammar::MESSAGE)? {
         match tag.name {
             "field" => fields.extend(read_field(elements, tag)?),
             "extensions" => {
                 extensions.push(Spanned::new(fields.len(), tag.span));
                 elements.close_tag(tag);
-                elements.text(&EXTENSIONS)?;
+                elements.text(&grammar::EXTENSIONS)?;
             }
             _ => prose.read(elements, tag)?,
         }
@@ -50,6 +48,6 @@ fn read_field<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>) -> Result<O
         span: tag.span,
     };
     let complete = elements.close_tag(tag);
-    field.description = prose::read_text(elements)?;
+    field.description = elements.text(&grammar::FIELD)?;
     Ok(complete.then_some(field))
 }

@@ -5,18 +5,14 @@ mod parts;
 mod tests;
 mod view;
 
-use super::elements::{Broken, Elements, Grammar};
-use super::{ENUMS, enums};
+use super::elements::{Broken, Elements};
+use super::{enums, grammar};
 use crate::diag::Diagnostics;
 use crate::source::{FileId, Sources};
 use crate::syntax::Overlay;
 use crate::syntax::overlay::{Additions, Bind, Condition, Note, Refinement};
 
 use super::tag::Tag;
-
-const OVERLAY: Grammar = Grammar::parts(&["enums", "refine", "note", "message"]);
-const REFINE: Grammar = Grammar::parts(&[]);
-const MESSAGE: Grammar = Grammar::parts(&["bind", "view"]);
 
 /// Reads one overlay, as [`super::read`] reads a dialect file.
 pub fn read(id: FileId, sources: &Sources, diagnostics: &mut Diagnostics) -> Overlay {
@@ -40,16 +36,16 @@ pub fn read(id: FileId, sources: &Sources, diagnostics: &mut Diagnostics) -> Ove
 
 /// The root element, and nothing after it.
 fn document(elements: &mut Elements<'_, '_>, overlay: &mut Overlay) -> Result<(), Broken> {
-    let mut root = elements.root("mavlink-overlay")?;
+    let mut root = elements.root(&grammar::OVERLAY)?;
     let (version, base) = (root.require("version"), root.require("for"));
     if elements.close_tag(root) {
         (overlay.version, overlay.base) = (Some(version), Some(base));
     }
-    while let Some(tag) = elements.next_child(&OVERLAY)? {
+    while let Some(tag) = elements.next_child(&grammar::OVERLAY)? {
         match tag.name {
             "enums" => {
                 elements.close_tag(tag);
-                while let Some(tag) = elements.next_child(&ENUMS)? {
+                while let Some(tag) = elements.next_child(&grammar::ENUMS)? {
                     overlay.enums.extend(enums::read(elements, tag)?);
                 }
             }
@@ -69,7 +65,7 @@ fn read_refinement<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>) -> Res
         span: tag.span,
     };
     let complete = elements.close_tag(tag);
-    elements.text(&REFINE)?;
+    elements.text(&grammar::REFINE)?;
     Ok(complete.then_some(refinement))
 }
 
@@ -83,14 +79,14 @@ fn read_note<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>) -> Result<No
         span: tag.span,
     };
     elements.close_tag(tag);
-    note.text = elements.trimmed_text()?;
+    note.text = elements.trimmed_text(&grammar::NOTE)?;
     Ok(note)
 }
 
 fn read_message<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>) -> Result<Option<Additions>, Broken> {
     let mut message = Additions { name: tag.require("name"), bindings: Vec::new(), views: Vec::new(), span: tag.span };
     let complete = elements.close_tag(tag);
-    while let Some(tag) = elements.next_child(&MESSAGE)? {
+    while let Some(tag) = elements.next_child(&grammar::ADDITIONS)? {
         match tag.name {
             "bind" => message.bindings.extend(read_bind(elements, tag)?),
             _ => message.views.extend(view::read(elements, tag)?),
@@ -109,7 +105,7 @@ fn read_bind<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>) -> Result<Op
         span: tag.span,
     };
     let complete = elements.close_tag(tag);
-    bind.description = elements.trimmed_text()?;
+    bind.description = elements.trimmed_text(&grammar::BIND)?;
     Ok(complete.then_some(bind))
 }
 

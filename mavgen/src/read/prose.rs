@@ -1,13 +1,10 @@
 //! What may be said of anything: its description and its stage of life.
 
-use super::elements::{Broken, Elements, Grammar};
+use super::elements::{Broken, Elements};
+use super::grammar;
 use super::tag::Tag;
 use crate::source::Span;
 use crate::syntax::{Lifecycle, Stage, Text};
-
-const PLAIN: Grammar = Grammar::prose(&[]);
-/// The grammar allows a description inside, and pymavlink drops it.
-const NESTED: Grammar = Grammar::prose(&["description"]);
 
 /// `<description>` and one of `<wip>`, `<superseded>` and `<deprecated>`.
 #[derive(Default)]
@@ -18,7 +15,7 @@ pub(super) struct Prose {
 }
 
 impl Prose {
-    /// Reads one of the four elements.
+    /// Reads one of the four elements. Of two stages the last counts, and descriptions are joined, as pymavlink does it.
     pub(super) fn read<'t>(&mut self, elements: &mut Elements<'t, '_>, tag: Tag<'t>) -> Result<(), Broken> {
         let stage = match tag.name {
             "wip" => Stage::Wip,
@@ -39,7 +36,11 @@ impl Prose {
             None => self.description_tag = Some(tag.span),
         }
         elements.close_tag(tag);
-        self.description = elements.text(&PLAIN)?;
+        let more = elements.text(&grammar::DESCRIPTION)?;
+        match (&mut self.description, more) {
+            (Some(description), Some(more)) => description.value.push_str(&more.value),
+            (description, more) => *description = description.take().or(more),
+        }
         Ok(())
     }
 }
@@ -47,15 +48,11 @@ impl Prose {
 fn read_lifecycle<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>, stage: Stage) -> Result<Lifecycle, Broken> {
     let span = tag.span;
     let since = tag.take("since");
-    let replaced_by = if stage == Stage::Wip { None } else { tag.take("replaced_by") };
-    if stage == Stage::Deprecated {
-        tag.ignore(&["remove_on_date"]);
-    }
+    let (replaced_by, element) = match stage {
+        Stage::Wip => (None, &grammar::WIP),
+        Stage::Superseded => (tag.take("replaced_by"), &grammar::SUPERSEDED),
+        Stage::Deprecated => (tag.take("replaced_by"), &grammar::DEPRECATED),
+    };
     elements.close_tag(tag);
-    Ok(Lifecycle { stage, since, replaced_by, description: read_text(elements)?, span })
-}
-
-/// The text of an element that may have a description inside.
-pub(super) fn read_text(elements: &mut Elements<'_, '_>) -> Result<Option<Text>, Broken> {
-    elements.text(&NESTED)
+    Ok(Lifecycle { stage, since, replaced_by, description: elements.text(element)?, span })
 }

@@ -5,7 +5,9 @@ use std::ops::Range;
 use quick_xml::events::attributes::{AttrError, Attributes};
 
 use super::characters::{self, expand, is_name, wrong_blank};
-use super::xml::Fault;
+use super::fault::Fault;
+use super::grammar::Element;
+use super::schema;
 use crate::diag::{Code, Diagnostic, Diagnostics, nearest};
 use crate::source::{FileId, Span, Spanned};
 use crate::syntax::Text;
@@ -18,8 +20,8 @@ pub(super) struct Tag<'t> {
     pub(super) name: &'t str,
     pub(super) span: Span,
     attributes: Vec<Attribute<'t>>,
-    /// The attributes that were asked for: those that the grammar has.
-    known: Vec<&'static str>,
+    /// The element in the grammar, once it is known where the tag stands.
+    pub(super) element: Option<&'static Element>,
     missing: Vec<&'static str>,
 }
 
@@ -30,9 +32,32 @@ struct Attribute<'t> {
 }
 
 impl Tag<'_> {
+    /// The tag as that of an `element` of the grammar.
+    pub(super) fn of(self, element: &'static Element) -> Self {
+        Self { element: Some(element), ..self }
+    }
+
+    /// What pymavlink's schema refuses of the values of attributes.
+    pub(super) fn refused_values(&self) -> impl Iterator<Item = Diagnostic> {
+        self.attributes.iter().filter_map(|Attribute { name, value, .. }| {
+            let known = self.element?.attribute(name).filter(|known| !known.ty.allows(&value.value))?;
+            Some(schema::refused(&format!("`{name}` is"), known.ty, &value.value, value.span))
+        })
+    }
+
+    /// Attributes of other namespaces, of which pymavlink's schema has none.
+    pub(super) fn refused_names(&self) -> impl Iterator<Item = Diagnostic> {
+        let foreign = self.attributes.iter().filter(|attribute| is_foreign(attribute.name));
+        let foreign = foreign.filter(|attribute| !["xmlns:", "xsi:"].iter().any(|own| attribute.name.starts_with(own)));
+        foreign.map(|attribute| {
+            let message = format!("the attribute `{}`", attribute.name);
+            schema::misplaced(&message, attribute.name_span, "its schema has no namespaces".to_owned())
+        })
+    }
+
     /// The value of an optional attribute.
     pub(super) fn take(&mut self, name: &'static str) -> Option<Text> {
-        self.known.push(name);
+        debug_assert!(self.element.is_some_and(|element| element.attribute(name).is_some()), "{name}");
         let at = self.attributes.iter().position(|attribute| attribute.name == name)?;
         Some(self.attributes.remove(at).value)
     }
@@ -45,34 +70,49 @@ impl Tag<'_> {
         })
     }
 
-    /// Attributes that the grammar has and mavgen has no use for.
-    pub(super) fn ignore(&mut self, names: &[&'static str]) {
-        self.known.extend(names);
-        self.attributes.retain(|attribute| !names.contains(&attribute.name));
-    }
-
-    /// Reports what is missing and what nobody asked for, except attributes of other namespaces. Returns whether every
+    /// Reports what is missing and what the grammar, which may be that of a dialect, does not have. Returns whether every
     /// required attribute was there.
-    pub(super) fn report(self, diagnostics: &mut Diagnostics) -> bool {
+    pub(super) fn report(self, is_dialect: bool, diagnostics: &mut Diagnostics) -> bool {
         if !self.missing.is_empty() {
             let message = format!("`<{}>` lacks its `{}`", self.name, self.missing.join("` and `"));
             let label = format!("`{}=\"…\"` is required here", self.missing.join("=\"…\" "));
             let error = Diagnostic::new(Code::MissingAttribute, self.span, message);
             diagnostics.push(error.label(label));
         }
-        for attribute in &self.attributes {
-            if attribute.name == "xmlns" || attribute.name.contains(':') {
-                continue;
-            }
-            let message = format!("`<{}>` has no attribute `{}`", self.name, attribute.name);
-            let warning = Diagnostic::new(Code::UnknownAttribute, attribute.name_span, message);
-            diagnostics.push(match nearest(attribute.name, self.known.iter().copied()) {
-                Some(known) => warning.label("ignored").help(format!("did you mean `{known}`?")),
-                None => warning.label("ignored"),
-            });
-        }
+        let known = |name: &str| self.element.is_some_and(|element| element.attribute(name).is_some());
+        let unknown = self.attributes.iter().filter(|attribute| !known(attribute.name));
+        let unknown = unknown.filter(|attribute| !is_foreign(attribute.name));
+        diagnostics.extend(unknown.map(|attribute| self.unknown(attribute, is_dialect)));
         self.missing.is_empty()
     }
+
+    /// What is said of an attribute that the grammar does not have.
+    fn unknown(&self, attribute: &Attribute<'_>, is_dialect: bool) -> Diagnostic {
+        let Attribute { name, name_span, .. } = *attribute;
+        let message = format!("`<{}>` has no attribute `{name}`", self.name);
+        let all = self.element.map_or(&[][..], |element| element.attributes);
+        let meant = nearest(name, all.iter().map(|known| known.name));
+        let meant = meant.and_then(|meant| all.iter().find(|known| known.name == meant));
+        let problem = match meant {
+            Some(meant) if meant.essential => {
+                Diagnostic::new(Code::Misspelt, name_span, message).label("would be lost")
+            }
+            _ => Diagnostic::new(Code::UnknownAttribute, name_span, message).label(if is_dialect {
+                "ignored; pymavlink refuses it"
+            } else {
+                "ignored"
+            }),
+        };
+        match meant {
+            Some(meant) => problem.help(format!("did you mean `{}`?", meant.name)),
+            None => problem,
+        }
+    }
+}
+
+/// Whether an attribute belongs to another grammar, or to XML itself.
+fn is_foreign(name: &str) -> bool {
+    name == "xmlns" || name.contains(':')
 }
 
 /// The start tag of `name` at the bytes `range` of a text.
@@ -87,7 +127,7 @@ pub(super) fn read<'t>(
     let source = Source { file, text, name, inner, start: range.start + 1 };
     let attributes = source.attributes(diagnostics)?;
     let span = Span::new(file, range);
-    Ok(Tag { name, span, attributes, known: Vec::new(), missing: Vec::new() })
+    Ok(Tag { name, span, attributes, element: None, missing: Vec::new() })
 }
 
 /// Checks the XML declaration at the bytes `range`, which is a tag in all but its ends. Its encoding does not matter: the

@@ -8,7 +8,7 @@ use quick_xml::events::Event;
 use quick_xml::reader::Reader;
 
 use super::characters::{self, is_name, wrong_blank};
-use super::fault::{self, Reason};
+use super::fault::{self, Fault, Reason};
 use super::range::{first_line, trimmed};
 use super::tag;
 use crate::diag::{Code, Diagnostic};
@@ -17,9 +17,6 @@ use crate::syntax::Text;
 
 /// How deep elements may nest; the MAVLink grammar needs six levels.
 pub(crate) const MAX_DEPTH: usize = 64;
-
-/// What makes a text no XML. It ends the reading of the file.
-pub(super) type Fault = Box<Diagnostic>;
 
 /// What comes next in a text.
 pub(super) enum Token<'t> {
@@ -89,11 +86,6 @@ impl<'t> Xml<'t> {
 
     pub(super) fn span(&self, range: Range<usize>) -> Span {
         Span::new(self.file, range)
-    }
-
-    /// The name of the innermost open element.
-    pub(super) fn inside(&self) -> Option<&'t str> {
-        self.open.last().map(|open| open.name)
     }
 
     /// The next token.

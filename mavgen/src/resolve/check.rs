@@ -12,7 +12,7 @@ use crate::read::Loaded;
 use crate::source::Span;
 
 /// The fewest flags beyond 1 and 2 that make an enum look like a bitmask: small enums count 0, 1, 2 as well.
-const FEWEST_FLAGS: usize = 3;
+const FEWEST_FLAGS: usize = 2;
 
 /// So many values of an enum that do not fit a field are named.
 const NAMED_VALUES: usize = 3;
@@ -25,7 +25,7 @@ pub(super) fn check(
     uses: &[Use<'_>],
     diagnostics: &mut Diagnostics,
 ) {
-    check_bitmask(merged, width.owner, diagnostics);
+    check_bitmask(merged, width.owner, uses, diagnostics);
     let (kinds, name) = (kinds(loaded, uses), merged.name.value.as_str());
     check_widths(loaded, (merged.owner_span(width.owner), width.owner), name, &kinds, diagnostics);
     for kind in kinds {
@@ -37,7 +37,7 @@ pub(super) fn check(
 }
 
 /// Files should agree on what the enum is, and its values should look like it. Zero names the empty set.
-fn check_bitmask(merged: &Merged<'_>, owner: FileIndex, diagnostics: &mut Diagnostics) {
+fn check_bitmask(merged: &Merged<'_>, owner: FileIndex, uses: &[Use<'_>], diagnostics: &mut Diagnostics) {
     let bitmask = merged.declared_bitmask(owner);
     let owner_span = merged.owner_span(owner);
     let attribute = |given: bool| if given { "a bitmask" } else { "not a bitmask" };
@@ -51,10 +51,9 @@ fn check_bitmask(merged: &Merged<'_>, owner: FileIndex, diagnostics: &mut Diagno
     }
     if merged.bitmask(owner) {
         check_bits(merged, diagnostics);
-    } else if merged.refined.bitmask.is_none() && looks_like_bitmask(merged) {
-        let message = format!("the values of enum `{}` are single bits, but it is not a bitmask", merged.name.value);
-        let problem = Diagnostic::new(Code::LikelyBitmask, owner_span, message);
-        diagnostics.push(problem.help("if they are combined, add `bitmask=\"true\"`"));
+    } else if merged.refined.bitmask.is_none() && merged.blocks.iter().all(|block| block.syntax.bitmask.is_none()) {
+        // Who writes `bitmask="false"` has thought of it.
+        diagnostics.extend(likely_bitmask(merged, owner_span, uses));
     }
 }
 
@@ -65,6 +64,22 @@ fn check_bits(merged: &Merged<'_>, diagnostics: &mut Diagnostics) {
         let place = entry.syntax.value.as_ref().map_or(name.span, |text| text.span);
         diagnostics.push(Diagnostic::new(Code::BitmaskValue, place, message).label(format!("{value:#x}")));
     }
+}
+
+/// Says that an enum is most likely a bitmask, by its values or by how a field of it is shown.
+fn likely_bitmask(merged: &Merged<'_>, enum_: Span, uses: &[Use<'_>]) -> Option<Diagnostic> {
+    let name = &merged.name.value;
+    let shown = uses.iter().find_map(|one| one.field.display.as_ref().filter(|display| display.value == "bitmask"));
+    let problem = |message| Diagnostic::new(Code::LikelyBitmask, enum_, message);
+    let problem = match shown {
+        Some(display) => problem(format!("enum `{name}` is displayed as a bitmask, but it is not one"))
+            .related(display.span, "displayed as a bitmask here"),
+        None if looks_like_bitmask(merged) => {
+            problem(format!("the values of enum `{name}` are single bits, but it is not a bitmask"))
+        }
+        None => return None,
+    };
+    Some(problem.help("if they are combined, add `bitmask=\"true\"`: then they are flags in Rust"))
 }
 
 fn looks_like_bitmask(merged: &Merged<'_>) -> bool {

@@ -1,12 +1,12 @@
 //! Commands: what an entry of `MAV_CMD` says beyond its value.
 
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 
+use super::boolean::{self, Attribute};
 use super::enums::Entry;
 use super::merge::Enums;
 use super::origin::{self, Described};
 use super::suggest::suggest;
-use super::truth::{self, Attribute};
 use super::{limits, number, units};
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{Command, EnumId, FileIndex, Param};
@@ -34,28 +34,35 @@ pub(super) fn resolve(
         return None;
     }
     let location = Attribute::OnlyWords("hasLocation");
-    let has_location = truth::read(syntax.has_location.as_ref(), location, diagnostics);
-    let is_destination = truth::read(syntax.is_destination.as_ref(), Attribute::Unread, diagnostics);
-    let mission_only = truth::read(syntax.mission_only.as_ref(), Attribute::Unread, diagnostics);
-    let mut seen: HashMap<u8, &Text> = HashMap::new();
-    let mut params = Vec::with_capacity(syntax.params.len());
+    let has_location = boolean::read(syntax.has_location.as_ref(), location, diagnostics);
+    let is_destination = boolean::read(syntax.is_destination.as_ref(), Attribute::Unread("isDestination"), diagnostics);
+    let mission_only = boolean::read(syntax.mission_only.as_ref(), Attribute::Unread("missionOnly"), diagnostics);
+    let mut params: BTreeMap<u8, (&Text, Param)> = BTreeMap::new();
     for element in &syntax.params {
         let Some(index) = index(&element.index, diagnostics) else { continue };
-        if let Some(first) = seen.insert(index, &element.index) {
-            let message = format!("param {index} stands twice");
-            let problem = Diagnostic::new(Code::ParamIndex, element.index.span, message);
-            diagnostics.push(problem.related(first.span, "the first one"));
+        let param = param(index, element, entry.file, enums, diagnostics);
+        if let Some((first, _)) = params.insert(index, (&element.index, param)) {
+            diagnostics.push(twice(index, &element.index, first));
         }
-        let mut param = param(index, element, entry.file, diagnostics);
-        param.values = element.values.as_ref().and_then(|name| values(name, enums, diagnostics));
-        params.push(param);
     }
-    params.sort_by_key(|param| param.index);
+    let params = params.into_values().map(|(_, param)| param).collect();
     Some(Command { params, has_location, is_destination, mission_only })
 }
 
-/// A param without its enum.
-fn param(index: u8, element: &syntax::Param, file: FileIndex, diagnostics: &mut Diagnostics) -> Param {
+/// Says that of two params the last is taken, as pymavlink does it.
+fn twice(index: u8, element: &Text, first: &Text) -> Diagnostic {
+    let message = format!("param {index} stands twice");
+    let problem = Diagnostic::new(Code::ParamIndex, element.span, message).label("this one counts");
+    problem.related(first.span, "the first one").help("commands carry each param once: number them from 1 to 7")
+}
+
+fn param(
+    index: u8,
+    element: &syntax::Param,
+    file: FileIndex,
+    enums: &Enums<'_>,
+    diagnostics: &mut Diagnostics,
+) -> Param {
     let described = Described { file, span: element.span, description: element.description.as_ref(), lifecycle: None };
     units::check(element.units.as_ref(), diagnostics);
     let ranges = [element.min.as_ref(), element.max.as_ref(), element.increment.as_ref()];
@@ -63,10 +70,10 @@ fn param(index: u8, element: &syntax::Param, file: FileIndex, diagnostics: &mut 
         index,
         label: origin::non_empty(element.label.as_ref()),
         units: origin::non_empty(element.units.as_ref()),
-        values: None,
+        values: element.values.as_ref().and_then(|name| values(name, enums, diagnostics)),
         limits: limits::resolve(ranges, diagnostics),
         default: element.default.as_ref().and_then(|text| default(index, text, diagnostics)),
-        reserved: truth::read(element.reserved.as_ref(), Attribute::AnyText("reserved"), diagnostics),
+        reserved: boolean::read(element.reserved.as_ref(), Attribute::AnyText("reserved"), diagnostics),
         origin: described.origin(diagnostics),
     }
 }
@@ -87,7 +94,8 @@ fn index(text: &Text, diagnostics: &mut Diagnostics) -> Option<u8> {
     let index = index.filter(|index| (1..=PARAMS).contains(index));
     if index.is_none() {
         let message = format!("param index `{}` is not a number from 1 to {PARAMS}", text.value);
-        diagnostics.push(Diagnostic::new(Code::ParamIndex, text.span, message));
+        let problem = Diagnostic::new(Code::ParamIndex, text.span, message).label("the param is left out");
+        diagnostics.push(problem.help("`COMMAND_LONG` and `COMMAND_INT` carry seven"));
     }
     index
 }
@@ -97,7 +105,7 @@ fn default(index: u8, text: &Text, diagnostics: &mut Diagnostics) -> Option<f64>
     let value = number::float(&text.value).filter(|value| !value.is_infinite());
     if value.is_none() {
         let message = format!("default `{}` is neither a finite number nor NaN", text.value);
-        diagnostics.push(Diagnostic::new(Code::BadNumber, text.span, message));
+        diagnostics.push(Diagnostic::new(Code::DocumentedNumber, text.span, message).label("left out"));
     }
     if value.is_some_and(f64::is_nan) && INTEGER_PARAMS.contains(&index) {
         let message = format!("param {index} has the default NaN, which `COMMAND_INT` cannot carry");

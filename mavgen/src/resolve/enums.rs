@@ -1,9 +1,9 @@
 //! Enums: the values of one `<enum>` element, and the model of a merged enum.
 
+use super::boolean::{self, Attribute};
 use super::losses::Losses;
 use super::merge::{Enums, Merged};
 use super::origin::Described;
-use super::truth::{self, Attribute};
 use super::width::Width;
 use super::{command, lifecycle, naming, number};
 use crate::diag::{Code, Diagnostic, Diagnostics};
@@ -41,7 +41,7 @@ impl<'a> Block<'a> {
         losses: &Losses,
         diagnostics: &mut Diagnostics,
     ) -> Self {
-        let bitmask = truth::read(syntax.bitmask.as_ref(), Attribute::OnlyTrue("bitmask"), diagnostics);
+        let bitmask = boolean::read(syntax.bitmask.as_ref(), Attribute::OnlyTrue("bitmask"), diagnostics);
         let exact = !losses.near(syntax.span);
         let mut block = Self { file, syntax, bitmask, entries: Vec::new(), highest: 0, exact };
         if exact && syntax.entries.is_empty() {
@@ -61,7 +61,11 @@ impl<'a> Block<'a> {
                 Ok(value) => u128::from(value),
                 Err(why) => {
                     let message = format!("the value `{}` is not a number from 0 to 2^64 - 1", text.value);
-                    diagnostics.push(Diagnostic::new(Code::BadValue, text.span, message).label(why));
+                    let problem = Diagnostic::new(Code::BadValue, text.span, message).label(why);
+                    diagnostics.push(match meant(&text.value) {
+                        Some(meant) => problem.help(meant),
+                        None => problem,
+                    });
                     self.exact = false;
                     return;
                 }
@@ -75,6 +79,27 @@ impl<'a> Block<'a> {
     pub(super) fn start(&self) -> Option<u128> {
         self.entries.iter().map(|entry| entry.value).min()
     }
+}
+
+/// How the value of a plain expression is written: C's shifts, `1 << 7` and with suffixes, and sums of flags, `1|4`.
+fn meant(text: &str) -> Option<String> {
+    let text = text.trim_matches(|c: char| c.is_whitespace() || matches!(c, '(' | ')'));
+    let number = |text: &str| {
+        let text = text.trim_matches(|c: char| c.is_whitespace() || matches!(c, '(' | ')'));
+        number::unsigned(text.trim_end_matches(['u', 'U', 'l', 'L'])).ok()
+    };
+    let term = |text: &str| match text.split_once("<<") {
+        Some((base, shift)) => {
+            let (base, shift) = (number(base)?, u32::try_from(number(shift)?).ok()?);
+            base.checked_shl(shift).filter(|shifted| shifted >> shift == base)
+        }
+        None => number(text),
+    };
+    let value = text.split('|').map(term).try_fold(0, |sum, term| Some(sum | term?))?;
+    Some(match value.is_power_of_two() {
+        true => format!("write `2**{}` or `{value:#x}`", value.trailing_zeros()),
+        false => format!("write `{value:#x}`"),
+    })
 }
 
 /// The model of an enum, which is called `rust` in Rust.
@@ -138,4 +163,28 @@ fn origin(merged: &Merged<'_>, owner: FileIndex, diagnostics: &mut Diagnostics) 
         }
     }
     Origin { file: merged.file, span: merged.span, description: description.to_owned(), lifecycle }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn expressions_have_values() {
+        for (text, help) in [
+            ("1<<7", Some("write `2**7` or `0x80`")),
+            ("(1 << 63)", Some("write `2**63` or `0x8000000000000000`")),
+            ("1UL<<3", Some("write `2**3` or `0x8`")),
+            ("1|4", Some("write `0x5`")),
+            ("(1<<0)|(1<<2)", Some("write `0x5`")),
+            ("3<<1", Some("write `0x6`")),
+            ("1<<64", None),
+            ("-1", None),
+            ("FLAG", None),
+            ("1|", None),
+            ("", None),
+        ] {
+            assert_eq!(meant(text).as_deref(), help, "{text}");
+        }
+    }
 }

@@ -1,7 +1,7 @@
 //! Fields of messages, each for itself.
 
+use super::boolean::{self, Attribute};
 use super::origin::{self, Described};
-use super::truth::{self, Attribute};
 use super::{field_type, limits, naming, units};
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{Field, FieldType, FileIndex, Scalar};
@@ -24,7 +24,7 @@ pub(super) fn resolve(field: &syntax::Field, around: Surroundings, diagnostics: 
         Described { file: around.file, span: field.span, description: field.description.as_ref(), lifecycle: None };
     let ranges = [field.min.as_ref(), field.max.as_ref(), field.increment.as_ref()];
     let limits = limits::resolve(ranges, diagnostics);
-    let instance = truth::read(field.instance.as_ref(), Attribute::AnyText("instance"), diagnostics);
+    let instance = boolean::read(field.instance.as_ref(), Attribute::AnyText("instance"), diagnostics);
     units::check(field.units.as_ref(), diagnostics);
     let ty = field_type::resolve(&field.ty, around.version, diagnostics)?;
     check_target(field, ty, diagnostics);

@@ -45,19 +45,24 @@ fn check_date(element: &syntax::Lifecycle, diagnostics: &mut Diagnostics) {
         Some(since) if !is_date(&since.value) => {
             let message = format!("`{}` is not a date", since.value);
             let problem = Diagnostic::new(Code::Lifecycle, since.span, message);
-            diagnostics.push(problem.label("not a year and a month").help("write it as `2024-07`"));
+            diagnostics
+                .push(problem.label("not a year and a month; pymavlink refuses it").help("write it as `2024-07`"));
         }
         None if element.stage != Stage::Wip => {
             let message = format!("`<{name}>` does not say since when");
             let problem = Diagnostic::new(Code::Lifecycle, element.span, message);
-            diagnostics.push(problem.label("`since` is missing").help("add `since=\"YYYY-MM\"`"));
+            diagnostics.push(problem.label("`since` is missing; pymavlink refuses it").help("add `since=\"YYYY-MM\"`"));
         }
         _ => {}
     }
     if element.stage != Stage::Wip && element.replaced_by.is_none() {
         let message = format!("`<{name}>` does not say what replaces it");
         let problem = Diagnostic::new(Code::Lifecycle, element.span, message);
-        diagnostics.push(problem.label("`replaced_by` is missing").help("add `replaced_by=\"…\"`; it may be empty"));
+        diagnostics.push(
+            problem
+                .label("`replaced_by` is missing; pymavlink refuses it")
+                .help("add `replaced_by=\"…\"`; it may be empty"),
+        );
     }
 }
 

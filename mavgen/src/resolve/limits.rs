@@ -23,7 +23,7 @@ fn finite(text: &Text, diagnostics: &mut Diagnostics) -> Option<f64> {
     let value = number::float(&text.value).filter(|value| value.is_finite());
     if value.is_none() {
         let message = format!("`{}` is not a finite number", text.value);
-        diagnostics.push(Diagnostic::new(Code::BadNumber, text.span, message));
+        diagnostics.push(Diagnostic::new(Code::DocumentedNumber, text.span, message).label("left out"));
     }
     value
 }

@@ -140,7 +140,8 @@ fn check_presence(syntax: &Message, diagnostics: &mut Diagnostics) {
         diagnostics.push(problem.help("at least one field has to be there in MAVLink 1 as well"));
     } else if extensions.value >= count {
         let message = format!("no field of message `{}` follows `<extensions/>`", name.value);
-        diagnostics.push(Diagnostic::new(Code::EmptyExtensions, extensions.span, message));
+        diagnostics
+            .push(Diagnostic::new(Code::EmptyExtensions, extensions.span, message).label("pymavlink refuses it"));
     }
 }
 
@@ -177,8 +178,8 @@ fn check_version_fields(syntax: &Message, fields: &[Field], diagnostics: &mut Di
         fields.iter().zip(&syntax.fields).filter(|(field, _)| matches!(field.ty.scalar, Scalar::Version(_)));
     if let (Some((_, first)), Some((_, second))) = (versions.next(), versions.next()) {
         let message = format!("`uint8_t_mavlink_version` stands twice in message `{}`", syntax.name.value);
-        let problem = Diagnostic::new(Code::VersionField, second.ty.span, message);
-        diagnostics.push(problem.related(first.ty.span, "the first one"));
+        let problem = Diagnostic::new(Code::SecondVersionField, second.ty.span, message);
+        diagnostics.push(problem.related(first.ty.span, "the first one").help("one field with the version is enough"));
     }
 }
 

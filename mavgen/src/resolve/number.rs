@@ -1,9 +1,6 @@
-//! Numbers and truth values, as attributes spell them.
+//! Numbers and booleans, as attributes spell them.
 //!
 //! Knows the spelling only; what a number is for, and which range it may have beyond its type, is the caller's business.
-
-use crate::diag::{Code, Diagnostic, Diagnostics};
-use crate::syntax::Text;
 
 /// Why a text is no number, worded as the label under it.
 type Refusal = &'static str;
@@ -68,21 +65,12 @@ pub(super) fn float(text: &str) -> Option<f64> {
     text.parse().ok().or_else(|| unsigned(text).ok().map(|value| value as f64))
 }
 
-/// A truth value (`xs:boolean`); absent is false.
-pub(super) fn boolean(text: Option<&Text>, diagnostics: &mut Diagnostics) -> bool {
-    text.and_then(|text| truth(text, diagnostics)).unwrap_or_default()
-}
-
-/// A truth value that is there; `None` if it is not one, which is reported.
-pub(super) fn truth(text: &Text, diagnostics: &mut Diagnostics) -> Option<bool> {
-    match text.value.trim() {
+/// A truth value (`xs:boolean`).
+pub(super) fn boolean(text: &str) -> Option<bool> {
+    match text.trim() {
         "true" | "1" => Some(true),
         "false" | "0" => Some(false),
-        other => {
-            let message = format!("`{other}` is not a truth value");
-            diagnostics.push(Diagnostic::new(Code::BadBoolean, text.span, message).help("write `true` or `false`"));
-            None
-        }
+        _ => None,
     }
 }
 

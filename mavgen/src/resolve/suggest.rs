@@ -22,7 +22,7 @@ pub(super) fn suggest_by<'c>(
     before: &Diagnostics,
     find: impl FnOnce() -> Option<&'c str>,
 ) -> Diagnostic {
-    let meant = if before.len() < MOST_PROBLEMS { find() } else { None };
+    let meant = if before.are_at_least(MOST_PROBLEMS) { None } else { find() };
     match meant {
         Some(meant) => problem.help(format!("did you mean `{meant}`?")),
         None => problem,

@@ -8,8 +8,8 @@ use std::ops::Range;
 
 use sha2::{Digest, Sha256};
 
-use super::grammar::{Content, content};
 use super::tree::{Element, place};
+use crate::read::grammar::{Content, content};
 
 /// So many bytes are enough to tell an edit; nobody is meant to be deceived.
 const LENGTH: usize = 8;
@@ -51,7 +51,7 @@ impl Sum {
         match content(element.name) {
             Content::Prose => {}
             Content::Fact | Content::Nothing => self.add(element.inner.trim()),
-            Content::Elements(_) => {
+            Content::Elements => {
                 let comments = element.children.iter().flat_map(|child| &child.above).chain(&element.below).copied();
                 let children = element.children.iter().map(|child| child.outer);
                 self.add(&rest(text, element.inner, comments.chain(children)));

@@ -1,8 +1,8 @@
 //! A dialect file without its prose, laid out for people: two spaces a level, one element a line.
 
-use super::grammar::{self, Content, content};
 use super::prose::{Key, Keys, Words};
 use super::tree::Element;
+use crate::read::grammar::{self, Content, Times};
 
 /// Gives the words about an element.
 pub(super) type Describe<'a> = dyn FnMut(&str) -> Option<Words> + 'a;
@@ -39,16 +39,30 @@ fn collect(parent: &str, element: &Element<'_>, names: &mut Keys, keys: &mut Vec
     children(element).for_each(|child| collect(&base, child, names, keys));
 }
 
-/// The children that the grammar has, those that `mavlink.xsd` wants first before the others. Descriptions are no facts.
+/// The children that the grammar has; of messages, enums and entries the stage of life first. Descriptions are no facts.
 fn children<'e, 't>(element: &'e Element<'t>) -> impl Iterator<Item = &'e Element<'t>> {
-    let known = match content(element.name) {
-        Content::Elements(known) => known,
-        _ => &[],
-    };
-    let children = element.children.iter().filter(|child| known.contains(&child.name) && child.name != "description");
-    let mut children: Vec<_> = children.collect();
-    children.sort_by_key(|child| grammar::rank(child.name));
+    let known = grammar::Element::named(element.name).filter(|_| content(element) == Content::Elements);
+    let is_known = |child: &&Element<'_>| known.is_some_and(|known| known.child(child.name).is_some());
+    let mut children: Vec<_> =
+        element.children.iter().filter(|child| is_known(child) && child.name != DESCRIPTION).collect();
+    children.sort_by_key(|child| !is_stage(child));
     children.into_iter()
+}
+
+const DESCRIPTION: &str = "description";
+
+fn is_stage(element: &Element<'_>) -> bool {
+    matches!(element.name, "wip" | "superseded" | "deprecated")
+}
+
+fn content(element: &Element<'_>) -> Content {
+    grammar::content(element.name)
+}
+
+/// Whether the grammar has a description in an element, and whether it demands one, be it empty.
+fn description(element: &Element<'_>) -> Option<Times> {
+    let known = grammar::Element::named(element.name).filter(|_| content(element) == Content::Elements)?;
+    known.child(DESCRIPTION).map(|child| child.times)
 }
 
 /// The words about an element, and under what key its children are looked up.
@@ -75,8 +89,8 @@ impl Writer<'_, '_> {
     fn element(&mut self, element: &Element<'_>, depth: usize, known: Known) {
         known.words.above.iter().for_each(|comment| self.line(depth, comment));
         let tag = format!("{}{}", element.name, attributes(element));
-        match content(element.name) {
-            Content::Elements(_) => self.container(element, depth, &tag, known),
+        match content(element) {
+            Content::Elements => self.container(element, depth, &tag, known),
             Content::Fact if element.name == "include" => {
                 let path = self.includes.next().cloned().unwrap_or_default();
                 self.leaf(depth, element.name, &tag, &escaped(&path));
@@ -94,22 +108,19 @@ impl Writer<'_, '_> {
         let start = self.facts.text.len();
         self.line(depth, &format!("<{tag}>"));
         let empty = self.facts.text.len();
-        let mut description = match content(element.name) {
-            Content::Elements(elements) if elements.contains(&"description") => {
-                let words = (self.describe)(&format!("{} description", known.key)).unwrap_or_default();
-                self.note(element, known.key, &words.text);
-                Some(words)
-            }
-            _ => None,
-        };
+        let mut words = description(element).map(|_| {
+            let words = (self.describe)(&format!("{} description", known.key)).unwrap_or_default();
+            self.note(element, known.key, &words.text);
+            words
+        });
         for child in children(element) {
-            if grammar::rank(child.name) > grammar::rank("description") {
-                self.description(element, depth + 1, description.take());
+            if !is_stage(child) {
+                self.description(element, depth + 1, words.take());
             }
             let known = self.words(&known.base, child);
             self.element(child, depth + 1, known);
         }
-        self.description(element, depth + 1, description);
+        self.description(element, depth + 1, words);
         known.words.below.iter().for_each(|comment| self.line(depth + 1, comment));
         if self.facts.text.len() == empty {
             self.facts.text.truncate(start);
@@ -122,14 +133,15 @@ impl Writer<'_, '_> {
     fn description(&mut self, parent: &Element<'_>, depth: usize, words: Option<Words>) {
         let Some(words) = words else { return };
         words.above.iter().for_each(|comment| self.line(depth, comment));
-        if !words.text.trim().is_empty() || grammar::requires_description(parent.name) {
-            self.leaf(depth, "description", "description", &words.text);
+        if !words.text.trim().is_empty() || description(parent) == Some(Times::Once) {
+            self.leaf(depth, DESCRIPTION, DESCRIPTION, &words.text);
         }
     }
 
     /// Notes whether an element that should have a description has one.
     fn note(&mut self, element: &Element<'_>, key: Key, text: &str) {
-        if grammar::wants_description(element.name) {
+        // Those that people look up.
+        if matches!(element.name, "enum" | "entry" | "param" | "message" | "field") {
             self.facts.described.push((key, !text.trim().is_empty()));
         }
     }
@@ -152,9 +164,10 @@ impl Writer<'_, '_> {
 
 /// The attributes that the grammar has; at the root also those that tell an editor where the grammar is.
 fn attributes(element: &Element<'_>) -> String {
-    let known = grammar::attributes(element.name);
+    let known = grammar::Element::named(element.name);
+    let is_known = |name: &str| known.is_some_and(|known| known.attribute(name).is_some());
     let of_xml = |name: &str| element.name == "mavlink" && (name == "xmlns" || name.contains(':'));
-    let kept = element.attributes.iter().filter(|(name, _)| known.contains(name) || of_xml(name));
+    let kept = element.attributes.iter().filter(|(name, _)| is_known(name) || of_xml(name));
     kept.map(|(name, value)| {
         let value = value.replace("\r\n", " ").replace(['\r', '\n', '\t'], " ");
         let quote = if value.contains('"') { '\'' } else { '"' };

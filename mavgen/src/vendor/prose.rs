@@ -2,9 +2,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::grammar::{Content, content};
 use super::header;
 use super::tree::Element;
+use crate::read::grammar::{Content, content};
 
 /// What people wrote about one element.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -96,7 +96,7 @@ impl Prose {
             Words { text: String::new(), above: own.map(|comment| text(comment)).collect(), below: Vec::new() };
         match content(element.name) {
             Content::Prose => words.text = text(element.inner),
-            Content::Elements(_) => {
+            Content::Elements => {
                 words.below = element.below.iter().map(|comment| text(comment)).collect();
                 element.children.iter().for_each(|child| self.read(&base, child, keys));
             }

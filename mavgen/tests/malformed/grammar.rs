@@ -3,9 +3,15 @@
 use super::{Mutation, m};
 
 pub(crate) const MUTATIONS: &[Mutation] = &[
-    m("M101", "a field that is misspelled", "<extensions/>", "<extensions/>‸<feild/>"),
-    m("M101", "extensions in the singular", "<extensions/>\n", "<extensions/>‸<extension/>\n"),
-    m("M101", "an element in another letter case", "<dialect>7</dialect>", "<dialect>7</dialect>‸<Enums/>"),
+    m("M110", "a field that is misspelled", "<extensions/>", "<extensions/>‸<feild/>"),
+    m("M110", "extensions in the singular", "<extensions/>\n", "<extensions/>‸<extension/>\n"),
+    m("M110", "an element in another letter case", "<dialect>7</dialect>", "<dialect>7</dialect>‸<Enums/>"),
+    m(
+        "M110",
+        "a value that is misspelled",
+        "<entry value=\"0\" name=\"PUMP_STATE_OFF\"/>",
+        "<entry ‸vlaue=\"0\" name=\"PUMP_STATE_OFF\"/>",
+    ),
     m("M101", "a description in a param", "Which.</param>", "Which.‸<description/></param>"),
     m(
         "M101",
@@ -19,7 +25,7 @@ pub(crate) const MUTATIONS: &[Mutation] = &[
         "<message id=\"101\"",
         "‸<field type=\"uint8_t\" name=\"x\"/><message id=\"101\"",
     ),
-    m("M101", "a message at the top", "<dialect>7</dialect>", "‸<message id=\"1\" name=\"X\"/><dialect>7</dialect>"),
+    m("M110", "a message at the top", "<dialect>7</dialect>", "‸<message id=\"1\" name=\"X\"/><dialect>7</dialect>"),
     m("M101", "a param in an enum", "<enum name=\"MAV_CMD\">", "<enum name=\"MAV_CMD\">‸<param index=\"1\"/>"),
     m("M101", "bold text in a description", "It runs.", "It ‸<b>runs</b>."),
     m("M101", "an element in the version", "<version>3", "<version>3‸<minor/>"),
@@ -40,15 +46,15 @@ pub(crate) const MUTATIONS: &[Mutation] = &[
     m("M103", "an enum without name", "<enum name=\"PUMP_FLAGS\" ", "‸<enum "),
     m("M103", "a param without index", "<param index=\"1\" ", "‸<param "),
     m(
-        "M105",
+        "M113",
         "a second description of a message",
         "<description>Sets",
         "<description>A.</description>‸<description>Sets",
     ),
-    m("M105", "a second description of an entry", "<description>It", "<description>A.</description>‸<description>It"),
-    m("M105", "two stages of life", "<superseded since=\"2024-05\"", "<wip/>‸<superseded since=\"2024-05\""),
+    m("M113", "a second description of an entry", "<description>It", "<description>A.</description>‸<description>It"),
+    m("M113", "two stages of life", "<superseded since=\"2024-05\"", "<wip/>‸<superseded since=\"2024-05\""),
     m("M105", "two versions", "<dialect>7", "‸<version>3</version><dialect>7"),
-    m("M105", "two dialects", "<dialect>7</dialect>", "<dialect>7</dialect>‸<dialect>7</dialect>"),
+    m("M113", "two dialects", "<dialect>7</dialect>", "<dialect>7</dialect>‸<dialect>7</dialect>"),
     m("M108", "text among enums", "<enum name=\"MAV_CMD\">", "‸commands: <enum name=\"MAV_CMD\">"),
     m("M108", "text in a message", "<extensions/>", "<extensions/>‸and more"),
     m("M108", "text in extensions", "<extensions/>", "<extensions>‸from here</extensions>"),

@@ -112,7 +112,7 @@ pub(crate) const MUTATIONS: &[Mutation] = &[
     ),
     m("M316", "an array of versions", "type=\"uint8_t_mavlink_version\"", "type=\"‸uint8_t_mavlink_version[2]\""),
     m(
-        "M316",
+        "M324",
         "two versions",
         "type=\"char[16]\" name=\"label\" invalid=\"0\"",
         "type=\"uint8_t_mavlink_version\" name=\"label\"",

@@ -5,7 +5,8 @@ use std::fs;
 use crate::{ACME, folder, mavgen, stderr};
 
 /// Two fields of different types carry one enum, which deserves a warning.
-const WIDE: &str = "<message id='1' name='WIDE'><field type='uint16_t' name='s' enum='SPRAY_STATE'>x</field></message>";
+const WIDE: &str = "<message id='1' name='WIDE'><description>Wide.</description>\
+                    <field type='uint16_t' name='s' enum='SPRAY_STATE'>x</field></message>";
 
 /// A dialect with a warning, and one without that includes it.
 fn upstream_and_own() -> tempfile::TempDir {
@@ -48,6 +49,20 @@ fn warnings_are_no_reason_to_say_no_unless_denied() {
     assert_eq!(denied.status.code(), Some(1));
     let last = "error: warnings about the dialect's own file and its overlays are denied\n";
     assert!(stderr(&denied).ends_with(last), "{}", stderr(&denied));
+}
+
+/// Whoever only generates Rust has no use for it, and no warning that is denied.
+#[test]
+fn what_pymavlink_refuses_is_told_by_lint_alone() {
+    let folder = folder(&ACME.replace("<version>3</version>", "<dialect>300</dialect><version>3</version>"));
+    let lint = mavgen(folder.path(), &["lint", "acme.xml", "--deny-warnings"]);
+    assert_eq!(lint.status.code(), Some(0), "{}", stderr(&lint));
+    assert_eq!(stderr(&lint).matches("warning[M111]: pymavlink refuses this: ").count(), 2, "{}", stderr(&lint));
+    for command in [&["dump"][..], &["generate", "--out", "out"], &["check", "--out", "out"]] {
+        let fine = mavgen(folder.path(), &[command, &["acme.xml", "--deny-warnings"]].concat());
+        assert_eq!(fine.status.code(), Some(0), "{}", stderr(&fine));
+        assert!(!stderr(&fine).contains("warning"), "{}", stderr(&fine));
+    }
 }
 
 /// Nobody can mend what upstream wrote.

@@ -7,7 +7,7 @@ use crate::{ACME, folder, mavgen, stderr, stdout, tree};
 /// A folder with `acme.xml` and `other.xml`, which includes it.
 fn two() -> tempfile::TempDir {
     let folder = folder(ACME);
-    fs::write(folder.path().join("other.xml"), "<mavlink><include>acme.xml</include></mavlink>").unwrap();
+    fs::write(folder.path().join("other.xml"), "<mavlink><include>acme.xml</include><messages/></mavlink>").unwrap();
     folder
 }
 

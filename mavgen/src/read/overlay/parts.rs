@@ -1,15 +1,11 @@
 //! `<bits>`, `<reserved>` and `<switch>`.
 
-use super::super::elements::{Broken, Elements, Grammar};
+use super::super::elements::{Broken, Elements};
+use super::super::grammar;
 use super::super::tag::Tag;
 use crate::diag::{Code, Diagnostic};
 use crate::source::Span;
 use crate::syntax::overlay::{Bits, Case, Piece, Reserved, Switch};
-
-const RESERVED: Grammar = Grammar::prose(&[]);
-const SWITCH: Grammar = Grammar::parts(&["case", "default"]);
-/// A switch is known here only to be refused with a better text than that of an unknown element.
-const CASE: Grammar = Grammar::parts(&["bits", "reserved", "switch"]);
 
 /// Reads `<bits>` or `<reserved>`; `None` if something required is missing.
 pub(super) fn read_piece<'t>(elements: &mut Elements<'t, '_>, tag: Tag<'t>) -> Result<Option<Piece>, Broken> {
@@ -36,7 +32,7 @@ fn read_bits<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>) -> Result<Op
         span: tag.span,
     };
     let complete = elements.close_tag(tag);
-    bits.description = elements.trimmed_text()?;
+    bits.description = elements.trimmed_text(&grammar::BITS)?;
     Ok(complete.then_some(bits))
 }
 
@@ -44,7 +40,7 @@ fn read_reserved<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>) -> Resul
     let reserved = Reserved { at: tag.require("at"), width: tag.require("width"), span: tag.span };
     let complete = elements.close_tag(tag);
     // A text may say why the bits are reserved; nobody but the reader of the file needs it.
-    elements.text(&RESERVED)?;
+    elements.text(&grammar::RESERVED)?;
     Ok(complete.then_some(reserved))
 }
 
@@ -52,17 +48,20 @@ fn read_reserved<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>) -> Resul
 pub(super) fn read_switch<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>) -> Result<Switch, Broken> {
     let mut switch = Switch { field: tag.take("field"), bits: tag.take("bits"), cases: Vec::new(), span: tag.span };
     elements.close_tag(tag);
-    while let Some(tag) = elements.next_child(&SWITCH)? {
+    while let Some(tag) = elements.next_child(&grammar::SWITCH)? {
         switch.cases.extend(read_case(elements, tag, switch.span)?);
     }
     Ok(switch)
 }
 
 fn read_case<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>, switch: Span) -> Result<Option<Case>, Broken> {
-    let value = if tag.name == "case" { Some(tag.require("value")) } else { None };
+    let (value, element) = match tag.name {
+        "case" => (Some(tag.require("value")), &grammar::CASE),
+        _ => (None, &grammar::DEFAULT),
+    };
     let mut case = Case { value, pieces: Vec::new(), span: tag.span };
     let complete = elements.close_tag(tag);
-    while let Some(tag) = elements.next_child(&CASE)? {
+    while let Some(tag) = elements.next_child(element)? {
         if tag.name == "switch" {
             elements.refuse(nested(tag.span, switch));
             elements.skip()?;

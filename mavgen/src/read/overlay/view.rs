@@ -1,12 +1,10 @@
 //! `<view>`: its keys, its sentinels and its bits.
 
-use super::super::elements::{Broken, Elements, Grammar};
+use super::super::elements::{Broken, Elements};
+use super::super::grammar;
 use super::super::tag::Tag;
 use super::{parts, read_condition};
 use crate::syntax::overlay::{Invalid, Key, Part, View};
-
-const VIEW: Grammar = Grammar::prose(&["description", "key", "invalid", "bits", "reserved", "switch"]);
-const INVALID: Grammar = Grammar::parts(&[]);
 
 /// Reads a view; `None` if it has no name or no words.
 pub(super) fn read<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>) -> Result<Option<View>, Broken> {
@@ -26,7 +24,7 @@ pub(super) fn read<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>) -> Res
     };
     let complete = elements.close_tag(tag);
     let mut described = None;
-    while let Some(tag) = elements.next_child(&VIEW)? {
+    while let Some(tag) = elements.next_child(&grammar::VIEW)? {
         match tag.name {
             "key" => view.keys.extend(read_key(elements, tag)?),
             "invalid" => view.invalids.extend(read_invalid(elements, tag)?),
@@ -37,7 +35,7 @@ pub(super) fn read<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>) -> Res
                     None => described = Some(tag.span),
                 }
                 elements.close_tag(tag);
-                view.description = elements.trimmed_text()?;
+                view.description = elements.trimmed_text(&grammar::DESCRIPTION)?;
             }
             _ => view.parts.extend(parts::read_piece(elements, tag)?.map(Part::Piece)),
         }
@@ -57,13 +55,13 @@ fn read_key<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>) -> Result<Opt
         span: tag.span,
     };
     let complete = elements.close_tag(tag);
-    key.description = elements.trimmed_text()?;
+    key.description = elements.trimmed_text(&grammar::KEY)?;
     Ok(complete.then_some(key))
 }
 
 fn read_invalid<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>) -> Result<Option<Invalid>, Broken> {
     let invalid = Invalid { field: tag.take("field"), value: tag.require("value"), span: tag.span };
     let complete = elements.close_tag(tag);
-    elements.text(&INVALID)?;
+    elements.text(&grammar::INVALID)?;
     Ok(complete.then_some(invalid))
 }

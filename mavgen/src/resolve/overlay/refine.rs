@@ -2,8 +2,8 @@
 
 use std::collections::HashMap;
 
+use super::super::boolean;
 use super::super::merge::{Enums, Merged};
-use super::super::number;
 use super::super::suggest::suggest;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::EnumId;
@@ -65,7 +65,7 @@ fn check_first<'a>(
 }
 
 fn refine_bitmask(merged: &mut Merged<'_>, text: &Text, diagnostics: &mut Diagnostics) {
-    let Some(bitmask) = number::truth(text, diagnostics) else { return };
+    let Some(bitmask) = boolean::of_overlay(text, diagnostics) else { return };
     if merged.blocks.iter().all(|block| block.bitmask == bitmask) {
         diagnostics.push(needless(merged, text, if bitmask { "a bitmask already" } else { "no bitmask" }));
     }
@@ -73,7 +73,7 @@ fn refine_bitmask(merged: &mut Merged<'_>, text: &Text, diagnostics: &mut Diagno
 }
 
 fn refine_deprecated(merged: &mut Merged<'_>, text: &Text, diagnostics: &mut Diagnostics) {
-    let Some(deprecated) = number::truth(text, diagnostics) else { return };
+    let Some(deprecated) = boolean::of_overlay(text, diagnostics) else { return };
     if deprecated {
         let message = format!("an overlay cannot deprecate enum `{}`", merged.name.value);
         let problem = Diagnostic::new(Code::Refinement, text.span, message);

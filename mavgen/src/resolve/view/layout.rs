@@ -6,7 +6,7 @@ use super::words::Words;
 use super::{all_bits, branches, coverage};
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{Member, Switch};
-use crate::resolve::number;
+use crate::resolve::boolean;
 use crate::resolve::overlay::{Carrier, Scene};
 use crate::syntax::overlay::{self, Part, View};
 
@@ -25,7 +25,7 @@ pub(super) fn resolve<'a>(
     carriers: &mut Vec<Carrier<'a>>,
     diagnostics: &mut Diagnostics,
 ) -> Layout {
-    let partial = number::boolean(element.partial.as_ref(), diagnostics);
+    let partial = element.partial.as_ref().and_then(|text| boolean::of_overlay(text, diagnostics)) == Some(true);
     let switch = only_switch(element, diagnostics);
     let mut common: Vec<Option<Piece<'a>>> = Vec::new();
     // Where the members of the switch belong among the others.

@@ -6,7 +6,8 @@ use super::words::Words;
 use super::{meaning, naming, origin, ranges};
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{Member, Presence, Repeat};
-use crate::resolve::number::{boolean, count};
+use crate::resolve::boolean;
+use crate::resolve::number::count;
 use crate::resolve::overlay::{Carrier, Scene};
 use crate::syntax::Text;
 use crate::syntax::overlay::{self, Bits};
@@ -79,7 +80,7 @@ fn member<'a>(
     carriers: &mut Vec<Carrier<'a>>,
     diagnostics: &mut Diagnostics,
 ) -> Option<Member> {
-    let signed = boolean(bits.signed.as_ref(), diagnostics);
+    let signed = bits.signed.as_ref().and_then(|text| boolean::of_overlay(text, diagnostics)) == Some(true);
     let meaning = meaning::resolve(scene, bits, (extent.width, signed), carriers, diagnostics)?;
     Some(Member {
         name: naming::label(&bits.name),
