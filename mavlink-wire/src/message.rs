@@ -4,6 +4,7 @@ pub(crate) mod chars;
 pub(crate) mod enums;
 mod field;
 pub mod flags;
+pub(crate) mod float;
 mod info;
 pub(crate) mod scale;
 pub(crate) mod wire;

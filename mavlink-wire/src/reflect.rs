@@ -52,7 +52,7 @@
 //! | text | `text: "ready"`; `b"\xff"` where it is not UTF-8 |
 //! | the value that means so | `eph: unknown` |
 //! | a [key](FieldInfo::secret) | `secret_key: secret` |
-//! | a float | always with a point or an exponent: `yaw: 1.0 rad`; `NaN`, `inf` |
+//! | a float | always with a point or an exponent: `yaw: 1.0 rad`; `NaN`, `inf`; `NaN(0x7fc00001)` for one that is not the usual |
 //!
 //! `{:#}` puts each field on a line of its own.
 

@@ -3,7 +3,8 @@
 use std::fmt::Debug;
 
 use mavlink_autoquad::autoquad::{
-    Attitude, Autoquad, GpsStatus, Heartbeat, MavAutopilot, MavModeFlag, MavState, MavType, ParamSet, Statustext,
+    Attitude, Autoquad, BatteryStatus, GpsRawInt, GpsStatus, Heartbeat, MavAutopilot, MavModeFlag, MavState, MavType,
+    NamedValueFloat, ParamSet, Statustext,
 };
 use mavlink_conformance::payload::{Canonical, Fill};
 use mavlink_conformance::random::Random;
@@ -156,6 +157,76 @@ fn json_of_rust_mavlink_is_read() {
     assert_eq!(serde_json::from_value::<Autoquad>(theirs).unwrap(), Autoquad::Heartbeat(expected));
 }
 
+/// What rust-mavlink up to 0.14 and mavlink2rest write of flags and of `char` arrays.
+#[test]
+fn json_of_older_rust_mavlink_is_read() {
+    for early in [false, true] {
+        let read = |mut message: Value, name: &str| {
+            if !early {
+                let Value::Object(fields) = message else { panic!("an object") };
+                message = Value::Object([("type".to_owned(), json!(name))].into_iter().chain(fields).collect());
+            } else {
+                message["type"] = json!(name);
+            }
+            serde_json::from_str::<Autoquad>(&message.to_string()).map_err(|error| error.to_string())
+        };
+        let mut theirs = beat();
+        theirs.as_object_mut().unwrap().shift_remove("type");
+        theirs["base_mode"] = json!({ "bits": 160 });
+        theirs["mavtype"] = json!({ "type": "MAV_TYPE_QUADROTOR" });
+        let base_mode = MavModeFlag::from_bits_retain(160);
+        assert_eq!(read(theirs, "HEARTBEAT"), Ok(Autoquad::Heartbeat(Heartbeat { base_mode, ..BEAT })));
+
+        let named = |name: Value| read(json!({ "time_boot_ms": 9, "value": 2.5, "name": name }), "NAMED_VALUE_FLOAT");
+        let nuls = ["\0"; 6];
+        let tank = NamedValueFloat { time_boot_ms: 9, value: 2.5, name: "tank".try_into().unwrap() };
+        let characters = [&["t", "a", "n", "k"][..], &nuls].concat();
+        assert_eq!(named(json!(characters)), Ok(tank.into()));
+        assert_eq!(named(json!(["t", "a", "n", "k"])), Ok(tank.into()), "the rest are NULs, as in a text");
+        assert_eq!(named(json!(["t", 97, "n", "k", 0, 0, 0, "\0", 0, 0])), Ok(tank.into()));
+        let latin = Chars([b't', 0xe4, 0, b'x', 0, 0, 0, 0, 0, 0xff]);
+        let characters = latin.0.map(|byte| char::from(byte).to_string());
+        assert_eq!(named(json!(characters)), Ok(NamedValueFloat { name: latin, ..tank }.into()));
+        for (wrong, said) in [
+            (json!(["t", "an"]), "invalid value: string \"an\", expected a character of one byte, or its number"),
+            (json!(["€"]), "invalid value: string \"€\", expected a character of one byte, or its number"),
+            (json!([116, 256]), "invalid value: integer `256`, expected a character of one byte, or its number"),
+            (json!([]), "invalid length 0, expected text of at most 10 bytes, or 10 numbers or characters"),
+            (json!([116]), "invalid length 1, expected text of at most 10 bytes, or 10 numbers or characters"),
+            (json!(vec!["t"; 12]), "invalid length 12, expected text of at most 10 bytes, or 10 numbers or characters"),
+            (
+                json!(true),
+                "invalid type: boolean `true`, expected text of at most 10 bytes, or 10 numbers or characters",
+            ),
+        ] {
+            let error = named(wrong).unwrap_err();
+            assert!(error.starts_with(said), "{error}");
+        }
+    }
+}
+
+/// `mavgen decode` writes null for what the sender does not know.
+#[test]
+fn null_is_what_is_not_known() {
+    let known = GpsRawInt { eph: 7, ..GpsRawInt::DEFAULT };
+    let mut value = serde_json::to_value(known).unwrap();
+    for key in ["eph", "vel"] {
+        value[key] = Value::Null;
+    }
+    let read: GpsRawInt = serde_json::from_str(&value.to_string()).unwrap();
+    assert_eq!((read.eph, read.vel, read.eph()), (u16::MAX, u16::MAX, None));
+    assert_eq!(serde_json::from_value::<GpsRawInt>(value.clone()).unwrap(), read);
+    value["lat"] = Value::Null;
+    let error = serde_json::from_value::<GpsRawInt>(value).unwrap_err().to_string();
+    assert!(error.starts_with("invalid type: null, expected"), "{error}");
+
+    let mut value = serde_json::to_value(BatteryStatus::DEFAULT).unwrap();
+    value["voltages"][3] = Value::Null;
+    value["temperature"] = Value::Null;
+    let read: BatteryStatus = serde_json::from_value(value).unwrap();
+    assert_eq!((read.voltages[3], read.temperature), (u16::MAX, i16::MAX));
+}
+
 #[test]
 fn what_is_no_number_is_text_in_json() {
     let floats = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, -0.0, 0.1, f32::from_bits(0xffc0_0001)];
@@ -208,6 +279,24 @@ fn errors_say_what_is_wrong() {
     assert_eq!(error(with("system_status", json!(256))), expected);
     let expected = "invalid value: string \"A | 4\", expected flags of MAV_MODE_FLAG, or a number of type uint8_t";
     assert_eq!(error(with("base_mode", json!("A | 4"))), expected);
+    let flags = "expected flags of MAV_MODE_FLAG, or a number of type uint8_t";
+    for (value, said) in [
+        (json!({ "bits": 256 }), "invalid value: integer `256`, "),
+        (json!({ "bits": "A" }), "invalid value: string \"A\", "),
+        (json!({ "bits": { "bits": 1 } }), "invalid type: map, "),
+        (json!({ "bit": 5 }), "invalid type: a map without the value, "),
+        (json!({}), "invalid type: a map without the value, "),
+        (json!([5]), "invalid type: sequence, "),
+        (json!(5.5), "invalid type: floating point `5.5`, "),
+        (json!(null), "invalid type: null, "),
+    ] {
+        assert_eq!(error(with("base_mode", value)), format!("{said}{flags}"));
+    }
+    let entry = "expected an entry of MAV_STATE, or a number of type uint8_t";
+    assert_eq!(
+        error(with("system_status", json!({ "bits": 3 }))),
+        format!("invalid type: a map without the value, {entry}")
+    );
     let text = json!({ "type": "STATUSTEXT", "severity": 0, "text": "x".repeat(51) });
     assert!(error(text).starts_with("51 bytes do not fit a field of 50: "));
 }

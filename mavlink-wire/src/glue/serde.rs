@@ -14,11 +14,15 @@
 //!
 //! - Enums are the names of their entries, and numbers where no entry has the value. Reading also takes a number for a name,
 //!   numbers in text (`"0x10"`), and `{"type": "MAV_STATE_ACTIVE"}`, as `rust-mavlink` writes it.
-//! - Flags are text as the crate `bitflags` writes it: `A | B | 0x40`, empty for none. Reading also takes a number.
+//! - Flags are text as the crate `bitflags` writes it: `A | B | 0x40`, empty for none. Reading also takes a number, and
+//!   `{"bits": 5}`, as `rust-mavlink` wrote it up to 0.14.
 //! - Floats are numbers; what JSON has no number for is `"NaN"`, `"Infinity"` and `"-Infinity"`. A NaN other than the usual
 //!   one keeps its bits: `"NaN(0x7fc00001)"`. Reading also takes `null` for NaN. `serde_json` reads some `double`s one bit
 //!   off, unless its feature `float_roundtrip` is on; `float`s it reads exactly.
-//! - `char` arrays are text; arrays of numbers if they are not UTF-8, or if something follows a NUL.
+//! - `char` arrays are text; arrays of numbers if they are not UTF-8, or if something follows a NUL. Reading also takes arrays
+//!   of characters, `["t", "a", "\u0000"]`, as `rust-mavlink` wrote them up to 0.14.
+//! - What stands for "not known" is written as the number that it is. Reading also takes `null` for it, where a field has such
+//!   a value: `mavgen decode` writes that.
 //!
 //! Fields that are missing are an error, but for extension fields: they are zero, as in a frame of a sender that does not
 //! know them. Fields that the message does not have are ignored. `type` may come after other fields, as long as those take no

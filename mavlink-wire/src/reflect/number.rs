@@ -2,6 +2,7 @@
 
 use core::fmt;
 
+use crate::message::float::Exact;
 use crate::message::wire::get;
 use crate::{Kind, Sentinel};
 
@@ -71,14 +72,40 @@ impl Number {
     }
 }
 
-/// Integers in decimal; floats with a point or an exponent, as many digits as it takes to read the same float again.
+/// Integers in decimal; floats with a point or an exponent, as many digits as it takes to read the same float again. A NaN other
+/// than the usual one keeps its bits: `NaN(0x7fc00001)`.
 impl fmt::Display for Number {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::U64(value) => write!(f, "{value}"),
             Self::I64(value) => write!(f, "{value}"),
-            Self::F32(value) => write!(f, "{value:?}"),
-            Self::F64(value) => write!(f, "{value:?}"),
+            Self::F32(value) => Exact(*value).fmt(f),
+            Self::F64(value) => Exact(*value).fmt(f),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+
+    use std::string::ToString;
+
+    use super::Number;
+
+    #[test]
+    fn no_bit_of_a_float_is_lost_in_text() {
+        for (bits, text) in [
+            (0x7fc0_0000, "NaN"),
+            (0xffff_ffff, "NaN(0xffffffff)"),
+            (0x7f80_0001, "NaN(0x7f800001)"),
+            (0x7f80_0000, "inf"),
+            (7, "1e-44"),
+            (0x8000_0000, "-0.0"),
+        ] {
+            assert_eq!(Number::F32(f32::from_bits(bits)).to_string(), text);
+        }
+        assert_eq!(Number::F64(f64::NAN).to_string(), "NaN");
+        assert_eq!(Number::F64(f64::from_bits(u64::MAX)).to_string(), "NaN(0xffffffffffffffff)");
     }
 }

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use serde_core::de::{Error, IgnoredAny, MapAccess, Unexpected, Visitor};
+use serde_core::de::{DeserializeSeed, Deserializer, Error, IgnoredAny, MapAccess, Unexpected, Visitor};
 use serde_core::ser::Serializer;
 
 use super::value::{Shape, Value};
@@ -53,6 +53,14 @@ impl NamedVisitor {
         let mask = u64::MAX >> (64 - 8 * self.shape.kind.size());
         if text.is_empty() { Some(0) } else { parse_flags(self.info, mask, text).ok() }
     }
+
+    fn text<E: Error>(&self, text: &str) -> Result<u64, E> {
+        self.parse(text).ok_or_else(|| E::invalid_value(Unexpected::Str(text), self))
+    }
+
+    fn number<E: Error>(&self, number: i128, found: Unexpected<'_>) -> Result<u64, E> {
+        self.shape.fit(number).ok_or_else(|| E::invalid_value(found, self))
+    }
 }
 
 impl<'de> Visitor<'de> for NamedVisitor {
@@ -64,45 +72,49 @@ impl<'de> Visitor<'de> for NamedVisitor {
     }
 
     fn visit_str<E: Error>(self, text: &str) -> Result<u64, E> {
-        self.parse(text).ok_or_else(|| E::invalid_value(Unexpected::Str(text), &self))
+        self.text(text)
     }
 
     fn visit_u64<E: Error>(self, number: u64) -> Result<u64, E> {
-        self.shape.fit(number.into()).ok_or_else(|| E::invalid_value(Unexpected::Unsigned(number), &self))
+        self.number(number.into(), Unexpected::Unsigned(number))
     }
 
     fn visit_i64<E: Error>(self, number: i64) -> Result<u64, E> {
-        self.shape.fit(number.into()).ok_or_else(|| E::invalid_value(Unexpected::Signed(number), &self))
+        self.number(number.into(), Unexpected::Signed(number))
     }
 
-    /// `{"type": "MAV_STATE_ACTIVE"}`, as rust-mavlink writes an enum.
+    fn visit_unit<E: Error>(self) -> Result<u64, E> {
+        self.shape.unknown().ok_or_else(|| E::invalid_type(Unexpected::Unit, &self))
+    }
+
+    /// `{"type": "MAV_STATE_ACTIVE"}`, as rust-mavlink writes an enum, and `{"bits": 5}`, as it wrote flags up to 0.14.
     fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<u64, A::Error> {
-        let mut bits = None;
-        while let Some(is_type) = map.next_key_seed(IsType)? {
-            match (is_type, bits) {
-                (true, None) => bits = Some(map.next_value_seed(Text(&self))?),
-                (true, Some(_)) => return Err(A::Error::duplicate_field("type")),
+        let (key, mut value) = (if self.info.bitmask { "bits" } else { "type" }, None);
+        while let Some(is_key) = map.next_key_seed(Is(key))? {
+            match (is_key, value) {
+                (true, None) => value = Some(map.next_value_seed(&self)?),
+                (true, Some(_)) => return Err(A::Error::duplicate_field(key)),
                 (false, _) => {
                     map.next_value::<IgnoredAny>()?;
                 }
             }
         }
-        bits.ok_or_else(|| A::Error::missing_field("type"))
+        value.ok_or_else(|| A::Error::invalid_type(Unexpected::Other("a map without the value"), &self))
     }
 }
 
-/// Whether a key is `type`.
-struct IsType;
+/// Whether a key is this one.
+struct Is(&'static str);
 
-impl<'de> serde_core::de::DeserializeSeed<'de> for IsType {
+impl<'de> DeserializeSeed<'de> for Is {
     type Value = bool;
 
-    fn deserialize<D: serde_core::Deserializer<'de>>(self, deserializer: D) -> Result<bool, D::Error> {
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<bool, D::Error> {
         deserializer.deserialize_identifier(self)
     }
 }
 
-impl Visitor<'_> for IsType {
+impl Visitor<'_> for Is {
     type Value = bool;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -110,22 +122,23 @@ impl Visitor<'_> for IsType {
     }
 
     fn visit_str<E: Error>(self, key: &str) -> Result<bool, E> {
-        Ok(key == "type")
+        Ok(key == self.0)
     }
 }
 
-/// A name, in text.
-struct Text<'v>(&'v NamedVisitor);
-
-impl<'de> serde_core::de::DeserializeSeed<'de> for Text<'_> {
+/// A name or a number, in a map.
+impl<'de> DeserializeSeed<'de> for &NamedVisitor {
     type Value = u64;
 
-    fn deserialize<D: serde_core::Deserializer<'de>>(self, deserializer: D) -> Result<u64, D::Error> {
-        deserializer.deserialize_str(self)
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<u64, D::Error> {
+        deserializer.deserialize_any(Inner(self))
     }
 }
 
-impl Visitor<'_> for Text<'_> {
+/// What a map has: no other map.
+struct Inner<'v>(&'v NamedVisitor);
+
+impl Visitor<'_> for Inner<'_> {
     type Value = u64;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -133,6 +146,14 @@ impl Visitor<'_> for Text<'_> {
     }
 
     fn visit_str<E: Error>(self, text: &str) -> Result<u64, E> {
-        self.0.parse(text).ok_or_else(|| E::invalid_value(Unexpected::Str(text), &self))
+        self.0.text(text)
+    }
+
+    fn visit_u64<E: Error>(self, number: u64) -> Result<u64, E> {
+        self.0.number(number.into(), Unexpected::Unsigned(number))
+    }
+
+    fn visit_i64<E: Error>(self, number: i64) -> Result<u64, E> {
+        self.0.number(number.into(), Unexpected::Signed(number))
     }
 }

@@ -8,13 +8,15 @@ use serde_core::ser::{Serialize, Serializer};
 use super::float::FloatVisitor;
 use super::named::{self, NamedVisitor};
 use crate::message::wire::{get, put};
-use crate::{Enum, EnumInfo, Kind, Repr};
+use crate::{Enum, EnumInfo, Kind, Repr, Sentinel};
 
 /// What a value is: its type, and the enum that names it.
 #[derive(Clone, Copy)]
 pub(super) struct Shape {
     pub(super) kind: Kind,
     pub(super) values: Option<&'static EnumInfo>,
+    /// What stands for "not known".
+    pub(super) invalid: Option<Sentinel>,
 }
 
 /// A value: its bits as in the payload, zeros above.
@@ -42,6 +44,18 @@ impl Shape {
             2 => put(payload, offset, bits as u16),
             4 => put(payload, offset, bits as u32),
             _ => put(payload, offset, bits),
+        }
+    }
+
+    /// The bits of what stands for "not known", if something does.
+    pub(super) fn unknown(self) -> Option<u64> {
+        match (self.invalid?, self.kind) {
+            (Sentinel::Unsigned(value), _) => self.fit(value.into()),
+            (Sentinel::Signed(value), _) => self.fit(value.into()),
+            (Sentinel::Float(value), Kind::F32) => Some((value as f32).to_bits().into()),
+            (Sentinel::Float(value), _) => Some(value.to_bits()),
+            (Sentinel::NotANumber, Kind::F32) => Some(f32::NAN.to_bits().into()),
+            (Sentinel::NotANumber, _) => Some(f64::NAN.to_bits()),
         }
     }
 
@@ -100,11 +114,13 @@ impl<'de> DeserializeSeed<'de> for Shape {
         let visitor = NumberVisitor(self);
         match (self.kind, self.values) {
             (Kind::F32 | Kind::F64, _) if deserializer.is_human_readable() => {
-                deserializer.deserialize_any(FloatVisitor(self.kind))
+                deserializer.deserialize_any(FloatVisitor(self))
             }
             (_, Some(info)) if deserializer.is_human_readable() => {
                 deserializer.deserialize_any(NamedVisitor { shape: self, info })
             }
+            _ if self.invalid.is_some() && deserializer.is_human_readable() => deserializer.deserialize_any(visitor),
+            (Kind::Char, _) if deserializer.is_human_readable() => deserializer.deserialize_any(visitor),
             (Kind::Char | Kind::U8 | Kind::Version, _) => deserializer.deserialize_u8(visitor),
             (Kind::U16, _) => deserializer.deserialize_u16(visitor),
             (Kind::U32, _) => deserializer.deserialize_u32(visitor),
@@ -113,13 +129,13 @@ impl<'de> DeserializeSeed<'de> for Shape {
             (Kind::I16, _) => deserializer.deserialize_i16(visitor),
             (Kind::I32, _) => deserializer.deserialize_i32(visitor),
             (Kind::I64, _) => deserializer.deserialize_i64(visitor),
-            (Kind::F32, _) => deserializer.deserialize_f32(FloatVisitor(self.kind)),
-            (Kind::F64, _) => deserializer.deserialize_f64(FloatVisitor(self.kind)),
+            (Kind::F32, _) => deserializer.deserialize_f32(FloatVisitor(self)),
+            (Kind::F64, _) => deserializer.deserialize_f64(FloatVisitor(self)),
         }
     }
 }
 
-/// Takes integers that fit.
+/// Takes integers that fit, `null` for what is not known, and a character for the byte of a `char`.
 struct NumberVisitor(Shape);
 
 impl Visitor<'_> for NumberVisitor {
@@ -136,10 +152,28 @@ impl Visitor<'_> for NumberVisitor {
     fn visit_i64<E: Error>(self, number: i64) -> Result<u64, E> {
         self.0.fit(number.into()).ok_or_else(|| E::invalid_value(Unexpected::Signed(number), &self))
     }
+
+    fn visit_str<E: Error>(self, text: &str) -> Result<u64, E> {
+        match byte_of(text).filter(|_| self.0.kind == Kind::Char) {
+            Some(byte) => Ok(byte.into()),
+            None => Err(E::invalid_type(Unexpected::Str(text), &self)),
+        }
+    }
+
+    fn visit_unit<E: Error>(self) -> Result<u64, E> {
+        self.0.unknown().ok_or_else(|| E::invalid_type(Unexpected::Unit, &self))
+    }
+}
+
+/// The byte that rust-mavlink up to 0.14 wrote as this text of one character.
+pub(super) fn byte_of(text: &str) -> Option<u8> {
+    let mut characters = text.chars();
+    let (only, None) = (characters.next()?, characters.next()) else { return None };
+    u8::try_from(u32::from(only)).ok()
 }
 
 fn shape_of<E: Enum>() -> Shape {
-    Shape { kind: E::Repr::KIND, values: Some(E::INFO) }
+    Shape { kind: E::Repr::KIND, values: Some(E::INFO), invalid: None }
 }
 
 /// What the macros make of an enum or a flags type.
