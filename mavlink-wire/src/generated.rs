@@ -2,11 +2,12 @@
 //!
 //! A dialect is made for one version of this crate: these names change with mavgen, without notice.
 
+pub use crate::message::dialect::{decode_variant, decode_variant_into};
 pub use crate::message::enums::{debug_entry, fmt_entry, parse};
 pub use crate::message::flags::{fmt_flags, parse_flags};
 pub use crate::message::scale::raw_of;
 pub use crate::message::wire::{Wire, get, put, zero_extended};
-pub use crate::parser::table::index;
+pub use crate::parser::table::{index, index_length};
 
 #[cfg(feature = "bitflags")]
 #[doc(hidden)]

@@ -14,18 +14,14 @@
 //! # #[derive(Clone, Copy, Debug, PartialEq)]
 //! # struct SystemTime { time_unix_usec: u64, time_boot_ms: u32 }
 //! # impl wire::Message for SystemTime {
-//! #     const ID: u32 = 2;
-//! #     const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-//! #         id: 2, name: "SYSTEM_TIME", crc_extra: 137, len_v1: 12, len_v2: 12, target_system: None, target_component: None,
-//! #     };
+//! #     type Payload = [u8; 12];
+//! #     const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(2, "SYSTEM_TIME", 137, 12);
 //! #     const FIELDS: &'static [wire::FieldInfo] = &[];
 //! #     const DEFAULT: Self = Self { time_unix_usec: 0, time_boot_ms: 0 };
-//! #     fn decode(p: &[u8]) -> Self { Self { time_unix_usec: wire::generated::get(p, 0), time_boot_ms: wire::generated::get(p, 8) } }
+//! #     fn read(p: &[u8; 12]) -> Self { Self { time_unix_usec: get(p, 0), time_boot_ms: get(p, 8) } }
+//! #     fn store(&self, p: &mut [u8; 12]) { put(p, 0, self.time_unix_usec); put(p, 8, self.time_boot_ms); }
 //! # }
-//! # impl wire::Encode for SystemTime {
-//! #     fn info(&self) -> &'static wire::MessageInfo { <Self as wire::Message>::INFO }
-//! #     fn write(&self, p: &mut [u8; 255]) { wire::generated::put(p, 0, self.time_unix_usec); wire::generated::put(p, 8, self.time_boot_ms); }
-//! # }
+//! # use wire::generated::{get, put};
 //! use mavlink_wire::{MAX_FRAME, Message, Parser, Sender, Table};
 //!
 //! static WANTED: Table = Table::of(&[SystemTime::INFO]);
@@ -67,9 +63,7 @@
 //!
 //! ```
 //! # use mavlink_wire::{MessageInfo, Table};
-//! # const HEARTBEAT: &MessageInfo = &MessageInfo {
-//! #     id: 0, name: "HEARTBEAT", crc_extra: 50, len_v1: 9, len_v2: 9, target_system: None, target_component: None,
-//! # };
+//! # const HEARTBEAT: &MessageInfo = &MessageInfo::new(0, "HEARTBEAT", 50, 9);
 //! # let bytes = [0xfe, 9, 0, 1, 1, 0, 0, 0, 0, 0, 6, 8, 0, 4, 3, 0x90, 0x43];
 //! # static TABLE: Table<'static> = Table::of(&[HEARTBEAT]);
 //! # let mut chunk = &bytes[..];
@@ -158,8 +152,8 @@ pub use link::tokio_codec;
 pub use link::{io, udp};
 pub use log::tlog;
 pub use message::{
-    Chars, Dialect, Encode, Enum, EnumInfo, FieldInfo, Invalid, Kind, Message, MessageInfo, ParamInfo, Repr, Sentinel,
-    Targeted, flags,
+    Chars, Dialect, Encode, Enum, EnumInfo, FieldInfo, Invalid, Kind, Message, MessageInfo, ParamInfo, Payload, Repr,
+    Sentinel, Targeted, flags,
 };
 pub use parser::{Arrival, Losses, Parser, Received, Statistics, Table};
 pub use sender::Sender;

@@ -18,10 +18,8 @@
 //! }
 //!
 //! // The same without a dialect: tables that were made by hand, or from XML.
-//! static TANK: EnumInfo = EnumInfo { name: "TANK", bitmask: false, entries: &[(4, "TANK_FRONT")] };
-//! let info = MessageInfo {
-//!     id: 0, name: "SPRAYER", crc_extra: 50, len_v1: 9, len_v2: 9, target_system: None, target_component: None,
-//! };
+//! static TANK: EnumInfo = EnumInfo::new("TANK", &[(4, "TANK_FRONT")]);
+//! let info = MessageInfo::new(0, "SPRAYER", 50, 9);
 //! let fields = [
 //!     FieldInfo::new("tank", Kind::U8, 7).values(&TANK),
 //!     FieldInfo::new("pressure", Kind::U32, 0).units("hPa").invalid(Invalid::Each(Sentinel::Unsigned(0))),

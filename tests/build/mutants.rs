@@ -26,7 +26,7 @@ struct Mutant {
 const HEARTBEAT: &str = "messages/heartbeat.rs";
 const VERSION: &str = "messages/autopilot_version.rs";
 
-const MUTANTS: [Mutant; 17] = [
+const MUTANTS: [Mutant; 16] = [
     Mutant { name: "control", file: HEARTBEAT, edits: &[] },
     // Mistakes of a definition.
     Mutant { name: "field_name", file: "minimal.xml", edits: &[("name=\"custom_mode\"", "name=\"customMode\"")] },
@@ -42,15 +42,23 @@ const MUTANTS: [Mutant; 17] = [
     },
     Mutant { name: "no_extension", file: "standard.xml", edits: &[("<extensions/>", "")] },
     // Mistakes of a generator.
-    Mutant { name: "crc_extra", file: HEARTBEAT, edits: &[("crc_extra: 50", "crc_extra: 51")] },
-    Mutant { name: "id", file: HEARTBEAT, edits: &[("const ID: u32 = 0", "const ID: u32 = 1"), (" id: 0", " id: 1")] },
-    Mutant { name: "len_v1", file: VERSION, edits: &[("len_v1: 60", "len_v1: 61")] },
-    Mutant { name: "len_v2", file: VERSION, edits: &[("len_v2: 78", "len_v2: 77")] },
-    Mutant { name: "truncated", file: HEARTBEAT, edits: &[("zero_extended::<9>(payload)", "zero_extended::<9>(&[])")] },
+    Mutant { name: "crc_extra", file: HEARTBEAT, edits: &[("        50,", "        51,")] },
+    Mutant { name: "id", file: HEARTBEAT, edits: &[("        0,", "        1,")] },
+    Mutant { name: "len_v1", file: VERSION, edits: &[(".len_v1(60)", ".len_v1(61)")] },
+    Mutant {
+        name: "len_v2",
+        file: VERSION,
+        edits: &[
+            ("type Payload = [u8; 78]", "type Payload = [u8; 77]"),
+            ("            78,", "            77,"),
+            ("read(p: &[u8; 78])", "read(p: &[u8; 77])"),
+            ("p: &mut [u8; 78])", "p: &mut [u8; 77])"),
+        ],
+    },
     Mutant {
         name: "decode_offset",
         file: HEARTBEAT,
-        edits: &[("system_status: wire::generated::get(p, 7)", "system_status: wire::generated::get(p, 6)")],
+        edits: &[("system_status: get(p, 7)", "system_status: get(p, 6)")],
     },
     Mutant {
         name: "encode_offset",
@@ -62,8 +70,8 @@ const MUTANTS: [Mutant; 17] = [
         name: "offset",
         file: HEARTBEAT,
         edits: &[
-            ("autopilot: wire::generated::get(p, 5)", "autopilot: wire::generated::get(p, 6)"),
-            ("base_mode: wire::generated::get(p, 6)", "base_mode: wire::generated::get(p, 5)"),
+            ("autopilot: get(p, 5)", "autopilot: get(p, 6)"),
+            ("base_mode: get(p, 6)", "base_mode: get(p, 5)"),
             ("put(p, 5, self.autopilot)", "put(p, 6, self.autopilot)"),
             ("put(p, 6, self.base_mode)", "put(p, 5, self.base_mode)"),
             ("\"autopilot\", wire::Kind::U8, 5", "\"autopilot\", wire::Kind::U8, 6"),
@@ -88,7 +96,7 @@ const MUTANTS: [Mutant; 17] = [
     Mutant {
         name: "bit",
         file: "enums/mav_mode_flag.rs",
-        edits: &[("SAFETY_ARMED: Self = Self(0x80)", "SAFETY_ARMED: Self = Self(0x40)")],
+        edits: &[("SAFETY_ARMED: Self = Self(1 << 7)", "SAFETY_ARMED: Self = Self(1 << 6)")],
     },
 ];
 

@@ -61,22 +61,18 @@ fn leaked(text: &str) -> &'static str {
 }
 
 fn message_info(message: &Message) -> &'static MessageInfo {
-    Box::leak(Box::new(MessageInfo {
-        id: message.id,
-        name: leaked(&message.name.text),
-        crc_extra: message.crc_extra,
-        len_v1: message.len_v1,
-        len_v2: message.len_v2,
-        target_system: message.target_system().map(|field| field.offset),
-        target_component: message.target_component().map(|field| field.offset),
-    }))
+    let name = leaked(&message.name.text);
+    let mut info = MessageInfo::new(message.id, name, message.crc_extra, message.len_v2).len_v1(message.len_v1);
+    info.target_system = message.target_system().map(|field| field.offset);
+    info.target_component = message.target_component().map(|field| field.offset);
+    Box::leak(Box::new(info))
 }
 
 fn enum_info(values: &Enum) -> &'static EnumInfo {
     let entries: Vec<(u64, &'static str)> =
         values.entries.iter().map(|entry| (entry.value, leaked(&entry.name.text))).collect();
-    let (name, bitmask) = (leaked(&values.name.text), values.bitmask);
-    Box::leak(Box::new(EnumInfo { name, bitmask, entries: entries.leak() }))
+    let (name, entries) = (leaked(&values.name.text), entries.leak());
+    Box::leak(Box::new(if values.bitmask { EnumInfo::bitmask(name, entries) } else { EnumInfo::new(name, entries) }))
 }
 
 fn field_info(field: &Field, secret: Option<u8>, enums: &[&'static EnumInfo]) -> FieldInfo {

@@ -10,8 +10,7 @@
 //!     pub const BOOT: Self = Self(1);
 //! }
 //!
-//! static INFO: wire::EnumInfo =
-//!     wire::EnumInfo { name: "MAV_STATE", bitmask: false, entries: &[(1, "MAV_STATE_BOOT")] };
+//! static INFO: wire::EnumInfo = wire::EnumInfo::new("MAV_STATE", &[(1, "MAV_STATE_BOOT")]);
 //!
 //! wire::open_enum!(MavState, u8, INFO);
 //! ```
@@ -19,7 +18,7 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::emit::token::{decimal, ident, mask, repr};
+use crate::emit::token::{bits, decimal, ident, repr};
 use crate::emit::{Context, command, doc, rivals};
 use crate::ir::{Entry, Enum};
 
@@ -73,7 +72,7 @@ fn constant(context: &Context<'_>, values: &Enum, entry: &Entry) -> TokenStream 
     let docs = doc::attributes(&doc::join([docs, params.unwrap_or_default()]));
     let deprecated = doc::deprecated(context, &entry.origin);
     let name = ident(&entry.name.rust);
-    let value = if values.bitmask { mask(entry.value) } else { quote_decimal(entry.value) };
+    let value = if values.bitmask { bits(entry.value) } else { quote_decimal(entry.value) };
     quote! {
         #docs
         #deprecated
@@ -89,11 +88,9 @@ fn quote_decimal(value: u64) -> TokenStream {
 fn info(values: &Enum) -> TokenStream {
     let (name, bitmask) = (&values.name.text, values.bitmask);
     let entries = values.entries.iter().map(|entry| {
-        let (value, name) = (if bitmask { mask(entry.value) } else { quote_decimal(entry.value) }, &entry.name.text);
+        let (value, name) = (if bitmask { bits(entry.value) } else { quote_decimal(entry.value) }, &entry.name.text);
         quote!((#value, #name))
     });
-    quote! {
-        static INFO: wire::EnumInfo =
-            wire::EnumInfo { name: #name, bitmask: #bitmask, entries: &[#(#entries),*] };
-    }
+    let kind = ident(if bitmask { "bitmask" } else { "new" });
+    quote!(static INFO: wire::EnumInfo = wire::EnumInfo::#kind(#name, &[#(#entries),*]);)
 }

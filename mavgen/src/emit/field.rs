@@ -16,9 +16,9 @@ pub(crate) struct FieldTokens {
     pub(crate) declaration: TokenStream,
     /// `cog: 0,`
     pub(crate) default: TokenStream,
-    /// `cog: wire::generated::get(p, 26),`
+    /// `cog: get(p, 26),`
     pub(crate) decode: TokenStream,
-    /// `wire::generated::put(p, 26, self.cog);`
+    /// `put(p, 26, self.cog);`
     pub(crate) encode: TokenStream,
     /// `wire::FieldInfo::new("cog", wire::Kind::U16, 26).units("cdeg"),`
     pub(crate) info: TokenStream,
@@ -36,8 +36,8 @@ pub(crate) fn field(context: &Context<'_>, message: &Message, field: &Field) -> 
         offset: field.offset,
         declaration: quote!(#docs pub #name: #ty,),
         default: quote!(#name: #zero,),
-        decode: quote!(#name: wire::generated::get(p, #offset),),
-        encode: quote!(wire::generated::put(p, #offset, self.#name);),
+        decode: quote!(#name: get(p, #offset),),
+        encode: quote!(put(p, #offset, self.#name);),
         info: info(context, field, secret),
     }
 }

@@ -16,6 +16,15 @@ pub(crate) fn decimal(value: impl Into<u64>) -> Literal {
     Literal::u64_unsuffixed(value.into())
 }
 
+/// A number of which the bits matter: `1 << 31`, `0x8001`, `0`.
+pub(crate) fn bits(value: u64) -> TokenStream {
+    if value.is_power_of_two() {
+        let bit = decimal(value.trailing_zeros());
+        return quote!(1 << #bit);
+    }
+    mask(value)
+}
+
 /// A number as a hexadecimal mask: `0x8000_0000`.
 pub(crate) fn mask(value: impl Into<u128>) -> TokenStream {
     let value = value.into();
@@ -81,6 +90,10 @@ mod tests {
         assert_eq!(mask(8_u64).to_string(), "8");
         assert_eq!(mask(0x8000_0000_u64).to_string(), "0x8000_0000");
         assert_eq!(mask(0x10000_u64).to_string(), "0x1_0000");
+        assert_eq!(bits(0).to_string(), "0");
+        assert_eq!(bits(1).to_string(), "1 << 0");
+        assert_eq!(bits(1 << 63).to_string(), "1 << 63");
+        assert_eq!(bits(0x18001).to_string(), "0x1_8001");
         assert_eq!(integer(-32768).to_string(), "- 32768");
         assert_eq!(float(-1.5).to_string(), "- 1.5");
         assert_eq!(float(-0.0).to_string(), "- 0.0");

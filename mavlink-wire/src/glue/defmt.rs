@@ -9,7 +9,7 @@ pub use ::defmt::{Format, Formatter};
 
 use crate::flags::Contained;
 use crate::reflect::{Element, Field, Number, Reflected, Value};
-use crate::{Chars, Dialect, Enum, EnumInfo, Frame, FrameBuf, MAX_PAYLOAD, Message, Repr, Version};
+use crate::{Chars, Dialect, Encode, Enum, EnumInfo, Frame, FrameBuf, MAX_PAYLOAD, Message, Repr, Version};
 
 /// Implements the trait by one of the functions below.
 #[doc(hidden)]

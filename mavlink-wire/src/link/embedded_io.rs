@@ -2,9 +2,7 @@
 //!
 //! ```
 //! # use mavlink_wire::{Encode, MessageInfo, Sender, Table};
-//! # const INFO: &MessageInfo = &MessageInfo {
-//! #     id: 0, name: "HEARTBEAT", crc_extra: 50, len_v1: 9, len_v2: 9, target_system: None, target_component: None,
-//! # };
+//! # const INFO: &MessageInfo = &MessageInfo::new(0, "HEARTBEAT", 50, 9);
 //! # struct Heartbeat;
 //! # impl Encode for Heartbeat {
 //! #     fn info(&self) -> &'static MessageInfo { INFO }

@@ -7,9 +7,7 @@
 #![cfg_attr(feature = "std", doc = "```")]
 #![cfg_attr(not(feature = "std"), doc = "```ignore")]
 //! # use mavlink_wire::{Frame, MessageInfo, Table};
-//! # const INFO: &MessageInfo = &MessageInfo {
-//! #     id: 0, name: "HEARTBEAT", crc_extra: 50, len_v1: 9, len_v2: 9, target_system: None, target_component: None,
-//! # };
+//! # const INFO: &MessageInfo = &MessageInfo::new(0, "HEARTBEAT", 50, 9);
 //! # static TABLE: Table<'static> = Table::of(&[INFO]);
 //! # let bytes = [0xfe, 9, 0, 1, 1, 0, 0, 0, 0, 0, 6, 8, 0, 4, 3, 0x90, 0x43];
 //! # let frame = Frame::parse(&bytes, &TABLE)?;

@@ -129,11 +129,7 @@ pub(crate) fn number(text: &str) -> Option<u64> {
 ///     pub const ACTIVE: Self = Self(4);
 /// }
 ///
-/// static INFO: wire::EnumInfo = wire::EnumInfo {
-///     name: "MAV_STATE",
-///     bitmask: false,
-///     entries: &[(0, "MAV_STATE_UNINIT"), (4, "MAV_STATE_ACTIVE")],
-/// };
+/// static INFO: wire::EnumInfo = wire::EnumInfo::new("MAV_STATE", &[(0, "MAV_STATE_UNINIT"), (4, "MAV_STATE_ACTIVE")]);
 /// wire::open_enum!(MavState, u8, INFO);
 ///
 /// assert_eq!(MavState(4).name(), Some("MAV_STATE_ACTIVE"));

@@ -10,10 +10,10 @@
 //! #     pub const GUIDED_ENABLED: Self = Self(8);
 //! #     pub const SAFETY_ARMED: Self = Self(128);
 //! # }
-//! # static INFO: wire::EnumInfo = wire::EnumInfo {
-//! #     name: "MAV_MODE_FLAG", bitmask: true,
-//! #     entries: &[(8, "MAV_MODE_FLAG_GUIDED_ENABLED"), (128, "MAV_MODE_FLAG_SAFETY_ARMED")],
-//! # };
+//! # static INFO: wire::EnumInfo = wire::EnumInfo::bitmask(
+//! #     "MAV_MODE_FLAG",
+//! #     &[(8, "MAV_MODE_FLAG_GUIDED_ENABLED"), (128, "MAV_MODE_FLAG_SAFETY_ARMED")],
+//! # );
 //! # wire::flags!(MavModeFlag, u8, INFO);
 //! let mut mode = MavModeFlag::SAFETY_ARMED | MavModeFlag::GUIDED_ENABLED;
 //! mode.remove(MavModeFlag::GUIDED_ENABLED);

@@ -6,6 +6,7 @@ use super::{enums, flags};
 
 /// What a frame needs to know about a message; one per message, shared by every table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct MessageInfo {
     /// Message id, at most 24 bits. Only ids up to 255 exist in MAVLink 1.
     pub id: u32,
@@ -23,8 +24,36 @@ pub struct MessageInfo {
     pub target_component: Option<u8>,
 }
 
+impl MessageInfo {
+    /// A message without extension fields and addressee: its id, its name in the XML, the last byte of its checksum and the
+    /// length of its payload.
+    #[must_use]
+    pub const fn new(id: u32, name: &'static str, crc_extra: u8, length: u8) -> Self {
+        Self { id, name, crc_extra, len_v1: length, len_v2: length, target_system: None, target_component: None }
+    }
+
+    /// Sets the payload length without extension fields.
+    #[must_use]
+    pub const fn len_v1(self, length: u8) -> Self {
+        Self { len_v1: length, ..self }
+    }
+
+    /// Sets the offset of the addressed system's id.
+    #[must_use]
+    pub const fn target_system(self, offset: u8) -> Self {
+        Self { target_system: Some(offset), ..self }
+    }
+
+    /// Sets the offset of the addressed component's id.
+    #[must_use]
+    pub const fn target_component(self, offset: u8) -> Self {
+        Self { target_component: Some(offset), ..self }
+    }
+}
+
 /// An enum of the XML: its name and its entries.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct EnumInfo {
     /// Name in the XML, `MAV_STATE`.
     pub name: &'static str,
@@ -36,6 +65,18 @@ pub struct EnumInfo {
 }
 
 impl EnumInfo {
+    /// An enum of single values: its name in the XML, and the value and name of every entry by value.
+    #[must_use]
+    pub const fn new(name: &'static str, entries: &'static [(u64, &'static str)]) -> Self {
+        Self { name, bitmask: false, entries }
+    }
+
+    /// An enum of bits to be combined.
+    #[must_use]
+    pub const fn bitmask(name: &'static str, entries: &'static [(u64, &'static str)]) -> Self {
+        Self { bitmask: true, ..Self::new(name, entries) }
+    }
+
     /// The name in the XML of the entry with this value; the first, if there are two.
     #[must_use]
     pub fn entry_name(&self, value: u64) -> Option<&'static str> {

@@ -30,9 +30,7 @@ const SIK_RADIO: (u8, u8) = (b'3', b'D');
 /// ```
 /// use mavlink_wire::{Frame, Losses, MessageInfo, Table};
 ///
-/// # const HEARTBEAT: &MessageInfo = &MessageInfo {
-/// #     id: 0, name: "HEARTBEAT", crc_extra: 50, len_v1: 9, len_v2: 9, target_system: None, target_component: None,
-/// # };
+/// # const HEARTBEAT: &MessageInfo = &MessageInfo::new(0, "HEARTBEAT", 50, 9);
 /// # let table = &Table::of(&[HEARTBEAT]);
 /// # let bytes = [0xfe, 9, 0, 1, 1, 0, 0, 0, 0, 0, 6, 8, 0, 4, 3, 0x90, 0x43];
 /// # let frame = Frame::parse(&bytes, table).unwrap();

@@ -13,7 +13,7 @@ const FEW: usize = 8;
 /// use mavlink_wire::{MessageInfo, Table};
 ///
 /// const fn info(id: u32, name: &'static str, crc_extra: u8, length: u8) -> MessageInfo {
-///     MessageInfo { id, name, crc_extra, len_v1: length, len_v2: length, target_system: None, target_component: None }
+///     MessageInfo::new(id, name, crc_extra, length)
 /// }
 ///
 /// // Of a dialect crate's messages: `Table::of(&[Heartbeat::INFO, Attitude::INFO])`.
@@ -115,6 +115,23 @@ const fn is_sorted(infos: &[&MessageInfo]) -> bool {
         rest = tail;
     }
     true
+}
+
+/// Ids from this on are found by a search.
+const DIRECT_IDS: u32 = 512;
+
+/// The length of the [`index`] that finds every id below 512.
+#[doc(hidden)]
+#[must_use]
+pub const fn index_length(infos: &[&MessageInfo]) -> usize {
+    let (mut length, mut rest) = (0, infos);
+    while let [first, tail @ ..] = rest {
+        if first.id < DIRECT_IDS && first.id as usize >= length {
+            length = first.id as usize + 1;
+        }
+        rest = tail;
+    }
+    length
 }
 
 /// The index of the ids below `N` for [`Table::indexed`]: position + 1 of the first message with it, or 0 for none.

@@ -5,15 +5,8 @@ use crate::frame::SETUP_SIGNING;
 use crate::message::wire::{get, put};
 use crate::{Encode, Frame, MAX_PAYLOAD, MessageInfo, Timestamp};
 
-static INFO: MessageInfo = MessageInfo {
-    id: SETUP_SIGNING,
-    name: "SETUP_SIGNING",
-    crc_extra: 71,
-    len_v1: 42,
-    len_v2: 42,
-    target_system: Some(8),
-    target_component: Some(9),
-};
+static INFO: MessageInfo =
+    MessageInfo::new(SETUP_SIGNING, "SETUP_SIGNING", 71, 42).target_system(8).target_component(9);
 
 /// A `SETUP_SIGNING` (message 256, MAVLink 2 only): gives a component its key, or tells it to sign no more.
 ///

@@ -7,11 +7,10 @@ use proptest::prelude::*;
 #[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(crate) struct Ours(u16);
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "THEIRS",
-    bitmask: true,
-    entries: &[(0, "NONE"), (1, "A"), (2, "B"), (3, "AB"), (4, "C"), (0x18, "PAIR"), (0x4001, "HIGH"), (0x8000, "TOP")],
-};
+static INFO: wire::EnumInfo = wire::EnumInfo::bitmask(
+    "THEIRS",
+    &[(0, "NONE"), (1, "A"), (2, "B"), (3, "AB"), (4, "C"), (0x18, "PAIR"), (0x4001, "HIGH"), (0x8000, "TOP")],
+);
 wire::flags!(Ours, u16, INFO);
 
 bitflags::bitflags! {
@@ -142,8 +141,7 @@ fn text_is_names_and_a_rest() {
 fn signed_flags_keep_their_top_bit() {
     #[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
     pub(crate) struct Signed(i8);
-    static INFO: wire::EnumInfo =
-        wire::EnumInfo { name: "SIGNED", bitmask: true, entries: &[(1, "ONE"), (0x80, "TOP")] };
+    static INFO: wire::EnumInfo = wire::EnumInfo::bitmask("SIGNED", &[(1, "ONE"), (0x80, "TOP")]);
     wire::flags!(Signed, i8, INFO);
     let all = Signed::from_bits_retain(-1);
     assert_eq!(all.to_string(), "ONE | TOP | 0x7e");

@@ -38,14 +38,13 @@ pub(crate) trait Extend {}
 #[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(crate) struct Debug(pub(crate) u16);
 
-static DEBUG: wire::EnumInfo = wire::EnumInfo { name: "DEBUG", bitmask: false, entries: &[(1, "DEBUG_ONE")] };
+static DEBUG: wire::EnumInfo = wire::EnumInfo::new("DEBUG", &[(1, "DEBUG_ONE")]);
 wire::open_enum!(Debug, u16, DEBUG);
 
 #[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(crate) struct Display(u64);
 
-static DISPLAY: wire::EnumInfo =
-    wire::EnumInfo { name: "DISPLAY", bitmask: true, entries: &[(1 << 63, "DISPLAY_TOP")] };
+static DISPLAY: wire::EnumInfo = wire::EnumInfo::bitmask("DISPLAY", &[(1 << 63, "DISPLAY_TOP")]);
 wire::flags!(Display, u64, DISPLAY);
 
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -54,31 +53,17 @@ pub(crate) struct Copied {
 }
 
 impl wire::Message for Copied {
-    const ID: u32 = 1;
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 1,
-        name: "COPIED",
-        crc_extra: 1,
-        len_v1: 2,
-        len_v2: 2,
-        target_system: ::core::option::Option::None,
-        target_component: ::core::option::Option::None,
-    };
+    type Payload = [u8; 2];
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(1, "COPIED", 1, 2);
     const FIELDS: &'static [wire::FieldInfo] = &[wire::FieldInfo::new("debug", wire::Kind::U16, 0).values(&DEBUG)];
     const DEFAULT: Self = Self { debug: Debug(7) };
 
-    fn decode(payload: &[u8]) -> Self {
+    fn read(payload: &[u8; 2]) -> Self {
         Self { debug: wire::generated::get(payload, 0) }
     }
-}
 
-impl wire::Encode for Copied {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
-    }
-
-    fn write(&self, p: &mut [u8; 255]) {
-        wire::generated::put(p, 0, self.debug);
+    fn store(&self, payload: &mut [u8; 2]) {
+        wire::generated::put(payload, 0, self.debug);
     }
 }
 wire::message!(Copied);
@@ -88,19 +73,6 @@ pub(crate) enum Any {
     Copied(Copied),
 }
 
-static INFOS: [&wire::MessageInfo; 1] = [<Copied as wire::Message>::INFO];
-static TABLE: wire::Table<'static> = wire::Table::of(&INFOS);
-
-impl wire::Dialect for Any {
-    const TABLE: &'static wire::Table<'static> = &TABLE;
-    const FIELDS: &'static [&'static [wire::FieldInfo]] = &[<Copied as wire::Message>::FIELDS];
-    const DEFAULT: Self = Self::Copied(<Copied as wire::Message>::DEFAULT);
-
-    fn decode_into(&mut self, id: u32, payload: &[u8]) -> bool {
-        *self = Self::Copied(wire::Message::decode(payload));
-        id == 1
-    }
-}
 wire::dialect!(Any { Copied });
 
 impl Any {

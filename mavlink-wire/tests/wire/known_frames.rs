@@ -6,15 +6,7 @@ use mavlink_wire::{
     Version, crc,
 };
 
-static AQ_TELEMETRY_F: MessageInfo = MessageInfo {
-    id: 150,
-    name: "AQ_TELEMETRY_F",
-    crc_extra: 241,
-    len_v1: 82,
-    len_v2: 82,
-    target_system: None,
-    target_component: None,
-};
+static AQ_TELEMETRY_F: MessageInfo = MessageInfo::new(150, "AQ_TELEMETRY_F", 241, 82);
 static TABLE: Table<'static> = Table::of(&[Heartbeat::INFO, &AQ_TELEMETRY_F, AqEscTelemetry::INFO]);
 
 const HEARTBEAT: Heartbeat =
@@ -180,7 +172,7 @@ fn a_message_of_another_definition_is_not_decoded() {
 
 #[test]
 fn mavlink_1_refuses_large_ids() {
-    static LARGE: MessageInfo = MessageInfo { id: 256, ..AQ_TELEMETRY_F };
+    static LARGE: MessageInfo = MessageInfo::new(256, "LARGE", 241, 82);
     struct Large;
     impl Encode for Large {
         fn info(&self) -> &'static MessageInfo {

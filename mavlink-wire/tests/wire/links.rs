@@ -53,15 +53,7 @@ struct TooLarge;
 
 impl mavlink_wire::Encode for TooLarge {
     fn info(&self) -> &'static mavlink_wire::MessageInfo {
-        &mavlink_wire::MessageInfo {
-            id: 70_000,
-            name: "TOO_LARGE",
-            crc_extra: 1,
-            len_v1: 1,
-            len_v2: 1,
-            target_system: None,
-            target_component: None,
-        }
+        const { &mavlink_wire::MessageInfo::new(70_000, "TOO_LARGE", 1, 1) }
     }
 
     fn write(&self, _: &mut [u8; 255]) {}

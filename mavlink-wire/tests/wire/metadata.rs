@@ -6,7 +6,7 @@ use mavlink_wire::{Dialect, EnumInfo, FieldInfo, Invalid, Kind, Message, Message
 use crate::small::{AqEscTelemetry, Heartbeat, Small, Statustext};
 
 const fn info(id: u32) -> MessageInfo {
-    MessageInfo { id, name: "M", crc_extra: 0, len_v1: 1, len_v2: 1, target_system: None, target_component: None }
+    MessageInfo::new(id, "M", 0, 1)
 }
 
 const IDS: [u32; 14] = [0, 1, 24, 30, 150, 255, 256, 300, 331, 9000, 12900, 17000, 60053, 0x00FF_FFFF];
@@ -51,7 +51,7 @@ fn many_large_ids_are_found() {
 
 #[test]
 fn of_two_messages_with_one_id_the_first_is_found() {
-    static TWICE: [MessageInfo; 3] = [MessageInfo { name: "FIRST", ..info(7) }, info(7), info(600)];
+    static TWICE: [MessageInfo; 3] = [MessageInfo::new(7, "FIRST", 0, 1), info(7), info(600)];
     let infos: Vec<&MessageInfo> = TWICE.iter().collect();
     for table in [Table::of(&infos), Table::indexed(&infos, &index::<8>(&infos))] {
         assert_eq!(table.get(7).map(|info| info.name), Some("FIRST"));
@@ -78,7 +78,7 @@ fn fields_fill_the_payload() {
 
 #[test]
 fn builders_set_what_they_name() {
-    static VALUES: EnumInfo = EnumInfo { name: "E", bitmask: false, entries: &[] };
+    static VALUES: EnumInfo = EnumInfo::new("E", &[]);
     const UNKNOWN: Invalid = Invalid::All(Sentinel::Unsigned(65535));
     const FIELD: FieldInfo = FieldInfo::array("volts", Kind::U16, 10, 4).extension().units("mV").invalid(UNKNOWN);
     assert_eq!((FIELD.name, FIELD.kind, FIELD.array, FIELD.offset), ("volts", Kind::U16, Some(10), 4));
@@ -114,7 +114,7 @@ fn of_two_names_for_one_value_the_first_is_given() {
     for entries in 1..8 {
         let all = [(0, "LOW"), (1, "A"), (1, "B"), (1, "C"), (2, "HIGH"), (2, "HIGHER"), (3, "TOP")];
         let entries = &all[..entries];
-        let info = mavlink_wire::EnumInfo { name: "E", bitmask: false, entries: Vec::leak(entries.to_vec()) };
+        let info = mavlink_wire::EnumInfo::new("E", Vec::leak(entries.to_vec()));
         let first = |value: u64| entries.iter().find(|entry| entry.0 == value).map(|entry| entry.1);
         for value in 0..5 {
             assert_eq!(info.entry_name(value), first(value), "{value} of {entries:?}");

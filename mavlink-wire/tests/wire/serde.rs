@@ -8,8 +8,7 @@ use crate::small::{Heartbeat, Small};
 
 #[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(crate) struct Signed(pub(crate) i16);
-static SIGNED: wire::EnumInfo =
-    wire::EnumInfo { name: "SIGNED", bitmask: false, entries: &[(0, "ZERO"), (32767, "TOP")] };
+static SIGNED: wire::EnumInfo = wire::EnumInfo::new("SIGNED", &[(0, "ZERO"), (32767, "TOP")]);
 wire::open_enum!(Signed, i16, SIGNED);
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,16 +19,8 @@ struct Tagged {
 }
 
 impl wire::Message for Tagged {
-    const ID: u32 = 77;
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 77,
-        name: "TAGGED",
-        crc_extra: 1,
-        len_v1: 4,
-        len_v2: 4,
-        target_system: None,
-        target_component: None,
-    };
+    type Payload = [u8; 4];
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(77, "TAGGED", 1, 4);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("type", wire::Kind::I16, 0).values(&SIGNED),
         wire::FieldInfo::new("mavtype", wire::Kind::U8, 2),
@@ -37,29 +28,24 @@ impl wire::Message for Tagged {
     ];
     const DEFAULT: Self = Self { r#type: Signed(0), mavtype: 0, mask: 0 };
 
-    fn decode(payload: &[u8]) -> Self {
+    fn read(p: &[u8; 4]) -> Self {
         Self {
-            r#type: wire::generated::get(payload, 0),
-            mavtype: wire::generated::get(payload, 2),
-            mask: wire::generated::get(payload, 3),
+            r#type: wire::generated::get(p, 0),
+            mavtype: wire::generated::get(p, 2),
+            mask: wire::generated::get(p, 3),
         }
     }
-}
 
-/// Flags whose field is signed, as upstream has one with MAV_BOOL.
-static MASK: wire::EnumInfo = wire::EnumInfo { name: "MASK", bitmask: true, entries: &[(1, "MASK_ONE")] };
-
-impl wire::Encode for Tagged {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
-    }
-
-    fn write(&self, p: &mut [u8; 255]) {
+    fn store(&self, p: &mut [u8; 4]) {
         wire::generated::put(p, 0, self.r#type);
         wire::generated::put(p, 2, self.mavtype);
         wire::generated::put(p, 3, self.mask);
     }
 }
+
+/// Flags whose field is signed, as upstream has one with MAV_BOOL.
+static MASK: wire::EnumInfo = wire::EnumInfo::bitmask("MASK", &[(1, "MASK_ONE")]);
+
 wire::message!(Tagged);
 
 #[test]

@@ -24,8 +24,7 @@ fn enums_have_text_both_ways() {
 fn signed_enums_have_a_sign() {
     #[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
     pub(crate) struct Signed(pub(crate) i8);
-    static INFO: wire::EnumInfo =
-        wire::EnumInfo { name: "SIGNED", bitmask: false, entries: &[(0, "ZERO"), (127, "TOP")] };
+    static INFO: wire::EnumInfo = wire::EnumInfo::new("SIGNED", &[(0, "ZERO"), (127, "TOP")]);
     wire::open_enum!(Signed, i8, INFO);
     assert_eq!((Signed(-1).to_string(), format!("{:?}", Signed(-1))), ("-1".into(), "Signed(-1)".into()));
     assert_eq!(("-128".parse(), "TOP".parse()), (Ok(Signed(-128)), Ok(Signed(127))));

@@ -91,15 +91,7 @@ struct Raw(Vec<u8>);
 
 impl Encode for Raw {
     fn info(&self) -> &'static MessageInfo {
-        &MessageInfo {
-            id: 1,
-            name: "RAW",
-            crc_extra: 0,
-            len_v1: 100,
-            len_v2: 255,
-            target_system: None,
-            target_component: None,
-        }
+        const { &MessageInfo::new(1, "RAW", 0, 255).len_v1(100) }
     }
 
     fn write(&self, payload: &mut [u8; 255]) {

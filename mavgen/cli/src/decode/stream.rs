@@ -92,15 +92,7 @@ mod tests {
 
     const BEAT: [u8; 17] = [0xfe, 9, 0, 1, 1, 0, 0, 0, 0, 0, 6, 8, 0, 4, 3, 0x90, 0x43];
 
-    static HEARTBEAT: MessageInfo = MessageInfo {
-        id: 0,
-        name: "HEARTBEAT",
-        crc_extra: 50,
-        len_v1: 9,
-        len_v2: 9,
-        target_system: None,
-        target_component: None,
-    };
+    static HEARTBEAT: MessageInfo = MessageInfo::new(0, "HEARTBEAT", 50, 9);
 
     /// Gives one byte at a time.
     struct Slow(io::Cursor<Vec<u8>>);
@@ -151,7 +143,7 @@ mod tests {
 
     #[test]
     fn other_definitions_are_counted_by_message() {
-        let other = MessageInfo { crc_extra: 51, ..HEARTBEAT };
+        let other = MessageInfo::new(0, "HEARTBEAT", 51, 9);
         let infos = [&other];
         let table = Table::of(&infos);
         let timed = [&[0; 8][..], &BEAT].concat();

@@ -25,10 +25,9 @@ impl ActuatorConfiguration {
     pub const SPIN_DIRECTION2: Self = Self(5);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "ACTUATOR_CONFIGURATION",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "ACTUATOR_CONFIGURATION",
+    &[
         (0, "ACTUATOR_CONFIGURATION_NONE"),
         (1, "ACTUATOR_CONFIGURATION_BEEP"),
         (2, "ACTUATOR_CONFIGURATION_3D_MODE_ON"),
@@ -36,6 +35,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (4, "ACTUATOR_CONFIGURATION_SPIN_DIRECTION1"),
         (5, "ACTUATOR_CONFIGURATION_SPIN_DIRECTION2"),
     ],
-};
+);
 
 wire::open_enum!(ActuatorConfiguration, u8, INFO);

@@ -79,10 +79,9 @@ impl ActuatorOutputFunction {
     pub const SERVO16: Self = Self(48);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "ACTUATOR_OUTPUT_FUNCTION",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "ACTUATOR_OUTPUT_FUNCTION",
+    &[
         (0, "ACTUATOR_OUTPUT_FUNCTION_NONE"),
         (1, "ACTUATOR_OUTPUT_FUNCTION_MOTOR1"),
         (2, "ACTUATOR_OUTPUT_FUNCTION_MOTOR2"),
@@ -117,6 +116,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (47, "ACTUATOR_OUTPUT_FUNCTION_SERVO15"),
         (48, "ACTUATOR_OUTPUT_FUNCTION_SERVO16"),
     ],
-};
+);
 
 wire::open_enum!(ActuatorOutputFunction, u8, INFO);

@@ -17,13 +17,9 @@ impl AdsbAltitudeType {
     pub const GEOMETRIC: Self = Self(1);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "ADSB_ALTITUDE_TYPE",
-    bitmask: false,
-    entries: &[
-        (0, "ADSB_ALTITUDE_TYPE_PRESSURE_QNH"),
-        (1, "ADSB_ALTITUDE_TYPE_GEOMETRIC"),
-    ],
-};
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "ADSB_ALTITUDE_TYPE",
+    &[(0, "ADSB_ALTITUDE_TYPE_PRESSURE_QNH"), (1, "ADSB_ALTITUDE_TYPE_GEOMETRIC")],
+);
 
 wire::open_enum!(AdsbAltitudeType, u8, INFO);

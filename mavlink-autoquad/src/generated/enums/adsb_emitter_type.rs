@@ -53,10 +53,9 @@ impl AdsbEmitterType {
     pub const POINT_OBSTACLE: Self = Self(19);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "ADSB_EMITTER_TYPE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "ADSB_EMITTER_TYPE",
+    &[
         (0, "ADSB_EMITTER_TYPE_NO_INFO"),
         (1, "ADSB_EMITTER_TYPE_LIGHT"),
         (2, "ADSB_EMITTER_TYPE_SMALL"),
@@ -78,6 +77,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (18, "ADSB_EMITTER_TYPE_SERVICE_SURFACE"),
         (19, "ADSB_EMITTER_TYPE_POINT_OBSTACLE"),
     ],
-};
+);
 
 wire::open_enum!(AdsbEmitterType, u8, INFO);

@@ -12,42 +12,41 @@ pub struct AdsbFlags(u16);
 
 impl AdsbFlags {
     /// `ADSB_FLAGS_VALID_COORDS`.
-    pub const VALID_COORDS: Self = Self(1);
+    pub const VALID_COORDS: Self = Self(1 << 0);
     /// `ADSB_FLAGS_VALID_ALTITUDE`.
-    pub const VALID_ALTITUDE: Self = Self(2);
+    pub const VALID_ALTITUDE: Self = Self(1 << 1);
     /// `ADSB_FLAGS_VALID_HEADING`.
-    pub const VALID_HEADING: Self = Self(4);
+    pub const VALID_HEADING: Self = Self(1 << 2);
     /// `ADSB_FLAGS_VALID_VELOCITY`.
-    pub const VALID_VELOCITY: Self = Self(8);
+    pub const VALID_VELOCITY: Self = Self(1 << 3);
     /// `ADSB_FLAGS_VALID_CALLSIGN`.
-    pub const VALID_CALLSIGN: Self = Self(0x10);
+    pub const VALID_CALLSIGN: Self = Self(1 << 4);
     /// `ADSB_FLAGS_VALID_SQUAWK`.
-    pub const VALID_SQUAWK: Self = Self(0x20);
+    pub const VALID_SQUAWK: Self = Self(1 << 5);
     /// `ADSB_FLAGS_SIMULATED`.
-    pub const SIMULATED: Self = Self(0x40);
+    pub const SIMULATED: Self = Self(1 << 6);
     /// `ADSB_FLAGS_VERTICAL_VELOCITY_VALID`.
-    pub const VERTICAL_VELOCITY_VALID: Self = Self(0x80);
+    pub const VERTICAL_VELOCITY_VALID: Self = Self(1 << 7);
     /// `ADSB_FLAGS_BARO_VALID`.
-    pub const BARO_VALID: Self = Self(0x100);
+    pub const BARO_VALID: Self = Self(1 << 8);
     /// `ADSB_FLAGS_SOURCE_UAT`.
-    pub const SOURCE_UAT: Self = Self(0x8000);
+    pub const SOURCE_UAT: Self = Self(1 << 15);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "ADSB_FLAGS",
-    bitmask: true,
-    entries: &[
-        (1, "ADSB_FLAGS_VALID_COORDS"),
-        (2, "ADSB_FLAGS_VALID_ALTITUDE"),
-        (4, "ADSB_FLAGS_VALID_HEADING"),
-        (8, "ADSB_FLAGS_VALID_VELOCITY"),
-        (0x10, "ADSB_FLAGS_VALID_CALLSIGN"),
-        (0x20, "ADSB_FLAGS_VALID_SQUAWK"),
-        (0x40, "ADSB_FLAGS_SIMULATED"),
-        (0x80, "ADSB_FLAGS_VERTICAL_VELOCITY_VALID"),
-        (0x100, "ADSB_FLAGS_BARO_VALID"),
-        (0x8000, "ADSB_FLAGS_SOURCE_UAT"),
+static INFO: wire::EnumInfo = wire::EnumInfo::bitmask(
+    "ADSB_FLAGS",
+    &[
+        (1 << 0, "ADSB_FLAGS_VALID_COORDS"),
+        (1 << 1, "ADSB_FLAGS_VALID_ALTITUDE"),
+        (1 << 2, "ADSB_FLAGS_VALID_HEADING"),
+        (1 << 3, "ADSB_FLAGS_VALID_VELOCITY"),
+        (1 << 4, "ADSB_FLAGS_VALID_CALLSIGN"),
+        (1 << 5, "ADSB_FLAGS_VALID_SQUAWK"),
+        (1 << 6, "ADSB_FLAGS_SIMULATED"),
+        (1 << 7, "ADSB_FLAGS_VERTICAL_VELOCITY_VALID"),
+        (1 << 8, "ADSB_FLAGS_BARO_VALID"),
+        (1 << 15, "ADSB_FLAGS_SOURCE_UAT"),
     ],
-};
+);
 
 wire::flags!(AdsbFlags, u16, INFO);

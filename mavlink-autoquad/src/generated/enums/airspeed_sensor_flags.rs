@@ -12,15 +12,14 @@ pub struct AirspeedSensorFlags(u8);
 
 impl AirspeedSensorFlags {
     /// Not healthy.
-    pub const UNHEALTHY: Self = Self(1);
+    pub const UNHEALTHY: Self = Self(1 << 0);
     /// In use for navigation.
-    pub const USING: Self = Self(2);
+    pub const USING: Self = Self(1 << 1);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "AIRSPEED_SENSOR_FLAGS",
-    bitmask: true,
-    entries: &[(1, "AIRSPEED_SENSOR_UNHEALTHY"), (2, "AIRSPEED_SENSOR_USING")],
-};
+static INFO: wire::EnumInfo = wire::EnumInfo::bitmask(
+    "AIRSPEED_SENSOR_FLAGS",
+    &[(1 << 0, "AIRSPEED_SENSOR_UNHEALTHY"), (1 << 1, "AIRSPEED_SENSOR_USING")],
+);
 
 wire::flags!(AirspeedSensorFlags, u8, INFO);

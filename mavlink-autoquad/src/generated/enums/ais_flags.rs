@@ -12,51 +12,50 @@ pub struct AisFlags(u16);
 
 impl AisFlags {
     /// Position is good to 10 m.
-    pub const POSITION_ACCURACY: Self = Self(1);
+    pub const POSITION_ACCURACY: Self = Self(1 << 0);
     /// `AIS_FLAGS_VALID_COG`.
-    pub const VALID_COG: Self = Self(2);
+    pub const VALID_COG: Self = Self(1 << 1);
     /// `AIS_FLAGS_VALID_VELOCITY`.
-    pub const VALID_VELOCITY: Self = Self(4);
+    pub const VALID_VELOCITY: Self = Self(1 << 2);
     /// Faster than 52.5765 m/s, the most that can be told.
-    pub const HIGH_VELOCITY: Self = Self(8);
+    pub const HIGH_VELOCITY: Self = Self(1 << 3);
     /// `AIS_FLAGS_VALID_TURN_RATE`.
-    pub const VALID_TURN_RATE: Self = Self(0x10);
+    pub const VALID_TURN_RATE: Self = Self(1 << 4);
     /// Only the direction of the turn is known.
-    pub const TURN_RATE_SIGN_ONLY: Self = Self(0x20);
+    pub const TURN_RATE_SIGN_ONLY: Self = Self(1 << 5);
     /// `AIS_FLAGS_VALID_DIMENSIONS`.
-    pub const VALID_DIMENSIONS: Self = Self(0x40);
+    pub const VALID_DIMENSIONS: Self = Self(1 << 6);
     /// Distance to the bow is at least 511 m.
-    pub const LARGE_BOW_DIMENSION: Self = Self(0x80);
+    pub const LARGE_BOW_DIMENSION: Self = Self(1 << 7);
     /// Distance to the stern is at least 511 m.
-    pub const LARGE_STERN_DIMENSION: Self = Self(0x100);
+    pub const LARGE_STERN_DIMENSION: Self = Self(1 << 8);
     /// Distance to port is at least 63 m.
-    pub const LARGE_PORT_DIMENSION: Self = Self(0x200);
+    pub const LARGE_PORT_DIMENSION: Self = Self(1 << 9);
     /// Distance to starboard is at least 63 m.
-    pub const LARGE_STARBOARD_DIMENSION: Self = Self(0x400);
+    pub const LARGE_STARBOARD_DIMENSION: Self = Self(1 << 10);
     /// `AIS_FLAGS_VALID_CALLSIGN`.
-    pub const VALID_CALLSIGN: Self = Self(0x800);
+    pub const VALID_CALLSIGN: Self = Self(1 << 11);
     /// `AIS_FLAGS_VALID_NAME`.
-    pub const VALID_NAME: Self = Self(0x1000);
+    pub const VALID_NAME: Self = Self(1 << 12);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "AIS_FLAGS",
-    bitmask: true,
-    entries: &[
-        (1, "AIS_FLAGS_POSITION_ACCURACY"),
-        (2, "AIS_FLAGS_VALID_COG"),
-        (4, "AIS_FLAGS_VALID_VELOCITY"),
-        (8, "AIS_FLAGS_HIGH_VELOCITY"),
-        (0x10, "AIS_FLAGS_VALID_TURN_RATE"),
-        (0x20, "AIS_FLAGS_TURN_RATE_SIGN_ONLY"),
-        (0x40, "AIS_FLAGS_VALID_DIMENSIONS"),
-        (0x80, "AIS_FLAGS_LARGE_BOW_DIMENSION"),
-        (0x100, "AIS_FLAGS_LARGE_STERN_DIMENSION"),
-        (0x200, "AIS_FLAGS_LARGE_PORT_DIMENSION"),
-        (0x400, "AIS_FLAGS_LARGE_STARBOARD_DIMENSION"),
-        (0x800, "AIS_FLAGS_VALID_CALLSIGN"),
-        (0x1000, "AIS_FLAGS_VALID_NAME"),
+static INFO: wire::EnumInfo = wire::EnumInfo::bitmask(
+    "AIS_FLAGS",
+    &[
+        (1 << 0, "AIS_FLAGS_POSITION_ACCURACY"),
+        (1 << 1, "AIS_FLAGS_VALID_COG"),
+        (1 << 2, "AIS_FLAGS_VALID_VELOCITY"),
+        (1 << 3, "AIS_FLAGS_HIGH_VELOCITY"),
+        (1 << 4, "AIS_FLAGS_VALID_TURN_RATE"),
+        (1 << 5, "AIS_FLAGS_TURN_RATE_SIGN_ONLY"),
+        (1 << 6, "AIS_FLAGS_VALID_DIMENSIONS"),
+        (1 << 7, "AIS_FLAGS_LARGE_BOW_DIMENSION"),
+        (1 << 8, "AIS_FLAGS_LARGE_STERN_DIMENSION"),
+        (1 << 9, "AIS_FLAGS_LARGE_PORT_DIMENSION"),
+        (1 << 10, "AIS_FLAGS_LARGE_STARBOARD_DIMENSION"),
+        (1 << 11, "AIS_FLAGS_VALID_CALLSIGN"),
+        (1 << 12, "AIS_FLAGS_VALID_NAME"),
     ],
-};
+);
 
 wire::flags!(AisFlags, u16, INFO);

@@ -45,10 +45,9 @@ impl AisNavStatus {
     pub const UNKNOWN: Self = Self(15);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "AIS_NAV_STATUS",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "AIS_NAV_STATUS",
+    &[
         (0, "AIS_NAV_STATUS_UNDER_WAY"),
         (1, "AIS_NAV_STATUS_ANCHORED"),
         (2, "AIS_NAV_STATUS_UN_COMMANDED"),
@@ -66,6 +65,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (14, "AIS_NAV_STATUS_AIS_SART"),
         (15, "AIS_NAV_STATUS_UNKNOWN"),
     ],
-};
+);
 
 wire::open_enum!(AisNavStatus, u8, INFO);

@@ -213,10 +213,9 @@ impl AisType {
     pub const OTHER_UNKNOWN: Self = Self(99);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "AIS_TYPE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "AIS_TYPE",
+    &[
         (0, "AIS_TYPE_UNKNOWN"),
         (1, "AIS_TYPE_RESERVED_1"),
         (2, "AIS_TYPE_RESERVED_2"),
@@ -318,6 +317,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (98, "AIS_TYPE_OTHER_RESERVED_4"),
         (99, "AIS_TYPE_OTHER_UNKNOWN"),
     ],
-};
+);
 
 wire::open_enum!(AisType, u8, INFO);

@@ -12,30 +12,29 @@ pub struct AttitudeTargetTypemask(u8);
 
 impl AttitudeTargetTypemask {
     /// No body_roll_rate.
-    pub const BODY_ROLL_RATE_IGNORE: Self = Self(1);
+    pub const BODY_ROLL_RATE_IGNORE: Self = Self(1 << 0);
     /// No body_pitch_rate.
-    pub const BODY_PITCH_RATE_IGNORE: Self = Self(2);
+    pub const BODY_PITCH_RATE_IGNORE: Self = Self(1 << 1);
     /// No body_yaw_rate.
-    pub const BODY_YAW_RATE_IGNORE: Self = Self(4);
+    pub const BODY_YAW_RATE_IGNORE: Self = Self(1 << 2);
     /// thrust_body counts instead of thrust.
-    pub const THRUST_BODY_SET: Self = Self(0x20);
+    pub const THRUST_BODY_SET: Self = Self(1 << 5);
     /// No thrust.
-    pub const THROTTLE_IGNORE: Self = Self(0x40);
+    pub const THROTTLE_IGNORE: Self = Self(1 << 6);
     /// No q.
-    pub const ATTITUDE_IGNORE: Self = Self(0x80);
+    pub const ATTITUDE_IGNORE: Self = Self(1 << 7);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "ATTITUDE_TARGET_TYPEMASK",
-    bitmask: true,
-    entries: &[
-        (1, "ATTITUDE_TARGET_TYPEMASK_BODY_ROLL_RATE_IGNORE"),
-        (2, "ATTITUDE_TARGET_TYPEMASK_BODY_PITCH_RATE_IGNORE"),
-        (4, "ATTITUDE_TARGET_TYPEMASK_BODY_YAW_RATE_IGNORE"),
-        (0x20, "ATTITUDE_TARGET_TYPEMASK_THRUST_BODY_SET"),
-        (0x40, "ATTITUDE_TARGET_TYPEMASK_THROTTLE_IGNORE"),
-        (0x80, "ATTITUDE_TARGET_TYPEMASK_ATTITUDE_IGNORE"),
+static INFO: wire::EnumInfo = wire::EnumInfo::bitmask(
+    "ATTITUDE_TARGET_TYPEMASK",
+    &[
+        (1 << 0, "ATTITUDE_TARGET_TYPEMASK_BODY_ROLL_RATE_IGNORE"),
+        (1 << 1, "ATTITUDE_TARGET_TYPEMASK_BODY_PITCH_RATE_IGNORE"),
+        (1 << 2, "ATTITUDE_TARGET_TYPEMASK_BODY_YAW_RATE_IGNORE"),
+        (1 << 5, "ATTITUDE_TARGET_TYPEMASK_THRUST_BODY_SET"),
+        (1 << 6, "ATTITUDE_TARGET_TYPEMASK_THROTTLE_IGNORE"),
+        (1 << 7, "ATTITUDE_TARGET_TYPEMASK_ATTITUDE_IGNORE"),
     ],
-};
+);
 
 wire::flags!(AttitudeTargetTypemask, u8, INFO);

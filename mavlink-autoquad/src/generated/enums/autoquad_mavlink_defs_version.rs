@@ -14,10 +14,9 @@ impl AutoquadMavlinkDefsVersion {
     pub const AQ_MAVLINK_DEFS_VERSION_1: Self = Self(1);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "AUTOQUAD_MAVLINK_DEFS_VERSION",
-    bitmask: false,
-    entries: &[(1, "AQ_MAVLINK_DEFS_VERSION_1")],
-};
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "AUTOQUAD_MAVLINK_DEFS_VERSION",
+    &[(1, "AQ_MAVLINK_DEFS_VERSION_1")],
+);
 
 wire::open_enum!(AutoquadMavlinkDefsVersion, u8, INFO);

@@ -14,70 +14,69 @@ impl AutoquadNavStatus {
     /// Starting up; no bit set.
     pub const INIT: Self = Self(0);
     /// Armed and waiting: no throttle and no automatic mode.
-    pub const STANDBY: Self = Self(1);
+    pub const STANDBY: Self = Self(1 << 0);
     /// Flying by hand, unless another mode bit is set too.
-    pub const MANUAL: Self = Self(2);
+    pub const MANUAL: Self = Self(1 << 1);
     /// Holding altitude.
-    pub const ALTHOLD: Self = Self(4);
+    pub const ALTHOLD: Self = Self(1 << 2);
     /// Holding position.
-    pub const POSHOLD: Self = Self(8);
+    pub const POSHOLD: Self = Self(1 << 3);
     /// Guided from outside, for instance by a ground station.
-    pub const GUIDED: Self = Self(0x10);
+    pub const GUIDED: Self = Self(1 << 4);
     /// Flying a mission.
-    pub const MISSION: Self = Self(0x20);
+    pub const MISSION: Self = Self(1 << 5);
     /// Ready to be armed.
-    pub const READY: Self = Self(0x100);
+    pub const READY: Self = Self(1 << 8);
     /// Calibrating sensors.
-    pub const CALIBRATING: Self = Self(0x200);
+    pub const CALIBRATING: Self = Self(1 << 9);
     /// No usable control input, for instance because the radio link is lost.
-    pub const NO_RC: Self = Self(0x1000);
+    pub const NO_RC: Self = Self(1 << 12);
     /// First battery warning: low.
-    pub const FUEL_LOW: Self = Self(0x2000);
+    pub const FUEL_LOW: Self = Self(1 << 13);
     /// Second battery warning: empty.
-    pub const FUEL_CRITICAL: Self = Self(0x4000);
+    pub const FUEL_CRITICAL: Self = Self(1 << 14);
     /// Dynamic velocity hold: the sticks steer while position hold is on.
-    pub const DVH: Self = Self(0x100_0000);
+    pub const DVH: Self = Self(1 << 24);
     /// Dynamic altitude override: the throttle stick adjusts a held altitude.
-    pub const DAO: Self = Self(0x200_0000);
+    pub const DAO: Self = Self(1 << 25);
     /// At the highest altitude allowed.
-    pub const CEILING_REACHED: Self = Self(0x400_0000);
+    pub const CEILING_REACHED: Self = Self(1 << 26);
     /// An altitude limit is set.
-    pub const CEILING: Self = Self(0x800_0000);
+    pub const CEILING: Self = Self(1 << 27);
     /// Heading-free flight, with a reference that moves.
-    pub const HF_DYNAMIC: Self = Self(0x1000_0000);
+    pub const HF_DYNAMIC: Self = Self(1 << 28);
     /// Heading-free flight, with a fixed reference.
-    pub const HF_LOCKED: Self = Self(0x2000_0000);
+    pub const HF_LOCKED: Self = Self(1 << 29);
     /// Returning home on its own.
-    pub const RTH: Self = Self(0x4000_0000);
+    pub const RTH: Self = Self(1 << 30);
     /// Recovering in failsafe.
-    pub const FAILSAFE: Self = Self(0x8000_0000);
+    pub const FAILSAFE: Self = Self(1 << 31);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "AUTOQUAD_NAV_STATUS",
-    bitmask: true,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::bitmask(
+    "AUTOQUAD_NAV_STATUS",
+    &[
         (0, "AQ_NAV_STATUS_INIT"),
-        (1, "AQ_NAV_STATUS_STANDBY"),
-        (2, "AQ_NAV_STATUS_MANUAL"),
-        (4, "AQ_NAV_STATUS_ALTHOLD"),
-        (8, "AQ_NAV_STATUS_POSHOLD"),
-        (0x10, "AQ_NAV_STATUS_GUIDED"),
-        (0x20, "AQ_NAV_STATUS_MISSION"),
-        (0x100, "AQ_NAV_STATUS_READY"),
-        (0x200, "AQ_NAV_STATUS_CALIBRATING"),
-        (0x1000, "AQ_NAV_STATUS_NO_RC"),
-        (0x2000, "AQ_NAV_STATUS_FUEL_LOW"),
-        (0x4000, "AQ_NAV_STATUS_FUEL_CRITICAL"),
-        (0x100_0000, "AQ_NAV_STATUS_DVH"),
-        (0x200_0000, "AQ_NAV_STATUS_DAO"),
-        (0x400_0000, "AQ_NAV_STATUS_CEILING_REACHED"),
-        (0x800_0000, "AQ_NAV_STATUS_CEILING"),
-        (0x1000_0000, "AQ_NAV_STATUS_HF_DYNAMIC"),
-        (0x2000_0000, "AQ_NAV_STATUS_HF_LOCKED"),
-        (0x4000_0000, "AQ_NAV_STATUS_RTH"),
-        (0x8000_0000, "AQ_NAV_STATUS_FAILSAFE"),
+        (1 << 0, "AQ_NAV_STATUS_STANDBY"),
+        (1 << 1, "AQ_NAV_STATUS_MANUAL"),
+        (1 << 2, "AQ_NAV_STATUS_ALTHOLD"),
+        (1 << 3, "AQ_NAV_STATUS_POSHOLD"),
+        (1 << 4, "AQ_NAV_STATUS_GUIDED"),
+        (1 << 5, "AQ_NAV_STATUS_MISSION"),
+        (1 << 8, "AQ_NAV_STATUS_READY"),
+        (1 << 9, "AQ_NAV_STATUS_CALIBRATING"),
+        (1 << 12, "AQ_NAV_STATUS_NO_RC"),
+        (1 << 13, "AQ_NAV_STATUS_FUEL_LOW"),
+        (1 << 14, "AQ_NAV_STATUS_FUEL_CRITICAL"),
+        (1 << 24, "AQ_NAV_STATUS_DVH"),
+        (1 << 25, "AQ_NAV_STATUS_DAO"),
+        (1 << 26, "AQ_NAV_STATUS_CEILING_REACHED"),
+        (1 << 27, "AQ_NAV_STATUS_CEILING"),
+        (1 << 28, "AQ_NAV_STATUS_HF_DYNAMIC"),
+        (1 << 29, "AQ_NAV_STATUS_HF_LOCKED"),
+        (1 << 30, "AQ_NAV_STATUS_RTH"),
+        (1 << 31, "AQ_NAV_STATUS_FAILSAFE"),
     ],
-};
+);
 
 wire::flags!(AutoquadNavStatus, u32, INFO);

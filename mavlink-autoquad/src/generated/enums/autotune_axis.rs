@@ -12,21 +12,20 @@ pub struct AutotuneAxis(u8);
 
 impl AutotuneAxis {
     /// `AUTOTUNE_AXIS_ROLL`.
-    pub const ROLL: Self = Self(1);
+    pub const ROLL: Self = Self(1 << 0);
     /// `AUTOTUNE_AXIS_PITCH`.
-    pub const PITCH: Self = Self(2);
+    pub const PITCH: Self = Self(1 << 1);
     /// `AUTOTUNE_AXIS_YAW`.
-    pub const YAW: Self = Self(4);
+    pub const YAW: Self = Self(1 << 2);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "AUTOTUNE_AXIS",
-    bitmask: true,
-    entries: &[
-        (1, "AUTOTUNE_AXIS_ROLL"),
-        (2, "AUTOTUNE_AXIS_PITCH"),
-        (4, "AUTOTUNE_AXIS_YAW"),
+static INFO: wire::EnumInfo = wire::EnumInfo::bitmask(
+    "AUTOTUNE_AXIS",
+    &[
+        (1 << 0, "AUTOTUNE_AXIS_ROLL"),
+        (1 << 1, "AUTOTUNE_AXIS_PITCH"),
+        (1 << 2, "AUTOTUNE_AXIS_YAW"),
     ],
-};
+);
 
 wire::flags!(AutotuneAxis, u8, INFO);

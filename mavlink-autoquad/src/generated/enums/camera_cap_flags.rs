@@ -12,56 +12,55 @@ pub struct CameraCapFlags(u32);
 
 impl CameraCapFlags {
     /// Records video.
-    pub const CAPTURE_VIDEO: Self = Self(1);
+    pub const CAPTURE_VIDEO: Self = Self(1 << 0);
     /// Takes pictures.
-    pub const CAPTURE_IMAGE: Self = Self(2);
+    pub const CAPTURE_IMAGE: Self = Self(1 << 1);
     /// Has separate modes.
-    pub const HAS_MODES: Self = Self(4);
+    pub const HAS_MODES: Self = Self(1 << 2);
     /// Takes pictures in video mode.
-    pub const CAN_CAPTURE_IMAGE_IN_VIDEO_MODE: Self = Self(8);
+    pub const CAN_CAPTURE_IMAGE_IN_VIDEO_MODE: Self = Self(1 << 3);
     /// Records in image mode.
-    pub const CAN_CAPTURE_VIDEO_IN_IMAGE_MODE: Self = Self(0x10);
+    pub const CAN_CAPTURE_VIDEO_IN_IMAGE_MODE: Self = Self(1 << 4);
     /// Has a survey mode.
-    pub const HAS_IMAGE_SURVEY_MODE: Self = Self(0x20);
+    pub const HAS_IMAGE_SURVEY_MODE: Self = Self(1 << 5);
     /// Zooms.
-    pub const HAS_BASIC_ZOOM: Self = Self(0x40);
+    pub const HAS_BASIC_ZOOM: Self = Self(1 << 6);
     /// Focuses.
-    pub const HAS_BASIC_FOCUS: Self = Self(0x80);
+    pub const HAS_BASIC_FOCUS: Self = Self(1 << 7);
     /// Streams video.
-    pub const HAS_VIDEO_STREAM: Self = Self(0x100);
+    pub const HAS_VIDEO_STREAM: Self = Self(1 << 8);
     /// Tracks a point.
-    pub const HAS_TRACKING_POINT: Self = Self(0x200);
+    pub const HAS_TRACKING_POINT: Self = Self(1 << 9);
     /// Tracks a rectangle.
-    pub const HAS_TRACKING_RECTANGLE: Self = Self(0x400);
+    pub const HAS_TRACKING_RECTANGLE: Self = Self(1 << 10);
     /// Reports the place of a tracked target.
-    pub const HAS_TRACKING_GEO_STATUS: Self = Self(0x800);
+    pub const HAS_TRACKING_GEO_STATUS: Self = Self(1 << 11);
     /// Reports temperatures.
-    pub const HAS_THERMAL_RANGE: Self = Self(0x1000);
+    pub const HAS_THERMAL_RANGE: Self = Self(1 << 12);
     /// Marks moving targets.
     ///
     /// **Work in progress**: may still change.
-    pub const HAS_MTI: Self = Self(0x2000);
+    pub const HAS_MTI: Self = Self(1 << 13);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "CAMERA_CAP_FLAGS",
-    bitmask: true,
-    entries: &[
-        (1, "CAMERA_CAP_FLAGS_CAPTURE_VIDEO"),
-        (2, "CAMERA_CAP_FLAGS_CAPTURE_IMAGE"),
-        (4, "CAMERA_CAP_FLAGS_HAS_MODES"),
-        (8, "CAMERA_CAP_FLAGS_CAN_CAPTURE_IMAGE_IN_VIDEO_MODE"),
-        (0x10, "CAMERA_CAP_FLAGS_CAN_CAPTURE_VIDEO_IN_IMAGE_MODE"),
-        (0x20, "CAMERA_CAP_FLAGS_HAS_IMAGE_SURVEY_MODE"),
-        (0x40, "CAMERA_CAP_FLAGS_HAS_BASIC_ZOOM"),
-        (0x80, "CAMERA_CAP_FLAGS_HAS_BASIC_FOCUS"),
-        (0x100, "CAMERA_CAP_FLAGS_HAS_VIDEO_STREAM"),
-        (0x200, "CAMERA_CAP_FLAGS_HAS_TRACKING_POINT"),
-        (0x400, "CAMERA_CAP_FLAGS_HAS_TRACKING_RECTANGLE"),
-        (0x800, "CAMERA_CAP_FLAGS_HAS_TRACKING_GEO_STATUS"),
-        (0x1000, "CAMERA_CAP_FLAGS_HAS_THERMAL_RANGE"),
-        (0x2000, "CAMERA_CAP_FLAGS_HAS_MTI"),
+static INFO: wire::EnumInfo = wire::EnumInfo::bitmask(
+    "CAMERA_CAP_FLAGS",
+    &[
+        (1 << 0, "CAMERA_CAP_FLAGS_CAPTURE_VIDEO"),
+        (1 << 1, "CAMERA_CAP_FLAGS_CAPTURE_IMAGE"),
+        (1 << 2, "CAMERA_CAP_FLAGS_HAS_MODES"),
+        (1 << 3, "CAMERA_CAP_FLAGS_CAN_CAPTURE_IMAGE_IN_VIDEO_MODE"),
+        (1 << 4, "CAMERA_CAP_FLAGS_CAN_CAPTURE_VIDEO_IN_IMAGE_MODE"),
+        (1 << 5, "CAMERA_CAP_FLAGS_HAS_IMAGE_SURVEY_MODE"),
+        (1 << 6, "CAMERA_CAP_FLAGS_HAS_BASIC_ZOOM"),
+        (1 << 7, "CAMERA_CAP_FLAGS_HAS_BASIC_FOCUS"),
+        (1 << 8, "CAMERA_CAP_FLAGS_HAS_VIDEO_STREAM"),
+        (1 << 9, "CAMERA_CAP_FLAGS_HAS_TRACKING_POINT"),
+        (1 << 10, "CAMERA_CAP_FLAGS_HAS_TRACKING_RECTANGLE"),
+        (1 << 11, "CAMERA_CAP_FLAGS_HAS_TRACKING_GEO_STATUS"),
+        (1 << 12, "CAMERA_CAP_FLAGS_HAS_THERMAL_RANGE"),
+        (1 << 13, "CAMERA_CAP_FLAGS_HAS_MTI"),
     ],
-};
+);
 
 wire::flags!(CameraCapFlags, u32, INFO);

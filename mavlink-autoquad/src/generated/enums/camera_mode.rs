@@ -19,14 +19,13 @@ impl CameraMode {
     pub const IMAGE_SURVEY: Self = Self(2);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "CAMERA_MODE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "CAMERA_MODE",
+    &[
         (0, "CAMERA_MODE_IMAGE"),
         (1, "CAMERA_MODE_VIDEO"),
         (2, "CAMERA_MODE_IMAGE_SURVEY"),
     ],
-};
+);
 
 wire::open_enum!(CameraMode, u8, INFO);

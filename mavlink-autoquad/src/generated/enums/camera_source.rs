@@ -21,15 +21,14 @@ impl CameraSource {
     pub const NDVI: Self = Self(3);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "CAMERA_SOURCE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "CAMERA_SOURCE",
+    &[
         (0, "CAMERA_SOURCE_DEFAULT"),
         (1, "CAMERA_SOURCE_RGB"),
         (2, "CAMERA_SOURCE_IR"),
         (3, "CAMERA_SOURCE_NDVI"),
     ],
-};
+);
 
 wire::open_enum!(CameraSource, u8, INFO);

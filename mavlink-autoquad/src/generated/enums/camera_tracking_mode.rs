@@ -19,14 +19,13 @@ impl CameraTrackingMode {
     pub const RECTANGLE: Self = Self(2);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "CAMERA_TRACKING_MODE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "CAMERA_TRACKING_MODE",
+    &[
         (0, "CAMERA_TRACKING_MODE_NONE"),
         (1, "CAMERA_TRACKING_MODE_POINT"),
         (2, "CAMERA_TRACKING_MODE_RECTANGLE"),
     ],
-};
+);
 
 wire::open_enum!(CameraTrackingMode, u8, INFO);

@@ -14,25 +14,24 @@ impl CameraTrackingStatusFlags {
     /// `CAMERA_TRACKING_STATUS_FLAGS_IDLE`.
     pub const IDLE: Self = Self(0);
     /// `CAMERA_TRACKING_STATUS_FLAGS_ACTIVE`.
-    pub const ACTIVE: Self = Self(1);
+    pub const ACTIVE: Self = Self(1 << 0);
     /// `CAMERA_TRACKING_STATUS_FLAGS_ERROR`.
-    pub const ERROR: Self = Self(2);
+    pub const ERROR: Self = Self(1 << 1);
     /// Moving targets are being marked.
-    pub const MTI: Self = Self(4);
+    pub const MTI: Self = Self(1 << 2);
     /// Target out of sight; its position is predicted.
-    pub const COASTING: Self = Self(8);
+    pub const COASTING: Self = Self(1 << 3);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "CAMERA_TRACKING_STATUS_FLAGS",
-    bitmask: true,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::bitmask(
+    "CAMERA_TRACKING_STATUS_FLAGS",
+    &[
         (0, "CAMERA_TRACKING_STATUS_FLAGS_IDLE"),
-        (1, "CAMERA_TRACKING_STATUS_FLAGS_ACTIVE"),
-        (2, "CAMERA_TRACKING_STATUS_FLAGS_ERROR"),
-        (4, "CAMERA_TRACKING_STATUS_FLAGS_MTI"),
-        (8, "CAMERA_TRACKING_STATUS_FLAGS_COASTING"),
+        (1 << 0, "CAMERA_TRACKING_STATUS_FLAGS_ACTIVE"),
+        (1 << 1, "CAMERA_TRACKING_STATUS_FLAGS_ERROR"),
+        (1 << 2, "CAMERA_TRACKING_STATUS_FLAGS_MTI"),
+        (1 << 3, "CAMERA_TRACKING_STATUS_FLAGS_COASTING"),
     ],
-};
+);
 
 wire::flags!(CameraTrackingStatusFlags, u8, INFO);

@@ -12,21 +12,20 @@ pub struct CameraTrackingTargetData(u8);
 
 impl CameraTrackingTargetData {
     /// In the picture data.
-    pub const EMBEDDED: Self = Self(1);
+    pub const EMBEDDED: Self = Self(1 << 0);
     /// Drawn into the picture.
-    pub const RENDERED: Self = Self(2);
+    pub const RENDERED: Self = Self(1 << 1);
     /// In the status message.
-    pub const IN_STATUS: Self = Self(4);
+    pub const IN_STATUS: Self = Self(1 << 2);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "CAMERA_TRACKING_TARGET_DATA",
-    bitmask: true,
-    entries: &[
-        (1, "CAMERA_TRACKING_TARGET_DATA_EMBEDDED"),
-        (2, "CAMERA_TRACKING_TARGET_DATA_RENDERED"),
-        (4, "CAMERA_TRACKING_TARGET_DATA_IN_STATUS"),
+static INFO: wire::EnumInfo = wire::EnumInfo::bitmask(
+    "CAMERA_TRACKING_TARGET_DATA",
+    &[
+        (1 << 0, "CAMERA_TRACKING_TARGET_DATA_EMBEDDED"),
+        (1 << 1, "CAMERA_TRACKING_TARGET_DATA_RENDERED"),
+        (1 << 2, "CAMERA_TRACKING_TARGET_DATA_IN_STATUS"),
     ],
-};
+);
 
 wire::flags!(CameraTrackingTargetData, u8, INFO);

@@ -23,16 +23,15 @@ impl CameraZoomType {
     pub const HORIZONTAL_FOV: Self = Self(4);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "CAMERA_ZOOM_TYPE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "CAMERA_ZOOM_TYPE",
+    &[
         (0, "ZOOM_TYPE_STEP"),
         (1, "ZOOM_TYPE_CONTINUOUS"),
         (2, "ZOOM_TYPE_RANGE"),
         (3, "ZOOM_TYPE_FOCAL_LENGTH"),
         (4, "ZOOM_TYPE_HORIZONTAL_FOV"),
     ],
-};
+);
 
 wire::open_enum!(CameraZoomType, u8, INFO);

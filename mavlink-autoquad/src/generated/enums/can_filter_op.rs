@@ -19,14 +19,9 @@ impl CanFilterOp {
     pub const REMOVE: Self = Self(2);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "CAN_FILTER_OP",
-    bitmask: false,
-    entries: &[
-        (0, "CAN_FILTER_REPLACE"),
-        (1, "CAN_FILTER_ADD"),
-        (2, "CAN_FILTER_REMOVE"),
-    ],
-};
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "CAN_FILTER_OP",
+    &[(0, "CAN_FILTER_REPLACE"), (1, "CAN_FILTER_ADD"), (2, "CAN_FILTER_REMOVE")],
+);
 
 wire::open_enum!(CanFilterOp, u8, INFO);

@@ -23,16 +23,15 @@ impl CellularConfigResponse {
     pub const BLOCKED_PUK_REQUIRED: Self = Self(4);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "CELLULAR_CONFIG_RESPONSE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "CELLULAR_CONFIG_RESPONSE",
+    &[
         (0, "CELLULAR_CONFIG_RESPONSE_ACCEPTED"),
         (1, "CELLULAR_CONFIG_RESPONSE_APN_ERROR"),
         (2, "CELLULAR_CONFIG_RESPONSE_PIN_ERROR"),
         (3, "CELLULAR_CONFIG_RESPONSE_REJECTED"),
         (4, "CELLULAR_CONFIG_BLOCKED_PUK_REQUIRED"),
     ],
-};
+);
 
 wire::open_enum!(CellularConfigResponse, u8, INFO);

@@ -21,15 +21,14 @@ impl CellularNetworkFailedReason {
     pub const SIM_ERROR: Self = Self(3);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "CELLULAR_NETWORK_FAILED_REASON",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "CELLULAR_NETWORK_FAILED_REASON",
+    &[
         (0, "CELLULAR_NETWORK_FAILED_REASON_NONE"),
         (1, "CELLULAR_NETWORK_FAILED_REASON_UNKNOWN"),
         (2, "CELLULAR_NETWORK_FAILED_REASON_SIM_MISSING"),
         (3, "CELLULAR_NETWORK_FAILED_REASON_SIM_ERROR"),
     ],
-};
+);
 
 wire::open_enum!(CellularNetworkFailedReason, u8, INFO);

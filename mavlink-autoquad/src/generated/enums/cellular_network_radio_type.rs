@@ -23,16 +23,15 @@ impl CellularNetworkRadioType {
     pub const LTE: Self = Self(4);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "CELLULAR_NETWORK_RADIO_TYPE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "CELLULAR_NETWORK_RADIO_TYPE",
+    &[
         (0, "CELLULAR_NETWORK_RADIO_TYPE_NONE"),
         (1, "CELLULAR_NETWORK_RADIO_TYPE_GSM"),
         (2, "CELLULAR_NETWORK_RADIO_TYPE_CDMA"),
         (3, "CELLULAR_NETWORK_RADIO_TYPE_WCDMA"),
         (4, "CELLULAR_NETWORK_RADIO_TYPE_LTE"),
     ],
-};
+);
 
 wire::open_enum!(CellularNetworkRadioType, u8, INFO);

@@ -39,10 +39,9 @@ impl CellularStatusFlag {
     pub const CONNECTED: Self = Self(12);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "CELLULAR_STATUS_FLAG",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "CELLULAR_STATUS_FLAG",
+    &[
         (0, "CELLULAR_STATUS_FLAG_UNKNOWN"),
         (1, "CELLULAR_STATUS_FLAG_FAILED"),
         (2, "CELLULAR_STATUS_FLAG_INITIALIZING"),
@@ -57,6 +56,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (11, "CELLULAR_STATUS_FLAG_CONNECTING"),
         (12, "CELLULAR_STATUS_FLAG_CONNECTED"),
     ],
-};
+);
 
 wire::open_enum!(CellularStatusFlag, u8, INFO);

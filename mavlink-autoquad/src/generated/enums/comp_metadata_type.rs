@@ -25,10 +25,9 @@ impl CompMetadataType {
     pub const ACTUATORS: Self = Self(5);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "COMP_METADATA_TYPE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "COMP_METADATA_TYPE",
+    &[
         (0, "COMP_METADATA_TYPE_GENERAL"),
         (1, "COMP_METADATA_TYPE_PARAMETER"),
         (2, "COMP_METADATA_TYPE_COMMANDS"),
@@ -36,6 +35,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (4, "COMP_METADATA_TYPE_EVENTS"),
         (5, "COMP_METADATA_TYPE_ACTUATORS"),
     ],
-};
+);
 
 wire::open_enum!(CompMetadataType, u8, INFO);

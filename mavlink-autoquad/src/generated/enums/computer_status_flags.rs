@@ -12,24 +12,23 @@ pub struct ComputerStatusFlags(u16);
 
 impl ComputerStatusFlags {
     /// Supply voltage out of range.
-    pub const UNDER_VOLTAGE: Self = Self(1);
+    pub const UNDER_VOLTAGE: Self = Self(1 << 0);
     /// Processor slowed down.
-    pub const CPU_THROTTLE: Self = Self(2);
+    pub const CPU_THROTTLE: Self = Self(1 << 1);
     /// Slowed down because of heat.
-    pub const THERMAL_THROTTLE: Self = Self(4);
+    pub const THERMAL_THROTTLE: Self = Self(1 << 2);
     /// Storage full.
-    pub const DISK_FULL: Self = Self(8);
+    pub const DISK_FULL: Self = Self(1 << 3);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "COMPUTER_STATUS_FLAGS",
-    bitmask: true,
-    entries: &[
-        (1, "COMPUTER_STATUS_FLAGS_UNDER_VOLTAGE"),
-        (2, "COMPUTER_STATUS_FLAGS_CPU_THROTTLE"),
-        (4, "COMPUTER_STATUS_FLAGS_THERMAL_THROTTLE"),
-        (8, "COMPUTER_STATUS_FLAGS_DISK_FULL"),
+static INFO: wire::EnumInfo = wire::EnumInfo::bitmask(
+    "COMPUTER_STATUS_FLAGS",
+    &[
+        (1 << 0, "COMPUTER_STATUS_FLAGS_UNDER_VOLTAGE"),
+        (1 << 1, "COMPUTER_STATUS_FLAGS_CPU_THROTTLE"),
+        (1 << 2, "COMPUTER_STATUS_FLAGS_THERMAL_THROTTLE"),
+        (1 << 3, "COMPUTER_STATUS_FLAGS_DISK_FULL"),
     ],
-};
+);
 
 wire::flags!(ComputerStatusFlags, u16, INFO);

@@ -12,13 +12,12 @@ pub struct EngineControlOptions(u8);
 
 impl EngineControlOptions {
     /// May start while disarmed.
-    pub const ALLOW_START_WHILE_DISARMED: Self = Self(1);
+    pub const ALLOW_START_WHILE_DISARMED: Self = Self(1 << 0);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "ENGINE_CONTROL_OPTIONS",
-    bitmask: true,
-    entries: &[(1, "ENGINE_CONTROL_OPTIONS_ALLOW_START_WHILE_DISARMED")],
-};
+static INFO: wire::EnumInfo = wire::EnumInfo::bitmask(
+    "ENGINE_CONTROL_OPTIONS",
+    &[(1 << 0, "ENGINE_CONTROL_OPTIONS_ALLOW_START_WHILE_DISARMED")],
+);
 
 wire::flags!(EngineControlOptions, u8, INFO);

@@ -29,10 +29,9 @@ impl Esc32DisarmV2 {
     pub const CAN_USER: Self = Self(7);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "ESC32_DISARM_V2",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "ESC32_DISARM_V2",
+    &[
         (0, "ESC32_DISARM_V2_STARTUP"),
         (1, "ESC32_DISARM_V2_BAD_DETECTS"),
         (2, "ESC32_DISARM_V2_CROSSING_TIMEOUT"),
@@ -42,6 +41,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (6, "ESC32_DISARM_V2_BINARY_USER"),
         (7, "ESC32_DISARM_V2_CAN_USER"),
     ],
-};
+);
 
 wire::open_enum!(Esc32DisarmV2, u8, INFO);

@@ -29,10 +29,9 @@ impl Esc32DisarmV3 {
     pub const PWM_TIMEOUT: Self = Self(7);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "ESC32_DISARM_V3",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "ESC32_DISARM_V3",
+    &[
         (0, "ESC32_DISARM_V3_NONE"),
         (1, "ESC32_DISARM_V3_CLI_USER"),
         (2, "ESC32_DISARM_V3_BINARY_USER"),
@@ -42,6 +41,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (6, "ESC32_DISARM_V3_CROSSING_TIMEOUT"),
         (7, "ESC32_DISARM_V3_PWM_TIMEOUT"),
     ],
-};
+);
 
 wire::open_enum!(Esc32DisarmV3, u8, INFO);

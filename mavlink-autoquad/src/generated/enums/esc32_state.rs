@@ -22,16 +22,15 @@ impl Esc32State {
     pub const RUNNING: Self = Self(4);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "ESC32_STATE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "ESC32_STATE",
+    &[
         (0, "ESC32_STATE_DISARMED"),
         (1, "ESC32_STATE_STOPPED"),
         (2, "ESC32_STATE_NOCOMM"),
         (3, "ESC32_STATE_STARTING"),
         (4, "ESC32_STATE_RUNNING"),
     ],
-};
+);
 
 wire::open_enum!(Esc32State, u8, INFO);

@@ -25,10 +25,9 @@ impl EscConnectionType {
     pub const DSHOT: Self = Self(5);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "ESC_CONNECTION_TYPE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "ESC_CONNECTION_TYPE",
+    &[
         (0, "ESC_CONNECTION_TYPE_PPM"),
         (1, "ESC_CONNECTION_TYPE_SERIAL"),
         (2, "ESC_CONNECTION_TYPE_ONESHOT"),
@@ -36,6 +35,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (4, "ESC_CONNECTION_TYPE_CAN"),
         (5, "ESC_CONNECTION_TYPE_DSHOT"),
     ],
-};
+);
 
 wire::open_enum!(EscConnectionType, u8, INFO);

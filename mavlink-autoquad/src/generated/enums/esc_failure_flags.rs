@@ -12,33 +12,32 @@ pub struct EscFailureFlags(u16);
 
 impl EscFailureFlags {
     /// Current too high.
-    pub const OVER_CURRENT: Self = Self(1);
+    pub const OVER_CURRENT: Self = Self(1 << 0);
     /// Voltage too high.
-    pub const OVER_VOLTAGE: Self = Self(2);
+    pub const OVER_VOLTAGE: Self = Self(1 << 1);
     /// Temperature too high.
-    pub const OVER_TEMPERATURE: Self = Self(4);
+    pub const OVER_TEMPERATURE: Self = Self(1 << 2);
     /// Speed too high.
-    pub const OVER_RPM: Self = Self(8);
+    pub const OVER_RPM: Self = Self(1 << 3);
     /// Commands that contradict each other.
-    pub const INCONSISTENT_CMD: Self = Self(0x10);
+    pub const INCONSISTENT_CMD: Self = Self(1 << 4);
     /// Motor does not turn.
-    pub const MOTOR_STUCK: Self = Self(0x20);
+    pub const MOTOR_STUCK: Self = Self(1 << 5);
     /// Some other failure.
-    pub const GENERIC: Self = Self(0x40);
+    pub const GENERIC: Self = Self(1 << 6);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "ESC_FAILURE_FLAGS",
-    bitmask: true,
-    entries: &[
-        (1, "ESC_FAILURE_OVER_CURRENT"),
-        (2, "ESC_FAILURE_OVER_VOLTAGE"),
-        (4, "ESC_FAILURE_OVER_TEMPERATURE"),
-        (8, "ESC_FAILURE_OVER_RPM"),
-        (0x10, "ESC_FAILURE_INCONSISTENT_CMD"),
-        (0x20, "ESC_FAILURE_MOTOR_STUCK"),
-        (0x40, "ESC_FAILURE_GENERIC"),
+static INFO: wire::EnumInfo = wire::EnumInfo::bitmask(
+    "ESC_FAILURE_FLAGS",
+    &[
+        (1 << 0, "ESC_FAILURE_OVER_CURRENT"),
+        (1 << 1, "ESC_FAILURE_OVER_VOLTAGE"),
+        (1 << 2, "ESC_FAILURE_OVER_TEMPERATURE"),
+        (1 << 3, "ESC_FAILURE_OVER_RPM"),
+        (1 << 4, "ESC_FAILURE_INCONSISTENT_CMD"),
+        (1 << 5, "ESC_FAILURE_MOTOR_STUCK"),
+        (1 << 6, "ESC_FAILURE_GENERIC"),
     ],
-};
+);
 
 wire::flags!(EscFailureFlags, u16, INFO);

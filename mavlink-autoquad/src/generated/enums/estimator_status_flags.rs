@@ -12,48 +12,47 @@ pub struct EstimatorStatusFlags(u16);
 
 impl EstimatorStatusFlags {
     /// Attitude is good.
-    pub const ATTITUDE: Self = Self(1);
+    pub const ATTITUDE: Self = Self(1 << 0);
     /// Horizontal velocity is good.
-    pub const VELOCITY_HORIZ: Self = Self(2);
+    pub const VELOCITY_HORIZ: Self = Self(1 << 1);
     /// Vertical velocity is good.
-    pub const VELOCITY_VERT: Self = Self(4);
+    pub const VELOCITY_VERT: Self = Self(1 << 2);
     /// Horizontal position relative to a start is good.
-    pub const POS_HORIZ_REL: Self = Self(8);
+    pub const POS_HORIZ_REL: Self = Self(1 << 3);
     /// Horizontal position on the globe is good.
-    pub const POS_HORIZ_ABS: Self = Self(0x10);
+    pub const POS_HORIZ_ABS: Self = Self(1 << 4);
     /// Altitude is good.
-    pub const POS_VERT_ABS: Self = Self(0x20);
+    pub const POS_VERT_ABS: Self = Self(1 << 5);
     /// Height over ground is good.
-    pub const POS_VERT_AGL: Self = Self(0x40);
+    pub const POS_VERT_AGL: Self = Self(1 << 6);
     /// Assumes to stand still, without outside measurements.
-    pub const CONST_POS_MODE: Self = Self(0x80);
+    pub const CONST_POS_MODE: Self = Self(1 << 7);
     /// Could give a relative position if asked to.
-    pub const PRED_POS_HORIZ_REL: Self = Self(0x100);
+    pub const PRED_POS_HORIZ_REL: Self = Self(1 << 8);
     /// Could give a position on the globe if asked to.
-    pub const PRED_POS_HORIZ_ABS: Self = Self(0x200);
+    pub const PRED_POS_HORIZ_ABS: Self = Self(1 << 9);
     /// Satellite position jumps.
-    pub const GPS_GLITCH: Self = Self(0x400);
+    pub const GPS_GLITCH: Self = Self(1 << 10);
     /// Accelerometer data is bad.
-    pub const ACCEL_ERROR: Self = Self(0x800);
+    pub const ACCEL_ERROR: Self = Self(1 << 11);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "ESTIMATOR_STATUS_FLAGS",
-    bitmask: true,
-    entries: &[
-        (1, "ESTIMATOR_ATTITUDE"),
-        (2, "ESTIMATOR_VELOCITY_HORIZ"),
-        (4, "ESTIMATOR_VELOCITY_VERT"),
-        (8, "ESTIMATOR_POS_HORIZ_REL"),
-        (0x10, "ESTIMATOR_POS_HORIZ_ABS"),
-        (0x20, "ESTIMATOR_POS_VERT_ABS"),
-        (0x40, "ESTIMATOR_POS_VERT_AGL"),
-        (0x80, "ESTIMATOR_CONST_POS_MODE"),
-        (0x100, "ESTIMATOR_PRED_POS_HORIZ_REL"),
-        (0x200, "ESTIMATOR_PRED_POS_HORIZ_ABS"),
-        (0x400, "ESTIMATOR_GPS_GLITCH"),
-        (0x800, "ESTIMATOR_ACCEL_ERROR"),
+static INFO: wire::EnumInfo = wire::EnumInfo::bitmask(
+    "ESTIMATOR_STATUS_FLAGS",
+    &[
+        (1 << 0, "ESTIMATOR_ATTITUDE"),
+        (1 << 1, "ESTIMATOR_VELOCITY_HORIZ"),
+        (1 << 2, "ESTIMATOR_VELOCITY_VERT"),
+        (1 << 3, "ESTIMATOR_POS_HORIZ_REL"),
+        (1 << 4, "ESTIMATOR_POS_HORIZ_ABS"),
+        (1 << 5, "ESTIMATOR_POS_VERT_ABS"),
+        (1 << 6, "ESTIMATOR_POS_VERT_AGL"),
+        (1 << 7, "ESTIMATOR_CONST_POS_MODE"),
+        (1 << 8, "ESTIMATOR_PRED_POS_HORIZ_REL"),
+        (1 << 9, "ESTIMATOR_PRED_POS_HORIZ_ABS"),
+        (1 << 10, "ESTIMATOR_GPS_GLITCH"),
+        (1 << 11, "ESTIMATOR_ACCEL_ERROR"),
     ],
-};
+);
 
 wire::flags!(EstimatorStatusFlags, u16, INFO);

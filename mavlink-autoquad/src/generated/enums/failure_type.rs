@@ -31,10 +31,9 @@ impl FailureType {
     pub const DRIFT: Self = Self(8);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "FAILURE_TYPE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "FAILURE_TYPE",
+    &[
         (0, "FAILURE_TYPE_OK"),
         (1, "FAILURE_TYPE_OFF"),
         (2, "FAILURE_TYPE_STUCK"),
@@ -45,6 +44,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (7, "FAILURE_TYPE_INTERMITTENT"),
         (8, "FAILURE_TYPE_DRIFT"),
     ],
-};
+);
 
 wire::open_enum!(FailureType, u8, INFO);

@@ -47,10 +47,9 @@ impl FailureUnit {
     pub const SYSTEM_TRAFFIC_AVOIDANCE: Self = Self(107);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "FAILURE_UNIT",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "FAILURE_UNIT",
+    &[
         (0, "FAILURE_UNIT_SENSOR_GYRO"),
         (1, "FAILURE_UNIT_SENSOR_ACCEL"),
         (2, "FAILURE_UNIT_SENSOR_MAG"),
@@ -69,6 +68,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (106, "FAILURE_UNIT_SYSTEM_ESC"),
         (107, "FAILURE_UNIT_SYSTEM_TRAFFIC_AVOIDANCE"),
     ],
-};
+);
 
 wire::open_enum!(FailureUnit, u8, INFO);

@@ -21,15 +21,14 @@ impl FenceBreach {
     pub const BOUNDARY: Self = Self(3);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "FENCE_BREACH",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "FENCE_BREACH",
+    &[
         (0, "FENCE_BREACH_NONE"),
         (1, "FENCE_BREACH_MINALT"),
         (2, "FENCE_BREACH_MAXALT"),
         (3, "FENCE_BREACH_BOUNDARY"),
     ],
-};
+);
 
 wire::open_enum!(FenceBreach, u8, INFO);

@@ -19,14 +19,13 @@ impl FenceMitigate {
     pub const VEL_LIMIT: Self = Self(2);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "FENCE_MITIGATE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "FENCE_MITIGATE",
+    &[
         (0, "FENCE_MITIGATE_UNKNOWN"),
         (1, "FENCE_MITIGATE_NONE"),
         (2, "FENCE_MITIGATE_VEL_LIMIT"),
     ],
-};
+);
 
 wire::open_enum!(FenceMitigate, u8, INFO);

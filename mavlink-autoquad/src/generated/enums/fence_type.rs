@@ -12,24 +12,23 @@ pub struct FenceType(u8);
 
 impl FenceType {
     /// `FENCE_TYPE_ALT_MAX`.
-    pub const ALT_MAX: Self = Self(1);
+    pub const ALT_MAX: Self = Self(1 << 0);
     /// `FENCE_TYPE_CIRCLE`.
-    pub const CIRCLE: Self = Self(2);
+    pub const CIRCLE: Self = Self(1 << 1);
     /// `FENCE_TYPE_POLYGON`.
-    pub const POLYGON: Self = Self(4);
+    pub const POLYGON: Self = Self(1 << 2);
     /// `FENCE_TYPE_ALT_MIN`.
-    pub const ALT_MIN: Self = Self(8);
+    pub const ALT_MIN: Self = Self(1 << 3);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "FENCE_TYPE",
-    bitmask: true,
-    entries: &[
-        (1, "FENCE_TYPE_ALT_MAX"),
-        (2, "FENCE_TYPE_CIRCLE"),
-        (4, "FENCE_TYPE_POLYGON"),
-        (8, "FENCE_TYPE_ALT_MIN"),
+static INFO: wire::EnumInfo = wire::EnumInfo::bitmask(
+    "FENCE_TYPE",
+    &[
+        (1 << 0, "FENCE_TYPE_ALT_MAX"),
+        (1 << 1, "FENCE_TYPE_CIRCLE"),
+        (1 << 2, "FENCE_TYPE_POLYGON"),
+        (1 << 3, "FENCE_TYPE_ALT_MIN"),
     ],
-};
+);
 
 wire::flags!(FenceType, u8, INFO);

@@ -24,16 +24,15 @@ impl FirmwareVersionType {
     pub const OFFICIAL: Self = Self(255);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "FIRMWARE_VERSION_TYPE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "FIRMWARE_VERSION_TYPE",
+    &[
         (0, "FIRMWARE_VERSION_TYPE_DEV"),
         (64, "FIRMWARE_VERSION_TYPE_ALPHA"),
         (128, "FIRMWARE_VERSION_TYPE_BETA"),
         (192, "FIRMWARE_VERSION_TYPE_RC"),
         (255, "FIRMWARE_VERSION_TYPE_OFFICIAL"),
     ],
-};
+);
 
 wire::open_enum!(FirmwareVersionType, u8, INFO);

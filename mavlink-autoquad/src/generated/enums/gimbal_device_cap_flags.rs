@@ -12,60 +12,59 @@ pub struct GimbalDeviceCapFlags(u32);
 
 impl GimbalDeviceCapFlags {
     /// Has a retracted position.
-    pub const HAS_RETRACT: Self = Self(1);
+    pub const HAS_RETRACT: Self = Self(1 << 0);
     /// Has a neutral position.
-    pub const HAS_NEUTRAL: Self = Self(2);
+    pub const HAS_NEUTRAL: Self = Self(1 << 1);
     /// Can roll.
-    pub const HAS_ROLL_AXIS: Self = Self(4);
+    pub const HAS_ROLL_AXIS: Self = Self(1 << 2);
     /// Roll can follow the vehicle.
-    pub const HAS_ROLL_FOLLOW: Self = Self(8);
+    pub const HAS_ROLL_FOLLOW: Self = Self(1 << 3);
     /// Roll can stay level.
-    pub const HAS_ROLL_LOCK: Self = Self(0x10);
+    pub const HAS_ROLL_LOCK: Self = Self(1 << 4);
     /// Can pitch.
-    pub const HAS_PITCH_AXIS: Self = Self(0x20);
+    pub const HAS_PITCH_AXIS: Self = Self(1 << 5);
     /// Pitch can follow the vehicle.
-    pub const HAS_PITCH_FOLLOW: Self = Self(0x40);
+    pub const HAS_PITCH_FOLLOW: Self = Self(1 << 6);
     /// Pitch can hold against the horizon.
-    pub const HAS_PITCH_LOCK: Self = Self(0x80);
+    pub const HAS_PITCH_LOCK: Self = Self(1 << 7);
     /// Can yaw.
-    pub const HAS_YAW_AXIS: Self = Self(0x100);
+    pub const HAS_YAW_AXIS: Self = Self(1 << 8);
     /// Yaw can follow the vehicle.
-    pub const HAS_YAW_FOLLOW: Self = Self(0x200);
+    pub const HAS_YAW_FOLLOW: Self = Self(1 << 9);
     /// Yaw can hold against north.
-    pub const HAS_YAW_LOCK: Self = Self(0x400);
+    pub const HAS_YAW_LOCK: Self = Self(1 << 10);
     /// Can turn round and round.
-    pub const SUPPORTS_INFINITE_YAW: Self = Self(0x800);
+    pub const SUPPORTS_INFINITE_YAW: Self = Self(1 << 11);
     /// Can take and report yaw from north; it may need a heading from the vehicle.
-    pub const SUPPORTS_YAW_IN_EARTH_FRAME: Self = Self(0x1000);
+    pub const SUPPORTS_YAW_IN_EARTH_FRAME: Self = Self(1 << 12);
     /// Has radio control inputs of its own.
-    pub const HAS_RC_INPUTS: Self = Self(0x2000);
+    pub const HAS_RC_INPUTS: Self = Self(1 << 13);
     /// Can point to a local position.
-    pub const CAN_POINT_LOCATION_LOCAL: Self = Self(0x1_0000);
+    pub const CAN_POINT_LOCATION_LOCAL: Self = Self(1 << 16);
     /// Can point to a place on the globe.
-    pub const CAN_POINT_LOCATION_GLOBAL: Self = Self(0x2_0000);
+    pub const CAN_POINT_LOCATION_GLOBAL: Self = Self(1 << 17);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "GIMBAL_DEVICE_CAP_FLAGS",
-    bitmask: true,
-    entries: &[
-        (1, "GIMBAL_DEVICE_CAP_FLAGS_HAS_RETRACT"),
-        (2, "GIMBAL_DEVICE_CAP_FLAGS_HAS_NEUTRAL"),
-        (4, "GIMBAL_DEVICE_CAP_FLAGS_HAS_ROLL_AXIS"),
-        (8, "GIMBAL_DEVICE_CAP_FLAGS_HAS_ROLL_FOLLOW"),
-        (0x10, "GIMBAL_DEVICE_CAP_FLAGS_HAS_ROLL_LOCK"),
-        (0x20, "GIMBAL_DEVICE_CAP_FLAGS_HAS_PITCH_AXIS"),
-        (0x40, "GIMBAL_DEVICE_CAP_FLAGS_HAS_PITCH_FOLLOW"),
-        (0x80, "GIMBAL_DEVICE_CAP_FLAGS_HAS_PITCH_LOCK"),
-        (0x100, "GIMBAL_DEVICE_CAP_FLAGS_HAS_YAW_AXIS"),
-        (0x200, "GIMBAL_DEVICE_CAP_FLAGS_HAS_YAW_FOLLOW"),
-        (0x400, "GIMBAL_DEVICE_CAP_FLAGS_HAS_YAW_LOCK"),
-        (0x800, "GIMBAL_DEVICE_CAP_FLAGS_SUPPORTS_INFINITE_YAW"),
-        (0x1000, "GIMBAL_DEVICE_CAP_FLAGS_SUPPORTS_YAW_IN_EARTH_FRAME"),
-        (0x2000, "GIMBAL_DEVICE_CAP_FLAGS_HAS_RC_INPUTS"),
-        (0x1_0000, "GIMBAL_DEVICE_CAP_FLAGS_CAN_POINT_LOCATION_LOCAL"),
-        (0x2_0000, "GIMBAL_DEVICE_CAP_FLAGS_CAN_POINT_LOCATION_GLOBAL"),
+static INFO: wire::EnumInfo = wire::EnumInfo::bitmask(
+    "GIMBAL_DEVICE_CAP_FLAGS",
+    &[
+        (1 << 0, "GIMBAL_DEVICE_CAP_FLAGS_HAS_RETRACT"),
+        (1 << 1, "GIMBAL_DEVICE_CAP_FLAGS_HAS_NEUTRAL"),
+        (1 << 2, "GIMBAL_DEVICE_CAP_FLAGS_HAS_ROLL_AXIS"),
+        (1 << 3, "GIMBAL_DEVICE_CAP_FLAGS_HAS_ROLL_FOLLOW"),
+        (1 << 4, "GIMBAL_DEVICE_CAP_FLAGS_HAS_ROLL_LOCK"),
+        (1 << 5, "GIMBAL_DEVICE_CAP_FLAGS_HAS_PITCH_AXIS"),
+        (1 << 6, "GIMBAL_DEVICE_CAP_FLAGS_HAS_PITCH_FOLLOW"),
+        (1 << 7, "GIMBAL_DEVICE_CAP_FLAGS_HAS_PITCH_LOCK"),
+        (1 << 8, "GIMBAL_DEVICE_CAP_FLAGS_HAS_YAW_AXIS"),
+        (1 << 9, "GIMBAL_DEVICE_CAP_FLAGS_HAS_YAW_FOLLOW"),
+        (1 << 10, "GIMBAL_DEVICE_CAP_FLAGS_HAS_YAW_LOCK"),
+        (1 << 11, "GIMBAL_DEVICE_CAP_FLAGS_SUPPORTS_INFINITE_YAW"),
+        (1 << 12, "GIMBAL_DEVICE_CAP_FLAGS_SUPPORTS_YAW_IN_EARTH_FRAME"),
+        (1 << 13, "GIMBAL_DEVICE_CAP_FLAGS_HAS_RC_INPUTS"),
+        (1 << 16, "GIMBAL_DEVICE_CAP_FLAGS_CAN_POINT_LOCATION_LOCAL"),
+        (1 << 17, "GIMBAL_DEVICE_CAP_FLAGS_CAN_POINT_LOCATION_GLOBAL"),
     ],
-};
+);
 
 wire::flags!(GimbalDeviceCapFlags, u32, INFO);

@@ -12,42 +12,41 @@ pub struct GimbalDeviceErrorFlags(u32);
 
 impl GimbalDeviceErrorFlags {
     /// At the end of the roll range.
-    pub const AT_ROLL_LIMIT: Self = Self(1);
+    pub const AT_ROLL_LIMIT: Self = Self(1 << 0);
     /// At the end of the pitch range.
-    pub const AT_PITCH_LIMIT: Self = Self(2);
+    pub const AT_PITCH_LIMIT: Self = Self(1 << 1);
     /// At the end of the yaw range.
-    pub const AT_YAW_LIMIT: Self = Self(4);
+    pub const AT_YAW_LIMIT: Self = Self(1 << 2);
     /// Encoder fault.
-    pub const ENCODER_ERROR: Self = Self(8);
+    pub const ENCODER_ERROR: Self = Self(1 << 3);
     /// Power fault.
-    pub const POWER_ERROR: Self = Self(0x10);
+    pub const POWER_ERROR: Self = Self(1 << 4);
     /// Motor fault.
-    pub const MOTOR_ERROR: Self = Self(0x20);
+    pub const MOTOR_ERROR: Self = Self(1 << 5);
     /// Software fault.
-    pub const SOFTWARE_ERROR: Self = Self(0x40);
+    pub const SOFTWARE_ERROR: Self = Self(1 << 6);
     /// Communication fault.
-    pub const COMMS_ERROR: Self = Self(0x80);
+    pub const COMMS_ERROR: Self = Self(1 << 7);
     /// Calibrating.
-    pub const CALIBRATION_RUNNING: Self = Self(0x100);
+    pub const CALIBRATION_RUNNING: Self = Self(1 << 8);
     /// No gimbal manager has taken it.
-    pub const NO_MANAGER: Self = Self(0x200);
+    pub const NO_MANAGER: Self = Self(1 << 9);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "GIMBAL_DEVICE_ERROR_FLAGS",
-    bitmask: true,
-    entries: &[
-        (1, "GIMBAL_DEVICE_ERROR_FLAGS_AT_ROLL_LIMIT"),
-        (2, "GIMBAL_DEVICE_ERROR_FLAGS_AT_PITCH_LIMIT"),
-        (4, "GIMBAL_DEVICE_ERROR_FLAGS_AT_YAW_LIMIT"),
-        (8, "GIMBAL_DEVICE_ERROR_FLAGS_ENCODER_ERROR"),
-        (0x10, "GIMBAL_DEVICE_ERROR_FLAGS_POWER_ERROR"),
-        (0x20, "GIMBAL_DEVICE_ERROR_FLAGS_MOTOR_ERROR"),
-        (0x40, "GIMBAL_DEVICE_ERROR_FLAGS_SOFTWARE_ERROR"),
-        (0x80, "GIMBAL_DEVICE_ERROR_FLAGS_COMMS_ERROR"),
-        (0x100, "GIMBAL_DEVICE_ERROR_FLAGS_CALIBRATION_RUNNING"),
-        (0x200, "GIMBAL_DEVICE_ERROR_FLAGS_NO_MANAGER"),
+static INFO: wire::EnumInfo = wire::EnumInfo::bitmask(
+    "GIMBAL_DEVICE_ERROR_FLAGS",
+    &[
+        (1 << 0, "GIMBAL_DEVICE_ERROR_FLAGS_AT_ROLL_LIMIT"),
+        (1 << 1, "GIMBAL_DEVICE_ERROR_FLAGS_AT_PITCH_LIMIT"),
+        (1 << 2, "GIMBAL_DEVICE_ERROR_FLAGS_AT_YAW_LIMIT"),
+        (1 << 3, "GIMBAL_DEVICE_ERROR_FLAGS_ENCODER_ERROR"),
+        (1 << 4, "GIMBAL_DEVICE_ERROR_FLAGS_POWER_ERROR"),
+        (1 << 5, "GIMBAL_DEVICE_ERROR_FLAGS_MOTOR_ERROR"),
+        (1 << 6, "GIMBAL_DEVICE_ERROR_FLAGS_SOFTWARE_ERROR"),
+        (1 << 7, "GIMBAL_DEVICE_ERROR_FLAGS_COMMS_ERROR"),
+        (1 << 8, "GIMBAL_DEVICE_ERROR_FLAGS_CALIBRATION_RUNNING"),
+        (1 << 9, "GIMBAL_DEVICE_ERROR_FLAGS_NO_MANAGER"),
     ],
-};
+);
 
 wire::flags!(GimbalDeviceErrorFlags, u32, INFO);

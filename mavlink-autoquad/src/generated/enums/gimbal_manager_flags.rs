@@ -12,42 +12,41 @@ pub struct GimbalManagerFlags(u32);
 
 impl GimbalManagerFlags {
     /// Retracted and not stabilised; overrides everything else.
-    pub const RETRACT: Self = Self(1);
+    pub const RETRACT: Self = Self(1 << 0);
     /// Neutral position, mostly level and forward; overrides all but retract.
-    pub const NEUTRAL: Self = Self(2);
+    pub const NEUTRAL: Self = Self(1 << 1);
     /// Roll holds against the horizon instead of the vehicle.
-    pub const ROLL_LOCK: Self = Self(4);
+    pub const ROLL_LOCK: Self = Self(1 << 2);
     /// Pitch holds against the horizon instead of the vehicle.
-    pub const PITCH_LOCK: Self = Self(8);
+    pub const PITCH_LOCK: Self = Self(1 << 3);
     /// Yaw holds against north instead of the vehicle.
-    pub const YAW_LOCK: Self = Self(0x10);
+    pub const YAW_LOCK: Self = Self(1 << 4);
     /// Yaw and yaw rate count from the vehicle's heading.
-    pub const YAW_IN_VEHICLE_FRAME: Self = Self(0x20);
+    pub const YAW_IN_VEHICLE_FRAME: Self = Self(1 << 5);
     /// Yaw and yaw rate count from north.
-    pub const YAW_IN_EARTH_FRAME: Self = Self(0x40);
+    pub const YAW_IN_EARTH_FRAME: Self = Self(1 << 6);
     /// Report only: yaw from north is accepted.
-    pub const ACCEPTS_YAW_IN_EARTH_FRAME: Self = Self(0x80);
+    pub const ACCEPTS_YAW_IN_EARTH_FRAME: Self = Self(1 << 7);
     /// Only the gimbal's radio control inputs count.
-    pub const RC_EXCLUSIVE: Self = Self(0x100);
+    pub const RC_EXCLUSIVE: Self = Self(1 << 8);
     /// Radio control inputs and messages both count.
-    pub const RC_MIXED: Self = Self(0x200);
+    pub const RC_MIXED: Self = Self(1 << 9);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "GIMBAL_MANAGER_FLAGS",
-    bitmask: true,
-    entries: &[
-        (1, "GIMBAL_MANAGER_FLAGS_RETRACT"),
-        (2, "GIMBAL_MANAGER_FLAGS_NEUTRAL"),
-        (4, "GIMBAL_MANAGER_FLAGS_ROLL_LOCK"),
-        (8, "GIMBAL_MANAGER_FLAGS_PITCH_LOCK"),
-        (0x10, "GIMBAL_MANAGER_FLAGS_YAW_LOCK"),
-        (0x20, "GIMBAL_MANAGER_FLAGS_YAW_IN_VEHICLE_FRAME"),
-        (0x40, "GIMBAL_MANAGER_FLAGS_YAW_IN_EARTH_FRAME"),
-        (0x80, "GIMBAL_MANAGER_FLAGS_ACCEPTS_YAW_IN_EARTH_FRAME"),
-        (0x100, "GIMBAL_MANAGER_FLAGS_RC_EXCLUSIVE"),
-        (0x200, "GIMBAL_MANAGER_FLAGS_RC_MIXED"),
+static INFO: wire::EnumInfo = wire::EnumInfo::bitmask(
+    "GIMBAL_MANAGER_FLAGS",
+    &[
+        (1 << 0, "GIMBAL_MANAGER_FLAGS_RETRACT"),
+        (1 << 1, "GIMBAL_MANAGER_FLAGS_NEUTRAL"),
+        (1 << 2, "GIMBAL_MANAGER_FLAGS_ROLL_LOCK"),
+        (1 << 3, "GIMBAL_MANAGER_FLAGS_PITCH_LOCK"),
+        (1 << 4, "GIMBAL_MANAGER_FLAGS_YAW_LOCK"),
+        (1 << 5, "GIMBAL_MANAGER_FLAGS_YAW_IN_VEHICLE_FRAME"),
+        (1 << 6, "GIMBAL_MANAGER_FLAGS_YAW_IN_EARTH_FRAME"),
+        (1 << 7, "GIMBAL_MANAGER_FLAGS_ACCEPTS_YAW_IN_EARTH_FRAME"),
+        (1 << 8, "GIMBAL_MANAGER_FLAGS_RC_EXCLUSIVE"),
+        (1 << 9, "GIMBAL_MANAGER_FLAGS_RC_MIXED"),
     ],
-};
+);
 
 wire::flags!(GimbalManagerFlags, u32, INFO);

@@ -12,15 +12,14 @@ pub struct GlobalPositionFlags(u8);
 
 impl GlobalPositionFlags {
     /// Not healthy.
-    pub const UNHEALTHY: Self = Self(1);
+    pub const UNHEALTHY: Self = Self(1 << 0);
     /// The one in use for navigation.
-    pub const PRIMARY: Self = Self(2);
+    pub const PRIMARY: Self = Self(1 << 1);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "GLOBAL_POSITION_FLAGS",
-    bitmask: true,
-    entries: &[(1, "GLOBAL_POSITION_UNHEALTHY"), (2, "GLOBAL_POSITION_PRIMARY")],
-};
+static INFO: wire::EnumInfo = wire::EnumInfo::bitmask(
+    "GLOBAL_POSITION_FLAGS",
+    &[(1 << 0, "GLOBAL_POSITION_UNHEALTHY"), (1 << 1, "GLOBAL_POSITION_PRIMARY")],
+);
 
 wire::flags!(GlobalPositionFlags, u8, INFO);

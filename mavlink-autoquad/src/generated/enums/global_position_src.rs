@@ -29,10 +29,9 @@ impl GlobalPositionSrc {
     pub const LEO: Self = Self(7);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "GLOBAL_POSITION_SRC",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "GLOBAL_POSITION_SRC",
+    &[
         (0, "GLOBAL_POSITION_SRC_UNKNOWN"),
         (1, "GLOBAL_POSITION_SRC_GNSS"),
         (2, "GLOBAL_POSITION_SRC_VISION"),
@@ -42,6 +41,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (6, "GLOBAL_POSITION_SRC_ESTIMATOR"),
         (7, "GLOBAL_POSITION_SRC_LEO"),
     ],
-};
+);
 
 wire::open_enum!(GlobalPositionSrc, u8, INFO);

@@ -31,10 +31,9 @@ impl GpsFixType {
     pub const PPP: Self = Self(8);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "GPS_FIX_TYPE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "GPS_FIX_TYPE",
+    &[
         (0, "GPS_FIX_TYPE_NO_GPS"),
         (1, "GPS_FIX_TYPE_NO_FIX"),
         (2, "GPS_FIX_TYPE_2D_FIX"),
@@ -45,6 +44,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (7, "GPS_FIX_TYPE_STATIC"),
         (8, "GPS_FIX_TYPE_PPP"),
     ],
-};
+);
 
 wire::open_enum!(GpsFixType, u8, INFO);

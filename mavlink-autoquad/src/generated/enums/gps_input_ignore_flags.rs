@@ -12,36 +12,35 @@ pub struct GpsInputIgnoreFlags(u16);
 
 impl GpsInputIgnoreFlags {
     /// `GPS_INPUT_IGNORE_FLAG_ALT`.
-    pub const ALT: Self = Self(1);
+    pub const ALT: Self = Self(1 << 0);
     /// `GPS_INPUT_IGNORE_FLAG_HDOP`.
-    pub const HDOP: Self = Self(2);
+    pub const HDOP: Self = Self(1 << 1);
     /// `GPS_INPUT_IGNORE_FLAG_VDOP`.
-    pub const VDOP: Self = Self(4);
+    pub const VDOP: Self = Self(1 << 2);
     /// `GPS_INPUT_IGNORE_FLAG_VEL_HORIZ`.
-    pub const VEL_HORIZ: Self = Self(8);
+    pub const VEL_HORIZ: Self = Self(1 << 3);
     /// `GPS_INPUT_IGNORE_FLAG_VEL_VERT`.
-    pub const VEL_VERT: Self = Self(0x10);
+    pub const VEL_VERT: Self = Self(1 << 4);
     /// `GPS_INPUT_IGNORE_FLAG_SPEED_ACCURACY`.
-    pub const SPEED_ACCURACY: Self = Self(0x20);
+    pub const SPEED_ACCURACY: Self = Self(1 << 5);
     /// `GPS_INPUT_IGNORE_FLAG_HORIZONTAL_ACCURACY`.
-    pub const HORIZONTAL_ACCURACY: Self = Self(0x40);
+    pub const HORIZONTAL_ACCURACY: Self = Self(1 << 6);
     /// `GPS_INPUT_IGNORE_FLAG_VERTICAL_ACCURACY`.
-    pub const VERTICAL_ACCURACY: Self = Self(0x80);
+    pub const VERTICAL_ACCURACY: Self = Self(1 << 7);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "GPS_INPUT_IGNORE_FLAGS",
-    bitmask: true,
-    entries: &[
-        (1, "GPS_INPUT_IGNORE_FLAG_ALT"),
-        (2, "GPS_INPUT_IGNORE_FLAG_HDOP"),
-        (4, "GPS_INPUT_IGNORE_FLAG_VDOP"),
-        (8, "GPS_INPUT_IGNORE_FLAG_VEL_HORIZ"),
-        (0x10, "GPS_INPUT_IGNORE_FLAG_VEL_VERT"),
-        (0x20, "GPS_INPUT_IGNORE_FLAG_SPEED_ACCURACY"),
-        (0x40, "GPS_INPUT_IGNORE_FLAG_HORIZONTAL_ACCURACY"),
-        (0x80, "GPS_INPUT_IGNORE_FLAG_VERTICAL_ACCURACY"),
+static INFO: wire::EnumInfo = wire::EnumInfo::bitmask(
+    "GPS_INPUT_IGNORE_FLAGS",
+    &[
+        (1 << 0, "GPS_INPUT_IGNORE_FLAG_ALT"),
+        (1 << 1, "GPS_INPUT_IGNORE_FLAG_HDOP"),
+        (1 << 2, "GPS_INPUT_IGNORE_FLAG_VDOP"),
+        (1 << 3, "GPS_INPUT_IGNORE_FLAG_VEL_HORIZ"),
+        (1 << 4, "GPS_INPUT_IGNORE_FLAG_VEL_VERT"),
+        (1 << 5, "GPS_INPUT_IGNORE_FLAG_SPEED_ACCURACY"),
+        (1 << 6, "GPS_INPUT_IGNORE_FLAG_HORIZONTAL_ACCURACY"),
+        (1 << 7, "GPS_INPUT_IGNORE_FLAG_VERTICAL_ACCURACY"),
     ],
-};
+);
 
 wire::flags!(GpsInputIgnoreFlags, u16, INFO);

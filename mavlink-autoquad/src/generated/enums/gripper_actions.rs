@@ -19,14 +19,13 @@ impl GripperActions {
     pub const HOLD: Self = Self(2);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "GRIPPER_ACTIONS",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "GRIPPER_ACTIONS",
+    &[
         (0, "GRIPPER_ACTION_RELEASE"),
         (1, "GRIPPER_ACTION_GRAB"),
         (2, "GRIPPER_ACTION_HOLD"),
     ],
-};
+);
 
 wire::open_enum!(GripperActions, u8, INFO);

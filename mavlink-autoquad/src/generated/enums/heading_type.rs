@@ -19,14 +19,13 @@ impl HeadingType {
     pub const DEFAULT: Self = Self(2);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "HEADING_TYPE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "HEADING_TYPE",
+    &[
         (0, "HEADING_TYPE_COURSE_OVER_GROUND"),
         (1, "HEADING_TYPE_HEADING"),
         (2, "HEADING_TYPE_DEFAULT"),
     ],
-};
+);
 
 wire::open_enum!(HeadingType, u8, INFO);

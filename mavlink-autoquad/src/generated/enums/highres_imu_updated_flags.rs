@@ -12,51 +12,50 @@ pub struct HighresImuUpdatedFlags(u16);
 
 impl HighresImuUpdatedFlags {
     /// `HIGHRES_IMU_UPDATED_XACC`.
-    pub const XACC: Self = Self(1);
+    pub const XACC: Self = Self(1 << 0);
     /// `HIGHRES_IMU_UPDATED_YACC`.
-    pub const YACC: Self = Self(2);
+    pub const YACC: Self = Self(1 << 1);
     /// `HIGHRES_IMU_UPDATED_ZACC`.
-    pub const ZACC: Self = Self(4);
+    pub const ZACC: Self = Self(1 << 2);
     /// `HIGHRES_IMU_UPDATED_XGYRO`.
-    pub const XGYRO: Self = Self(8);
+    pub const XGYRO: Self = Self(1 << 3);
     /// `HIGHRES_IMU_UPDATED_YGYRO`.
-    pub const YGYRO: Self = Self(0x10);
+    pub const YGYRO: Self = Self(1 << 4);
     /// `HIGHRES_IMU_UPDATED_ZGYRO`.
-    pub const ZGYRO: Self = Self(0x20);
+    pub const ZGYRO: Self = Self(1 << 5);
     /// `HIGHRES_IMU_UPDATED_XMAG`.
-    pub const XMAG: Self = Self(0x40);
+    pub const XMAG: Self = Self(1 << 6);
     /// `HIGHRES_IMU_UPDATED_YMAG`.
-    pub const YMAG: Self = Self(0x80);
+    pub const YMAG: Self = Self(1 << 7);
     /// `HIGHRES_IMU_UPDATED_ZMAG`.
-    pub const ZMAG: Self = Self(0x100);
+    pub const ZMAG: Self = Self(1 << 8);
     /// `HIGHRES_IMU_UPDATED_ABS_PRESSURE`.
-    pub const ABS_PRESSURE: Self = Self(0x200);
+    pub const ABS_PRESSURE: Self = Self(1 << 9);
     /// `HIGHRES_IMU_UPDATED_DIFF_PRESSURE`.
-    pub const DIFF_PRESSURE: Self = Self(0x400);
+    pub const DIFF_PRESSURE: Self = Self(1 << 10);
     /// `HIGHRES_IMU_UPDATED_PRESSURE_ALT`.
-    pub const PRESSURE_ALT: Self = Self(0x800);
+    pub const PRESSURE_ALT: Self = Self(1 << 11);
     /// `HIGHRES_IMU_UPDATED_TEMPERATURE`.
-    pub const TEMPERATURE: Self = Self(0x1000);
+    pub const TEMPERATURE: Self = Self(1 << 12);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "HIGHRES_IMU_UPDATED_FLAGS",
-    bitmask: true,
-    entries: &[
-        (1, "HIGHRES_IMU_UPDATED_XACC"),
-        (2, "HIGHRES_IMU_UPDATED_YACC"),
-        (4, "HIGHRES_IMU_UPDATED_ZACC"),
-        (8, "HIGHRES_IMU_UPDATED_XGYRO"),
-        (0x10, "HIGHRES_IMU_UPDATED_YGYRO"),
-        (0x20, "HIGHRES_IMU_UPDATED_ZGYRO"),
-        (0x40, "HIGHRES_IMU_UPDATED_XMAG"),
-        (0x80, "HIGHRES_IMU_UPDATED_YMAG"),
-        (0x100, "HIGHRES_IMU_UPDATED_ZMAG"),
-        (0x200, "HIGHRES_IMU_UPDATED_ABS_PRESSURE"),
-        (0x400, "HIGHRES_IMU_UPDATED_DIFF_PRESSURE"),
-        (0x800, "HIGHRES_IMU_UPDATED_PRESSURE_ALT"),
-        (0x1000, "HIGHRES_IMU_UPDATED_TEMPERATURE"),
+static INFO: wire::EnumInfo = wire::EnumInfo::bitmask(
+    "HIGHRES_IMU_UPDATED_FLAGS",
+    &[
+        (1 << 0, "HIGHRES_IMU_UPDATED_XACC"),
+        (1 << 1, "HIGHRES_IMU_UPDATED_YACC"),
+        (1 << 2, "HIGHRES_IMU_UPDATED_ZACC"),
+        (1 << 3, "HIGHRES_IMU_UPDATED_XGYRO"),
+        (1 << 4, "HIGHRES_IMU_UPDATED_YGYRO"),
+        (1 << 5, "HIGHRES_IMU_UPDATED_ZGYRO"),
+        (1 << 6, "HIGHRES_IMU_UPDATED_XMAG"),
+        (1 << 7, "HIGHRES_IMU_UPDATED_YMAG"),
+        (1 << 8, "HIGHRES_IMU_UPDATED_ZMAG"),
+        (1 << 9, "HIGHRES_IMU_UPDATED_ABS_PRESSURE"),
+        (1 << 10, "HIGHRES_IMU_UPDATED_DIFF_PRESSURE"),
+        (1 << 11, "HIGHRES_IMU_UPDATED_PRESSURE_ALT"),
+        (1 << 12, "HIGHRES_IMU_UPDATED_TEMPERATURE"),
     ],
-};
+);
 
 wire::flags!(HighresImuUpdatedFlags, u16, INFO);

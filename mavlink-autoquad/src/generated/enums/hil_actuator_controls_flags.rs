@@ -12,13 +12,12 @@ pub struct HilActuatorControlsFlags(u64);
 
 impl HilActuatorControlsFlags {
     /// The simulation waits for each step.
-    pub const LOCKSTEP: Self = Self(1);
+    pub const LOCKSTEP: Self = Self(1 << 0);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "HIL_ACTUATOR_CONTROLS_FLAGS",
-    bitmask: true,
-    entries: &[(1, "HIL_ACTUATOR_CONTROLS_FLAGS_LOCKSTEP")],
-};
+static INFO: wire::EnumInfo = wire::EnumInfo::bitmask(
+    "HIL_ACTUATOR_CONTROLS_FLAGS",
+    &[(1 << 0, "HIL_ACTUATOR_CONTROLS_FLAGS_LOCKSTEP")],
+);
 
 wire::flags!(HilActuatorControlsFlags, u64, INFO);

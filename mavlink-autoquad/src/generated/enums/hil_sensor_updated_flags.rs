@@ -12,54 +12,53 @@ pub struct HilSensorUpdatedFlags(u32);
 
 impl HilSensorUpdatedFlags {
     /// `HIL_SENSOR_UPDATED_XACC`.
-    pub const XACC: Self = Self(1);
+    pub const XACC: Self = Self(1 << 0);
     /// `HIL_SENSOR_UPDATED_YACC`.
-    pub const YACC: Self = Self(2);
+    pub const YACC: Self = Self(1 << 1);
     /// `HIL_SENSOR_UPDATED_ZACC`.
-    pub const ZACC: Self = Self(4);
+    pub const ZACC: Self = Self(1 << 2);
     /// `HIL_SENSOR_UPDATED_XGYRO`.
-    pub const XGYRO: Self = Self(8);
+    pub const XGYRO: Self = Self(1 << 3);
     /// `HIL_SENSOR_UPDATED_YGYRO`.
-    pub const YGYRO: Self = Self(0x10);
+    pub const YGYRO: Self = Self(1 << 4);
     /// `HIL_SENSOR_UPDATED_ZGYRO`.
-    pub const ZGYRO: Self = Self(0x20);
+    pub const ZGYRO: Self = Self(1 << 5);
     /// `HIL_SENSOR_UPDATED_XMAG`.
-    pub const XMAG: Self = Self(0x40);
+    pub const XMAG: Self = Self(1 << 6);
     /// `HIL_SENSOR_UPDATED_YMAG`.
-    pub const YMAG: Self = Self(0x80);
+    pub const YMAG: Self = Self(1 << 7);
     /// `HIL_SENSOR_UPDATED_ZMAG`.
-    pub const ZMAG: Self = Self(0x100);
+    pub const ZMAG: Self = Self(1 << 8);
     /// `HIL_SENSOR_UPDATED_ABS_PRESSURE`.
-    pub const ABS_PRESSURE: Self = Self(0x200);
+    pub const ABS_PRESSURE: Self = Self(1 << 9);
     /// `HIL_SENSOR_UPDATED_DIFF_PRESSURE`.
-    pub const DIFF_PRESSURE: Self = Self(0x400);
+    pub const DIFF_PRESSURE: Self = Self(1 << 10);
     /// `HIL_SENSOR_UPDATED_PRESSURE_ALT`.
-    pub const PRESSURE_ALT: Self = Self(0x800);
+    pub const PRESSURE_ALT: Self = Self(1 << 11);
     /// `HIL_SENSOR_UPDATED_TEMPERATURE`.
-    pub const TEMPERATURE: Self = Self(0x1000);
+    pub const TEMPERATURE: Self = Self(1 << 12);
     /// The simulation was set back as a whole.
-    pub const RESET: Self = Self(0x8000_0000);
+    pub const RESET: Self = Self(1 << 31);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "HIL_SENSOR_UPDATED_FLAGS",
-    bitmask: true,
-    entries: &[
-        (1, "HIL_SENSOR_UPDATED_XACC"),
-        (2, "HIL_SENSOR_UPDATED_YACC"),
-        (4, "HIL_SENSOR_UPDATED_ZACC"),
-        (8, "HIL_SENSOR_UPDATED_XGYRO"),
-        (0x10, "HIL_SENSOR_UPDATED_YGYRO"),
-        (0x20, "HIL_SENSOR_UPDATED_ZGYRO"),
-        (0x40, "HIL_SENSOR_UPDATED_XMAG"),
-        (0x80, "HIL_SENSOR_UPDATED_YMAG"),
-        (0x100, "HIL_SENSOR_UPDATED_ZMAG"),
-        (0x200, "HIL_SENSOR_UPDATED_ABS_PRESSURE"),
-        (0x400, "HIL_SENSOR_UPDATED_DIFF_PRESSURE"),
-        (0x800, "HIL_SENSOR_UPDATED_PRESSURE_ALT"),
-        (0x1000, "HIL_SENSOR_UPDATED_TEMPERATURE"),
-        (0x8000_0000, "HIL_SENSOR_UPDATED_RESET"),
+static INFO: wire::EnumInfo = wire::EnumInfo::bitmask(
+    "HIL_SENSOR_UPDATED_FLAGS",
+    &[
+        (1 << 0, "HIL_SENSOR_UPDATED_XACC"),
+        (1 << 1, "HIL_SENSOR_UPDATED_YACC"),
+        (1 << 2, "HIL_SENSOR_UPDATED_ZACC"),
+        (1 << 3, "HIL_SENSOR_UPDATED_XGYRO"),
+        (1 << 4, "HIL_SENSOR_UPDATED_YGYRO"),
+        (1 << 5, "HIL_SENSOR_UPDATED_ZGYRO"),
+        (1 << 6, "HIL_SENSOR_UPDATED_XMAG"),
+        (1 << 7, "HIL_SENSOR_UPDATED_YMAG"),
+        (1 << 8, "HIL_SENSOR_UPDATED_ZMAG"),
+        (1 << 9, "HIL_SENSOR_UPDATED_ABS_PRESSURE"),
+        (1 << 10, "HIL_SENSOR_UPDATED_DIFF_PRESSURE"),
+        (1 << 11, "HIL_SENSOR_UPDATED_PRESSURE_ALT"),
+        (1 << 12, "HIL_SENSOR_UPDATED_TEMPERATURE"),
+        (1 << 31, "HIL_SENSOR_UPDATED_RESET"),
     ],
-};
+);
 
 wire::flags!(HilSensorUpdatedFlags, u32, INFO);

@@ -12,54 +12,53 @@ pub struct HlFailureFlag(u16);
 
 impl HlFailureFlag {
     /// `HL_FAILURE_FLAG_GPS`.
-    pub const GPS: Self = Self(1);
+    pub const GPS: Self = Self(1 << 0);
     /// Airspeed sensor.
-    pub const DIFFERENTIAL_PRESSURE: Self = Self(2);
+    pub const DIFFERENTIAL_PRESSURE: Self = Self(1 << 1);
     /// Barometer.
-    pub const ABSOLUTE_PRESSURE: Self = Self(4);
+    pub const ABSOLUTE_PRESSURE: Self = Self(1 << 2);
     /// `HL_FAILURE_FLAG_3D_ACCEL`.
-    pub const FLAG_3D_ACCEL: Self = Self(8);
+    pub const FLAG_3D_ACCEL: Self = Self(1 << 3);
     /// `HL_FAILURE_FLAG_3D_GYRO`.
-    pub const FLAG_3D_GYRO: Self = Self(0x10);
+    pub const FLAG_3D_GYRO: Self = Self(1 << 4);
     /// `HL_FAILURE_FLAG_3D_MAG`.
-    pub const FLAG_3D_MAG: Self = Self(0x20);
+    pub const FLAG_3D_MAG: Self = Self(1 << 5);
     /// Terrain data.
-    pub const TERRAIN: Self = Self(0x40);
+    pub const TERRAIN: Self = Self(1 << 6);
     /// `HL_FAILURE_FLAG_BATTERY`.
-    pub const BATTERY: Self = Self(0x80);
+    pub const BATTERY: Self = Self(1 << 7);
     /// Radio control lost.
-    pub const RC_RECEIVER: Self = Self(0x100);
+    pub const RC_RECEIVER: Self = Self(1 << 8);
     /// Link to an external controller lost.
-    pub const OFFBOARD_LINK: Self = Self(0x200);
+    pub const OFFBOARD_LINK: Self = Self(1 << 9);
     /// `HL_FAILURE_FLAG_ENGINE`.
-    pub const ENGINE: Self = Self(0x400);
+    pub const ENGINE: Self = Self(1 << 10);
     /// Fence breached.
-    pub const GEOFENCE: Self = Self(0x800);
+    pub const GEOFENCE: Self = Self(1 << 11);
     /// Navigation filter failed.
-    pub const ESTIMATOR: Self = Self(0x1000);
+    pub const ESTIMATOR: Self = Self(1 << 12);
     /// `HL_FAILURE_FLAG_MISSION`.
-    pub const MISSION: Self = Self(0x2000);
+    pub const MISSION: Self = Self(1 << 13);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "HL_FAILURE_FLAG",
-    bitmask: true,
-    entries: &[
-        (1, "HL_FAILURE_FLAG_GPS"),
-        (2, "HL_FAILURE_FLAG_DIFFERENTIAL_PRESSURE"),
-        (4, "HL_FAILURE_FLAG_ABSOLUTE_PRESSURE"),
-        (8, "HL_FAILURE_FLAG_3D_ACCEL"),
-        (0x10, "HL_FAILURE_FLAG_3D_GYRO"),
-        (0x20, "HL_FAILURE_FLAG_3D_MAG"),
-        (0x40, "HL_FAILURE_FLAG_TERRAIN"),
-        (0x80, "HL_FAILURE_FLAG_BATTERY"),
-        (0x100, "HL_FAILURE_FLAG_RC_RECEIVER"),
-        (0x200, "HL_FAILURE_FLAG_OFFBOARD_LINK"),
-        (0x400, "HL_FAILURE_FLAG_ENGINE"),
-        (0x800, "HL_FAILURE_FLAG_GEOFENCE"),
-        (0x1000, "HL_FAILURE_FLAG_ESTIMATOR"),
-        (0x2000, "HL_FAILURE_FLAG_MISSION"),
+static INFO: wire::EnumInfo = wire::EnumInfo::bitmask(
+    "HL_FAILURE_FLAG",
+    &[
+        (1 << 0, "HL_FAILURE_FLAG_GPS"),
+        (1 << 1, "HL_FAILURE_FLAG_DIFFERENTIAL_PRESSURE"),
+        (1 << 2, "HL_FAILURE_FLAG_ABSOLUTE_PRESSURE"),
+        (1 << 3, "HL_FAILURE_FLAG_3D_ACCEL"),
+        (1 << 4, "HL_FAILURE_FLAG_3D_GYRO"),
+        (1 << 5, "HL_FAILURE_FLAG_3D_MAG"),
+        (1 << 6, "HL_FAILURE_FLAG_TERRAIN"),
+        (1 << 7, "HL_FAILURE_FLAG_BATTERY"),
+        (1 << 8, "HL_FAILURE_FLAG_RC_RECEIVER"),
+        (1 << 9, "HL_FAILURE_FLAG_OFFBOARD_LINK"),
+        (1 << 10, "HL_FAILURE_FLAG_ENGINE"),
+        (1 << 11, "HL_FAILURE_FLAG_GEOFENCE"),
+        (1 << 12, "HL_FAILURE_FLAG_ESTIMATOR"),
+        (1 << 13, "HL_FAILURE_FLAG_MISSION"),
     ],
-};
+);
 
 wire::flags!(HlFailureFlag, u16, INFO);

@@ -12,21 +12,20 @@ pub struct IlluminatorErrorFlags(u32);
 
 impl IlluminatorErrorFlags {
     /// `ILLUMINATOR_ERROR_FLAGS_THERMAL_THROTTLING`.
-    pub const THERMAL_THROTTLING: Self = Self(1);
+    pub const THERMAL_THROTTLING: Self = Self(1 << 0);
     /// `ILLUMINATOR_ERROR_FLAGS_OVER_TEMPERATURE_SHUTDOWN`.
-    pub const OVER_TEMPERATURE_SHUTDOWN: Self = Self(2);
+    pub const OVER_TEMPERATURE_SHUTDOWN: Self = Self(1 << 1);
     /// `ILLUMINATOR_ERROR_FLAGS_THERMISTOR_FAILURE`.
-    pub const THERMISTOR_FAILURE: Self = Self(4);
+    pub const THERMISTOR_FAILURE: Self = Self(1 << 2);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "ILLUMINATOR_ERROR_FLAGS",
-    bitmask: true,
-    entries: &[
-        (1, "ILLUMINATOR_ERROR_FLAGS_THERMAL_THROTTLING"),
-        (2, "ILLUMINATOR_ERROR_FLAGS_OVER_TEMPERATURE_SHUTDOWN"),
-        (4, "ILLUMINATOR_ERROR_FLAGS_THERMISTOR_FAILURE"),
+static INFO: wire::EnumInfo = wire::EnumInfo::bitmask(
+    "ILLUMINATOR_ERROR_FLAGS",
+    &[
+        (1 << 0, "ILLUMINATOR_ERROR_FLAGS_THERMAL_THROTTLING"),
+        (1 << 1, "ILLUMINATOR_ERROR_FLAGS_OVER_TEMPERATURE_SHUTDOWN"),
+        (1 << 2, "ILLUMINATOR_ERROR_FLAGS_THERMISTOR_FAILURE"),
     ],
-};
+);
 
 wire::flags!(IlluminatorErrorFlags, u32, INFO);

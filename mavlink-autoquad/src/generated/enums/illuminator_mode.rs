@@ -19,14 +19,13 @@ impl IlluminatorMode {
     pub const EXTERNAL_SYNC: Self = Self(2);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "ILLUMINATOR_MODE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "ILLUMINATOR_MODE",
+    &[
         (0, "ILLUMINATOR_MODE_UNKNOWN"),
         (1, "ILLUMINATOR_MODE_INTERNAL_CONTROL"),
         (2, "ILLUMINATOR_MODE_EXTERNAL_SYNC"),
     ],
-};
+);
 
 wire::open_enum!(IlluminatorMode, u8, INFO);

@@ -21,15 +21,14 @@ impl LandingTargetType {
     pub const VISION_OTHER: Self = Self(3);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "LANDING_TARGET_TYPE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "LANDING_TARGET_TYPE",
+    &[
         (0, "LANDING_TARGET_TYPE_LIGHT_BEACON"),
         (1, "LANDING_TARGET_TYPE_RADIO_BEACON"),
         (2, "LANDING_TARGET_TYPE_VISION_FIDUCIAL"),
         (3, "LANDING_TARGET_TYPE_VISION_OTHER"),
     ],
-};
+);
 
 wire::open_enum!(LandingTargetType, u8, INFO);

@@ -35,10 +35,9 @@ impl MagCalStatus {
     pub const FAILED_RESIDUALS_HIGH: Self = Self(10);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAG_CAL_STATUS",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAG_CAL_STATUS",
+    &[
         (0, "MAG_CAL_NOT_STARTED"),
         (1, "MAG_CAL_WAITING_TO_START"),
         (2, "MAG_CAL_RUNNING_STEP_ONE"),
@@ -51,6 +50,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (9, "MAG_CAL_FAILED_DIAG_SCALING"),
         (10, "MAG_CAL_FAILED_RESIDUALS_HIGH"),
     ],
-};
+);
 
 wire::open_enum!(MagCalStatus, u8, INFO);

@@ -25,10 +25,9 @@ impl MavArmAuthDeniedReason {
     pub const BAD_WEATHER: Self = Self(5);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_ARM_AUTH_DENIED_REASON",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_ARM_AUTH_DENIED_REASON",
+    &[
         (0, "MAV_ARM_AUTH_DENIED_REASON_GENERIC"),
         (1, "MAV_ARM_AUTH_DENIED_REASON_NONE"),
         (2, "MAV_ARM_AUTH_DENIED_REASON_INVALID_WAYPOINT"),
@@ -36,6 +35,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (4, "MAV_ARM_AUTH_DENIED_REASON_AIRSPACE_IN_USE"),
         (5, "MAV_ARM_AUTH_DENIED_REASON_BAD_WEATHER"),
     ],
-};
+);
 
 wire::open_enum!(MavArmAuthDeniedReason, u8, INFO);

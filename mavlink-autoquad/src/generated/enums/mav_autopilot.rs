@@ -55,10 +55,9 @@ impl MavAutopilot {
     pub const REFLEX: Self = Self(20);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_AUTOPILOT",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_AUTOPILOT",
+    &[
         (0, "MAV_AUTOPILOT_GENERIC"),
         (1, "MAV_AUTOPILOT_RESERVED"),
         (2, "MAV_AUTOPILOT_SLUGS"),
@@ -81,6 +80,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (19, "MAV_AUTOPILOT_AIRRAILS"),
         (20, "MAV_AUTOPILOT_REFLEX"),
     ],
-};
+);
 
 wire::open_enum!(MavAutopilot, u8, INFO);

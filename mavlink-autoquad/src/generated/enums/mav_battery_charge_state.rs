@@ -29,10 +29,9 @@ impl MavBatteryChargeState {
     pub const CHARGING: Self = Self(7);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_BATTERY_CHARGE_STATE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_BATTERY_CHARGE_STATE",
+    &[
         (0, "MAV_BATTERY_CHARGE_STATE_UNDEFINED"),
         (1, "MAV_BATTERY_CHARGE_STATE_OK"),
         (2, "MAV_BATTERY_CHARGE_STATE_LOW"),
@@ -42,6 +41,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (6, "MAV_BATTERY_CHARGE_STATE_UNHEALTHY"),
         (7, "MAV_BATTERY_CHARGE_STATE_CHARGING"),
     ],
-};
+);
 
 wire::open_enum!(MavBatteryChargeState, u8, INFO);

@@ -12,39 +12,38 @@ pub struct MavBatteryFault(u32);
 
 impl MavBatteryFault {
     /// Was discharged too far.
-    pub const MAV_BATTERY_FAULT_DEEP_DISCHARGE: Self = Self(1);
+    pub const MAV_BATTERY_FAULT_DEEP_DISCHARGE: Self = Self(1 << 0);
     /// Voltage spikes.
-    pub const MAV_BATTERY_FAULT_SPIKES: Self = Self(2);
+    pub const MAV_BATTERY_FAULT_SPIKES: Self = Self(1 << 1);
     /// A cell has failed.
-    pub const MAV_BATTERY_FAULT_CELL_FAIL: Self = Self(4);
+    pub const MAV_BATTERY_FAULT_CELL_FAIL: Self = Self(1 << 2);
     /// Current too high.
-    pub const MAV_BATTERY_FAULT_OVER_CURRENT: Self = Self(8);
+    pub const MAV_BATTERY_FAULT_OVER_CURRENT: Self = Self(1 << 3);
     /// Too hot.
-    pub const MAV_BATTERY_FAULT_OVER_TEMPERATURE: Self = Self(0x10);
+    pub const MAV_BATTERY_FAULT_OVER_TEMPERATURE: Self = Self(1 << 4);
     /// Too cold.
-    pub const MAV_BATTERY_FAULT_UNDER_TEMPERATURE: Self = Self(0x20);
+    pub const MAV_BATTERY_FAULT_UNDER_TEMPERATURE: Self = Self(1 << 5);
     /// Voltage does not suit the vehicle.
-    pub const MAV_BATTERY_FAULT_INCOMPATIBLE_VOLTAGE: Self = Self(0x40);
+    pub const MAV_BATTERY_FAULT_INCOMPATIBLE_VOLTAGE: Self = Self(1 << 6);
     /// Firmware does not suit the vehicle.
-    pub const MAV_BATTERY_FAULT_INCOMPATIBLE_FIRMWARE: Self = Self(0x80);
+    pub const MAV_BATTERY_FAULT_INCOMPATIBLE_FIRMWARE: Self = Self(1 << 7);
     /// Number of cells does not suit the vehicle.
-    pub const BATTERY_FAULT_INCOMPATIBLE_CELLS_CONFIGURATION: Self = Self(0x100);
+    pub const BATTERY_FAULT_INCOMPATIBLE_CELLS_CONFIGURATION: Self = Self(1 << 8);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_BATTERY_FAULT",
-    bitmask: true,
-    entries: &[
-        (1, "MAV_BATTERY_FAULT_DEEP_DISCHARGE"),
-        (2, "MAV_BATTERY_FAULT_SPIKES"),
-        (4, "MAV_BATTERY_FAULT_CELL_FAIL"),
-        (8, "MAV_BATTERY_FAULT_OVER_CURRENT"),
-        (0x10, "MAV_BATTERY_FAULT_OVER_TEMPERATURE"),
-        (0x20, "MAV_BATTERY_FAULT_UNDER_TEMPERATURE"),
-        (0x40, "MAV_BATTERY_FAULT_INCOMPATIBLE_VOLTAGE"),
-        (0x80, "MAV_BATTERY_FAULT_INCOMPATIBLE_FIRMWARE"),
-        (0x100, "BATTERY_FAULT_INCOMPATIBLE_CELLS_CONFIGURATION"),
+static INFO: wire::EnumInfo = wire::EnumInfo::bitmask(
+    "MAV_BATTERY_FAULT",
+    &[
+        (1 << 0, "MAV_BATTERY_FAULT_DEEP_DISCHARGE"),
+        (1 << 1, "MAV_BATTERY_FAULT_SPIKES"),
+        (1 << 2, "MAV_BATTERY_FAULT_CELL_FAIL"),
+        (1 << 3, "MAV_BATTERY_FAULT_OVER_CURRENT"),
+        (1 << 4, "MAV_BATTERY_FAULT_OVER_TEMPERATURE"),
+        (1 << 5, "MAV_BATTERY_FAULT_UNDER_TEMPERATURE"),
+        (1 << 6, "MAV_BATTERY_FAULT_INCOMPATIBLE_VOLTAGE"),
+        (1 << 7, "MAV_BATTERY_FAULT_INCOMPATIBLE_FIRMWARE"),
+        (1 << 8, "BATTERY_FAULT_INCOMPATIBLE_CELLS_CONFIGURATION"),
     ],
-};
+);
 
 wire::flags!(MavBatteryFault, u32, INFO);

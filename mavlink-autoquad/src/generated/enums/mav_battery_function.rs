@@ -23,16 +23,15 @@ impl MavBatteryFunction {
     pub const PAYLOAD: Self = Self(4);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_BATTERY_FUNCTION",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_BATTERY_FUNCTION",
+    &[
         (0, "MAV_BATTERY_FUNCTION_UNKNOWN"),
         (1, "MAV_BATTERY_FUNCTION_ALL"),
         (2, "MAV_BATTERY_FUNCTION_PROPULSION"),
         (3, "MAV_BATTERY_FUNCTION_AVIONICS"),
         (4, "MAV_BATTERY_FUNCTION_PAYLOAD"),
     ],
-};
+);
 
 wire::open_enum!(MavBatteryFunction, u8, INFO);

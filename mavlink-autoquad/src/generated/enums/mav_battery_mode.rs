@@ -19,14 +19,13 @@ impl MavBatteryMode {
     pub const HOT_SWAP: Self = Self(2);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_BATTERY_MODE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_BATTERY_MODE",
+    &[
         (0, "MAV_BATTERY_MODE_UNKNOWN"),
         (1, "MAV_BATTERY_MODE_AUTO_DISCHARGING"),
         (2, "MAV_BATTERY_MODE_HOT_SWAP"),
     ],
-};
+);
 
 wire::open_enum!(MavBatteryMode, u8, INFO);

@@ -23,16 +23,15 @@ impl MavBatteryType {
     pub const NIMH: Self = Self(4);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_BATTERY_TYPE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_BATTERY_TYPE",
+    &[
         (0, "MAV_BATTERY_TYPE_UNKNOWN"),
         (1, "MAV_BATTERY_TYPE_LIPO"),
         (2, "MAV_BATTERY_TYPE_LIFE"),
         (3, "MAV_BATTERY_TYPE_LION"),
         (4, "MAV_BATTERY_TYPE_NIMH"),
     ],
-};
+);
 
 wire::open_enum!(MavBatteryType, u8, INFO);

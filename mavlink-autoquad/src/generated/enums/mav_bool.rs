@@ -14,13 +14,12 @@ impl MavBool {
     /// `MAV_BOOL_FALSE`.
     pub const FALSE: Self = Self(0);
     /// `MAV_BOOL_TRUE`.
-    pub const TRUE: Self = Self(1);
+    pub const TRUE: Self = Self(1 << 0);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_BOOL",
-    bitmask: true,
-    entries: &[(0, "MAV_BOOL_FALSE"), (1, "MAV_BOOL_TRUE")],
-};
+static INFO: wire::EnumInfo = wire::EnumInfo::bitmask(
+    "MAV_BOOL",
+    &[(0, "MAV_BOOL_FALSE"), (1 << 0, "MAV_BOOL_TRUE")],
+);
 
 wire::flags!(MavBool, u8, INFO);

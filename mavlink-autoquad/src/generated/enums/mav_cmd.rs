@@ -3471,10 +3471,9 @@ static PARAMS: [(u16, &[wire::ParamInfo]); 172] = [
     ),
 ];
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_CMD",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_CMD",
+    &[
         (1, "MAV_CMD_AQ_NAV_LEG_ORBIT"),
         (2, "MAV_CMD_AQ_TELEMETRY"),
         (4, "MAV_CMD_AQ_REQUEST_VERSION"),
@@ -3650,6 +3649,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (43002, "MAV_CMD_GUIDED_CHANGE_HEADING"),
         (43003, "MAV_CMD_EXTERNAL_POSITION_ESTIMATE"),
     ],
-};
+);
 
 wire::open_enum!(MavCmd, u16, INFO);

@@ -27,10 +27,9 @@ impl MavCollisionAction {
     pub const HOVER: Self = Self(6);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_COLLISION_ACTION",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_COLLISION_ACTION",
+    &[
         (0, "MAV_COLLISION_ACTION_NONE"),
         (1, "MAV_COLLISION_ACTION_REPORT"),
         (2, "MAV_COLLISION_ACTION_ASCEND_OR_DESCEND"),
@@ -39,6 +38,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (5, "MAV_COLLISION_ACTION_RTL"),
         (6, "MAV_COLLISION_ACTION_HOVER"),
     ],
-};
+);
 
 wire::open_enum!(MavCollisionAction, u8, INFO);

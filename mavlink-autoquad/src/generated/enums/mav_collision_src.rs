@@ -17,13 +17,9 @@ impl MavCollisionSrc {
     pub const MAVLINK_GPS_GLOBAL_INT: Self = Self(1);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_COLLISION_SRC",
-    bitmask: false,
-    entries: &[
-        (0, "MAV_COLLISION_SRC_ADSB"),
-        (1, "MAV_COLLISION_SRC_MAVLINK_GPS_GLOBAL_INT"),
-    ],
-};
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_COLLISION_SRC",
+    &[(0, "MAV_COLLISION_SRC_ADSB"), (1, "MAV_COLLISION_SRC_MAVLINK_GPS_GLOBAL_INT")],
+);
 
 wire::open_enum!(MavCollisionSrc, u8, INFO);

@@ -19,14 +19,13 @@ impl MavCollisionThreatLevel {
     pub const HIGH: Self = Self(2);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_COLLISION_THREAT_LEVEL",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_COLLISION_THREAT_LEVEL",
+    &[
         (0, "MAV_COLLISION_THREAT_LEVEL_NONE"),
         (1, "MAV_COLLISION_THREAT_LEVEL_LOW"),
         (2, "MAV_COLLISION_THREAT_LEVEL_HIGH"),
     ],
-};
+);
 
 wire::open_enum!(MavCollisionThreatLevel, u8, INFO);

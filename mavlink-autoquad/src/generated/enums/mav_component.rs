@@ -298,10 +298,9 @@ impl MavComponent {
     pub const SYSTEM_CONTROL: Self = Self(250);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_COMPONENT",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_COMPONENT",
+    &[
         (0, "MAV_COMP_ID_ALL"),
         (1, "MAV_COMP_ID_AUTOPILOT1"),
         (25, "MAV_COMP_ID_USER1"),
@@ -442,6 +441,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (243, "MAV_COMP_ID_ILLUMINATOR"),
         (250, "MAV_COMP_ID_SYSTEM_CONTROL"),
     ],
-};
+);
 
 wire::open_enum!(MavComponent, u8, INFO);

@@ -39,10 +39,9 @@ impl MavDataStream {
     pub const PROPULSION: Self = Self(13);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_DATA_STREAM",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_DATA_STREAM",
+    &[
         (0, "MAV_DATA_STREAM_ALL"),
         (1, "MAV_DATA_STREAM_RAW_SENSORS"),
         (2, "MAV_DATA_STREAM_EXTENDED_STATUS"),
@@ -54,6 +53,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (12, "MAV_DATA_STREAM_EXTRA3"),
         (13, "MAV_DATA_STREAM_PROPULSION"),
     ],
-};
+);
 
 wire::open_enum!(MavDataStream, u8, INFO);

@@ -23,16 +23,15 @@ impl MavDistanceSensor {
     pub const UNKNOWN: Self = Self(4);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_DISTANCE_SENSOR",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_DISTANCE_SENSOR",
+    &[
         (0, "MAV_DISTANCE_SENSOR_LASER"),
         (1, "MAV_DISTANCE_SENSOR_ULTRASOUND"),
         (2, "MAV_DISTANCE_SENSOR_INFRARED"),
         (3, "MAV_DISTANCE_SENSOR_RADAR"),
         (4, "MAV_DISTANCE_SENSOR_UNKNOWN"),
     ],
-};
+);
 
 wire::open_enum!(MavDistanceSensor, u8, INFO);

@@ -12,18 +12,17 @@ pub struct MavDoRepositionFlags(u8);
 
 impl MavDoRepositionFlags {
     /// Change to guided mode as well.
-    pub const CHANGE_MODE: Self = Self(1);
+    pub const CHANGE_MODE: Self = Self(1 << 0);
     /// Yaw counts from the current heading.
-    pub const RELATIVE_YAW: Self = Self(2);
+    pub const RELATIVE_YAW: Self = Self(1 << 1);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_DO_REPOSITION_FLAGS",
-    bitmask: true,
-    entries: &[
-        (1, "MAV_DO_REPOSITION_FLAGS_CHANGE_MODE"),
-        (2, "MAV_DO_REPOSITION_FLAGS_RELATIVE_YAW"),
+static INFO: wire::EnumInfo = wire::EnumInfo::bitmask(
+    "MAV_DO_REPOSITION_FLAGS",
+    &[
+        (1 << 0, "MAV_DO_REPOSITION_FLAGS_CHANGE_MODE"),
+        (1 << 1, "MAV_DO_REPOSITION_FLAGS_RELATIVE_YAW"),
     ],
-};
+);
 
 wire::flags!(MavDoRepositionFlags, u8, INFO);

@@ -31,10 +31,9 @@ impl MavEstimatorType {
     pub const AUTOPILOT: Self = Self(8);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_ESTIMATOR_TYPE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_ESTIMATOR_TYPE",
+    &[
         (0, "MAV_ESTIMATOR_TYPE_UNKNOWN"),
         (1, "MAV_ESTIMATOR_TYPE_NAIVE"),
         (2, "MAV_ESTIMATOR_TYPE_VISION"),
@@ -45,6 +44,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (7, "MAV_ESTIMATOR_TYPE_LIDAR"),
         (8, "MAV_ESTIMATOR_TYPE_AUTOPILOT"),
     ],
-};
+);
 
 wire::open_enum!(MavEstimatorType, u8, INFO);

@@ -12,13 +12,12 @@ pub struct MavEventCurrentSequenceFlags(u8);
 
 impl MavEventCurrentSequenceFlags {
     /// The sequence has started over, as after a reboot.
-    pub const RESET: Self = Self(1);
+    pub const RESET: Self = Self(1 << 0);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_EVENT_CURRENT_SEQUENCE_FLAGS",
-    bitmask: true,
-    entries: &[(1, "MAV_EVENT_CURRENT_SEQUENCE_FLAGS_RESET")],
-};
+static INFO: wire::EnumInfo = wire::EnumInfo::bitmask(
+    "MAV_EVENT_CURRENT_SEQUENCE_FLAGS",
+    &[(1 << 0, "MAV_EVENT_CURRENT_SEQUENCE_FLAGS_RESET")],
+);
 
 wire::flags!(MavEventCurrentSequenceFlags, u8, INFO);

@@ -15,10 +15,9 @@ impl MavEventErrorReason {
     pub const UNAVAILABLE: Self = Self(0);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_EVENT_ERROR_REASON",
-    bitmask: false,
-    entries: &[(0, "MAV_EVENT_ERROR_REASON_UNAVAILABLE")],
-};
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_EVENT_ERROR_REASON",
+    &[(0, "MAV_EVENT_ERROR_REASON_UNAVAILABLE")],
+);
 
 wire::open_enum!(MavEventErrorReason, u8, INFO);

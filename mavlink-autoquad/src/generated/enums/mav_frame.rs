@@ -76,10 +76,9 @@ impl MavFrame {
     pub const LOCAL_FLU: Self = Self(21);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_FRAME",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_FRAME",
+    &[
         (0, "MAV_FRAME_GLOBAL"),
         (1, "MAV_FRAME_LOCAL_NED"),
         (2, "MAV_FRAME_MISSION"),
@@ -103,6 +102,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (20, "MAV_FRAME_LOCAL_FRD"),
         (21, "MAV_FRAME_LOCAL_FLU"),
     ],
-};
+);
 
 wire::open_enum!(MavFrame, u8, INFO);

@@ -35,10 +35,9 @@ impl MavFtpErr {
     pub const FILENOTFOUND: Self = Self(10);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_FTP_ERR",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_FTP_ERR",
+    &[
         (0, "MAV_FTP_ERR_NONE"),
         (1, "MAV_FTP_ERR_FAIL"),
         (2, "MAV_FTP_ERR_FAILERRNO"),
@@ -51,6 +50,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (9, "MAV_FTP_ERR_FILEPROTECTED"),
         (10, "MAV_FTP_ERR_FILENOTFOUND"),
     ],
-};
+);
 
 wire::open_enum!(MavFtpErr, u8, INFO);

@@ -51,10 +51,9 @@ impl MavFtpOpcode {
     pub const NAK: Self = Self(129);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_FTP_OPCODE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_FTP_OPCODE",
+    &[
         (0, "MAV_FTP_OPCODE_NONE"),
         (1, "MAV_FTP_OPCODE_TERMINATESESSION"),
         (2, "MAV_FTP_OPCODE_RESETSESSION"),
@@ -75,6 +74,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (128, "MAV_FTP_OPCODE_ACK"),
         (129, "MAV_FTP_OPCODE_NAK"),
     ],
-};
+);
 
 wire::open_enum!(MavFtpOpcode, u8, INFO);

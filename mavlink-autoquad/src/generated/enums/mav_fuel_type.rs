@@ -19,14 +19,13 @@ impl MavFuelType {
     pub const GAS: Self = Self(2);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_FUEL_TYPE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_FUEL_TYPE",
+    &[
         (0, "MAV_FUEL_TYPE_UNKNOWN"),
         (1, "MAV_FUEL_TYPE_LIQUID"),
         (2, "MAV_FUEL_TYPE_GAS"),
     ],
-};
+);
 
 wire::open_enum!(MavFuelType, u32, INFO);

@@ -12,81 +12,80 @@ pub struct MavGeneratorStatusFlag(u64);
 
 impl MavGeneratorStatusFlag {
     /// Off.
-    pub const OFF: Self = Self(1);
+    pub const OFF: Self = Self(1 << 0);
     /// Ready to make power.
-    pub const READY: Self = Self(2);
+    pub const READY: Self = Self(1 << 1);
     /// Making power.
-    pub const GENERATING: Self = Self(4);
+    pub const GENERATING: Self = Self(1 << 2);
     /// Charging the batteries.
-    pub const CHARGING: Self = Self(8);
+    pub const CHARGING: Self = Self(1 << 3);
     /// Power limited.
-    pub const REDUCED_POWER: Self = Self(0x10);
+    pub const REDUCED_POWER: Self = Self(1 << 4);
     /// At full power.
-    pub const MAXPOWER: Self = Self(0x20);
+    pub const MAXPOWER: Self = Self(1 << 5);
     /// Generator is getting hot.
-    pub const OVERTEMP_WARNING: Self = Self(0x40);
+    pub const OVERTEMP_WARNING: Self = Self(1 << 6);
     /// Generator stopped because of heat.
-    pub const OVERTEMP_FAULT: Self = Self(0x80);
+    pub const OVERTEMP_FAULT: Self = Self(1 << 7);
     /// Electronics are getting hot.
-    pub const ELECTRONICS_OVERTEMP_WARNING: Self = Self(0x100);
+    pub const ELECTRONICS_OVERTEMP_WARNING: Self = Self(1 << 8);
     /// Electronics stopped because of heat.
-    pub const ELECTRONICS_OVERTEMP_FAULT: Self = Self(0x200);
+    pub const ELECTRONICS_OVERTEMP_FAULT: Self = Self(1 << 9);
     /// `MAV_GENERATOR_STATUS_FLAG_ELECTRONICS_FAULT`.
-    pub const ELECTRONICS_FAULT: Self = Self(0x400);
+    pub const ELECTRONICS_FAULT: Self = Self(1 << 10);
     /// `MAV_GENERATOR_STATUS_FLAG_POWERSOURCE_FAULT`.
-    pub const POWERSOURCE_FAULT: Self = Self(0x800);
+    pub const POWERSOURCE_FAULT: Self = Self(1 << 11);
     /// `MAV_GENERATOR_STATUS_FLAG_COMMUNICATION_WARNING`.
-    pub const COMMUNICATION_WARNING: Self = Self(0x1000);
+    pub const COMMUNICATION_WARNING: Self = Self(1 << 12);
     /// `MAV_GENERATOR_STATUS_FLAG_COOLING_WARNING`.
-    pub const COOLING_WARNING: Self = Self(0x2000);
+    pub const COOLING_WARNING: Self = Self(1 << 13);
     /// `MAV_GENERATOR_STATUS_FLAG_POWER_RAIL_FAULT`.
-    pub const POWER_RAIL_FAULT: Self = Self(0x4000);
+    pub const POWER_RAIL_FAULT: Self = Self(1 << 14);
     /// `MAV_GENERATOR_STATUS_FLAG_OVERCURRENT_FAULT`.
-    pub const OVERCURRENT_FAULT: Self = Self(0x8000);
+    pub const OVERCURRENT_FAULT: Self = Self(1 << 15);
     /// `MAV_GENERATOR_STATUS_FLAG_BATTERY_OVERCHARGE_CURRENT_FAULT`.
-    pub const BATTERY_OVERCHARGE_CURRENT_FAULT: Self = Self(0x1_0000);
+    pub const BATTERY_OVERCHARGE_CURRENT_FAULT: Self = Self(1 << 16);
     /// `MAV_GENERATOR_STATUS_FLAG_OVERVOLTAGE_FAULT`.
-    pub const OVERVOLTAGE_FAULT: Self = Self(0x2_0000);
+    pub const OVERVOLTAGE_FAULT: Self = Self(1 << 17);
     /// `MAV_GENERATOR_STATUS_FLAG_BATTERY_UNDERVOLT_FAULT`.
-    pub const BATTERY_UNDERVOLT_FAULT: Self = Self(0x4_0000);
+    pub const BATTERY_UNDERVOLT_FAULT: Self = Self(1 << 18);
     /// Starting is blocked.
-    pub const START_INHIBITED: Self = Self(0x8_0000);
+    pub const START_INHIBITED: Self = Self(1 << 19);
     /// Service is due.
-    pub const MAINTENANCE_REQUIRED: Self = Self(0x10_0000);
+    pub const MAINTENANCE_REQUIRED: Self = Self(1 << 20);
     /// Warming up.
-    pub const WARMING_UP: Self = Self(0x20_0000);
+    pub const WARMING_UP: Self = Self(1 << 21);
     /// Idling.
-    pub const IDLE: Self = Self(0x40_0000);
+    pub const IDLE: Self = Self(1 << 22);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_GENERATOR_STATUS_FLAG",
-    bitmask: true,
-    entries: &[
-        (1, "MAV_GENERATOR_STATUS_FLAG_OFF"),
-        (2, "MAV_GENERATOR_STATUS_FLAG_READY"),
-        (4, "MAV_GENERATOR_STATUS_FLAG_GENERATING"),
-        (8, "MAV_GENERATOR_STATUS_FLAG_CHARGING"),
-        (0x10, "MAV_GENERATOR_STATUS_FLAG_REDUCED_POWER"),
-        (0x20, "MAV_GENERATOR_STATUS_FLAG_MAXPOWER"),
-        (0x40, "MAV_GENERATOR_STATUS_FLAG_OVERTEMP_WARNING"),
-        (0x80, "MAV_GENERATOR_STATUS_FLAG_OVERTEMP_FAULT"),
-        (0x100, "MAV_GENERATOR_STATUS_FLAG_ELECTRONICS_OVERTEMP_WARNING"),
-        (0x200, "MAV_GENERATOR_STATUS_FLAG_ELECTRONICS_OVERTEMP_FAULT"),
-        (0x400, "MAV_GENERATOR_STATUS_FLAG_ELECTRONICS_FAULT"),
-        (0x800, "MAV_GENERATOR_STATUS_FLAG_POWERSOURCE_FAULT"),
-        (0x1000, "MAV_GENERATOR_STATUS_FLAG_COMMUNICATION_WARNING"),
-        (0x2000, "MAV_GENERATOR_STATUS_FLAG_COOLING_WARNING"),
-        (0x4000, "MAV_GENERATOR_STATUS_FLAG_POWER_RAIL_FAULT"),
-        (0x8000, "MAV_GENERATOR_STATUS_FLAG_OVERCURRENT_FAULT"),
-        (0x1_0000, "MAV_GENERATOR_STATUS_FLAG_BATTERY_OVERCHARGE_CURRENT_FAULT"),
-        (0x2_0000, "MAV_GENERATOR_STATUS_FLAG_OVERVOLTAGE_FAULT"),
-        (0x4_0000, "MAV_GENERATOR_STATUS_FLAG_BATTERY_UNDERVOLT_FAULT"),
-        (0x8_0000, "MAV_GENERATOR_STATUS_FLAG_START_INHIBITED"),
-        (0x10_0000, "MAV_GENERATOR_STATUS_FLAG_MAINTENANCE_REQUIRED"),
-        (0x20_0000, "MAV_GENERATOR_STATUS_FLAG_WARMING_UP"),
-        (0x40_0000, "MAV_GENERATOR_STATUS_FLAG_IDLE"),
+static INFO: wire::EnumInfo = wire::EnumInfo::bitmask(
+    "MAV_GENERATOR_STATUS_FLAG",
+    &[
+        (1 << 0, "MAV_GENERATOR_STATUS_FLAG_OFF"),
+        (1 << 1, "MAV_GENERATOR_STATUS_FLAG_READY"),
+        (1 << 2, "MAV_GENERATOR_STATUS_FLAG_GENERATING"),
+        (1 << 3, "MAV_GENERATOR_STATUS_FLAG_CHARGING"),
+        (1 << 4, "MAV_GENERATOR_STATUS_FLAG_REDUCED_POWER"),
+        (1 << 5, "MAV_GENERATOR_STATUS_FLAG_MAXPOWER"),
+        (1 << 6, "MAV_GENERATOR_STATUS_FLAG_OVERTEMP_WARNING"),
+        (1 << 7, "MAV_GENERATOR_STATUS_FLAG_OVERTEMP_FAULT"),
+        (1 << 8, "MAV_GENERATOR_STATUS_FLAG_ELECTRONICS_OVERTEMP_WARNING"),
+        (1 << 9, "MAV_GENERATOR_STATUS_FLAG_ELECTRONICS_OVERTEMP_FAULT"),
+        (1 << 10, "MAV_GENERATOR_STATUS_FLAG_ELECTRONICS_FAULT"),
+        (1 << 11, "MAV_GENERATOR_STATUS_FLAG_POWERSOURCE_FAULT"),
+        (1 << 12, "MAV_GENERATOR_STATUS_FLAG_COMMUNICATION_WARNING"),
+        (1 << 13, "MAV_GENERATOR_STATUS_FLAG_COOLING_WARNING"),
+        (1 << 14, "MAV_GENERATOR_STATUS_FLAG_POWER_RAIL_FAULT"),
+        (1 << 15, "MAV_GENERATOR_STATUS_FLAG_OVERCURRENT_FAULT"),
+        (1 << 16, "MAV_GENERATOR_STATUS_FLAG_BATTERY_OVERCHARGE_CURRENT_FAULT"),
+        (1 << 17, "MAV_GENERATOR_STATUS_FLAG_OVERVOLTAGE_FAULT"),
+        (1 << 18, "MAV_GENERATOR_STATUS_FLAG_BATTERY_UNDERVOLT_FAULT"),
+        (1 << 19, "MAV_GENERATOR_STATUS_FLAG_START_INHIBITED"),
+        (1 << 20, "MAV_GENERATOR_STATUS_FLAG_MAINTENANCE_REQUIRED"),
+        (1 << 21, "MAV_GENERATOR_STATUS_FLAG_WARMING_UP"),
+        (1 << 22, "MAV_GENERATOR_STATUS_FLAG_IDLE"),
     ],
-};
+);
 
 wire::flags!(MavGeneratorStatusFlag, u64, INFO);

@@ -21,15 +21,14 @@ impl MavGoto {
     pub const HOLD_AT_SPECIFIED_POSITION: Self = Self(3);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_GOTO",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_GOTO",
+    &[
         (0, "MAV_GOTO_DO_HOLD"),
         (1, "MAV_GOTO_DO_CONTINUE"),
         (2, "MAV_GOTO_HOLD_AT_CURRENT_POSITION"),
         (3, "MAV_GOTO_HOLD_AT_SPECIFIED_POSITION"),
     ],
-};
+);
 
 wire::open_enum!(MavGoto, u8, INFO);

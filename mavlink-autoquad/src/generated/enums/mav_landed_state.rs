@@ -23,16 +23,15 @@ impl MavLandedState {
     pub const LANDING: Self = Self(4);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_LANDED_STATE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_LANDED_STATE",
+    &[
         (0, "MAV_LANDED_STATE_UNDEFINED"),
         (1, "MAV_LANDED_STATE_ON_GROUND"),
         (2, "MAV_LANDED_STATE_IN_AIR"),
         (3, "MAV_LANDED_STATE_TAKEOFF"),
         (4, "MAV_LANDED_STATE_LANDING"),
     ],
-};
+);
 
 wire::open_enum!(MavLandedState, u8, INFO);

@@ -45,10 +45,9 @@ impl MavMissionResult {
     pub const OPERATION_CANCELLED: Self = Self(15);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_MISSION_RESULT",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_MISSION_RESULT",
+    &[
         (0, "MAV_MISSION_ACCEPTED"),
         (1, "MAV_MISSION_ERROR"),
         (2, "MAV_MISSION_UNSUPPORTED_FRAME"),
@@ -66,6 +65,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (14, "MAV_MISSION_DENIED"),
         (15, "MAV_MISSION_OPERATION_CANCELLED"),
     ],
-};
+);
 
 wire::open_enum!(MavMissionResult, u8, INFO);

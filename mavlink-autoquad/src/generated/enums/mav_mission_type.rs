@@ -21,15 +21,14 @@ impl MavMissionType {
     pub const ALL: Self = Self(255);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_MISSION_TYPE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_MISSION_TYPE",
+    &[
         (0, "MAV_MISSION_TYPE_MISSION"),
         (1, "MAV_MISSION_TYPE_FENCE"),
         (2, "MAV_MISSION_TYPE_RALLY"),
         (255, "MAV_MISSION_TYPE_ALL"),
     ],
-};
+);
 
 wire::open_enum!(MavMissionType, u8, INFO);

@@ -38,10 +38,9 @@ impl MavMode {
     pub const AUTO_ARMED: Self = Self(220);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_MODE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_MODE",
+    &[
         (0, "MAV_MODE_PREFLIGHT"),
         (64, "MAV_MODE_MANUAL_DISARMED"),
         (66, "MAV_MODE_TEST_DISARMED"),
@@ -54,6 +53,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (216, "MAV_MODE_GUIDED_ARMED"),
         (220, "MAV_MODE_AUTO_ARMED"),
     ],
-};
+);
 
 wire::open_enum!(MavMode, u8, INFO);

@@ -12,36 +12,35 @@ pub struct MavModeFlag(u8);
 
 impl MavModeFlag {
     /// custom_mode tells the mode; when setting a mode it alone counts.
-    pub const CUSTOM_MODE_ENABLED: Self = Self(1);
+    pub const CUSTOM_MODE_ENABLED: Self = Self(1 << 0);
     /// Test mode, for experiments only.
-    pub const TEST_ENABLED: Self = Self(2);
+    pub const TEST_ENABLED: Self = Self(1 << 1);
     /// Decides on its own where to go.
-    pub const AUTO_ENABLED: Self = Self(4);
+    pub const AUTO_ENABLED: Self = Self(1 << 2);
     /// Flies to given positions, such as mission items.
-    pub const GUIDED_ENABLED: Self = Self(8);
+    pub const GUIDED_ENABLED: Self = Self(1 << 3);
     /// Attitude is stabilised, maybe position as well.
-    pub const STABILIZE_ENABLED: Self = Self(0x10);
+    pub const STABILIZE_ENABLED: Self = Self(1 << 4);
     /// Simulation with hardware in the loop; outputs are blocked.
-    pub const HIL_ENABLED: Self = Self(0x20);
+    pub const HIL_ENABLED: Self = Self(1 << 5);
     /// The pilot's sticks have effect.
-    pub const MANUAL_INPUT_ENABLED: Self = Self(0x40);
+    pub const MANUAL_INPUT_ENABLED: Self = Self(1 << 6);
     /// Armed: the motors run or may start.
-    pub const SAFETY_ARMED: Self = Self(0x80);
+    pub const SAFETY_ARMED: Self = Self(1 << 7);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_MODE_FLAG",
-    bitmask: true,
-    entries: &[
-        (1, "MAV_MODE_FLAG_CUSTOM_MODE_ENABLED"),
-        (2, "MAV_MODE_FLAG_TEST_ENABLED"),
-        (4, "MAV_MODE_FLAG_AUTO_ENABLED"),
-        (8, "MAV_MODE_FLAG_GUIDED_ENABLED"),
-        (0x10, "MAV_MODE_FLAG_STABILIZE_ENABLED"),
-        (0x20, "MAV_MODE_FLAG_HIL_ENABLED"),
-        (0x40, "MAV_MODE_FLAG_MANUAL_INPUT_ENABLED"),
-        (0x80, "MAV_MODE_FLAG_SAFETY_ARMED"),
+static INFO: wire::EnumInfo = wire::EnumInfo::bitmask(
+    "MAV_MODE_FLAG",
+    &[
+        (1 << 0, "MAV_MODE_FLAG_CUSTOM_MODE_ENABLED"),
+        (1 << 1, "MAV_MODE_FLAG_TEST_ENABLED"),
+        (1 << 2, "MAV_MODE_FLAG_AUTO_ENABLED"),
+        (1 << 3, "MAV_MODE_FLAG_GUIDED_ENABLED"),
+        (1 << 4, "MAV_MODE_FLAG_STABILIZE_ENABLED"),
+        (1 << 5, "MAV_MODE_FLAG_HIL_ENABLED"),
+        (1 << 6, "MAV_MODE_FLAG_MANUAL_INPUT_ENABLED"),
+        (1 << 7, "MAV_MODE_FLAG_SAFETY_ARMED"),
     ],
-};
+);
 
 wire::flags!(MavModeFlag, u8, INFO);

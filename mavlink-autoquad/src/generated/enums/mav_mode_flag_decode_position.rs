@@ -12,36 +12,35 @@ pub struct MavModeFlagDecodePosition(u8);
 
 impl MavModeFlagDecodePosition {
     /// Custom mode.
-    pub const CUSTOM_MODE: Self = Self(1);
+    pub const CUSTOM_MODE: Self = Self(1 << 0);
     /// Test.
-    pub const TEST: Self = Self(2);
+    pub const TEST: Self = Self(1 << 1);
     /// Automatic.
-    pub const AUTO: Self = Self(4);
+    pub const AUTO: Self = Self(1 << 2);
     /// Guided.
-    pub const GUIDED: Self = Self(8);
+    pub const GUIDED: Self = Self(1 << 3);
     /// Stabilised.
-    pub const STABILIZE: Self = Self(0x10);
+    pub const STABILIZE: Self = Self(1 << 4);
     /// Hardware in the loop.
-    pub const HIL: Self = Self(0x20);
+    pub const HIL: Self = Self(1 << 5);
     /// Manual input.
-    pub const MANUAL: Self = Self(0x40);
+    pub const MANUAL: Self = Self(1 << 6);
     /// Armed.
-    pub const SAFETY: Self = Self(0x80);
+    pub const SAFETY: Self = Self(1 << 7);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_MODE_FLAG_DECODE_POSITION",
-    bitmask: true,
-    entries: &[
-        (1, "MAV_MODE_FLAG_DECODE_POSITION_CUSTOM_MODE"),
-        (2, "MAV_MODE_FLAG_DECODE_POSITION_TEST"),
-        (4, "MAV_MODE_FLAG_DECODE_POSITION_AUTO"),
-        (8, "MAV_MODE_FLAG_DECODE_POSITION_GUIDED"),
-        (0x10, "MAV_MODE_FLAG_DECODE_POSITION_STABILIZE"),
-        (0x20, "MAV_MODE_FLAG_DECODE_POSITION_HIL"),
-        (0x40, "MAV_MODE_FLAG_DECODE_POSITION_MANUAL"),
-        (0x80, "MAV_MODE_FLAG_DECODE_POSITION_SAFETY"),
+static INFO: wire::EnumInfo = wire::EnumInfo::bitmask(
+    "MAV_MODE_FLAG_DECODE_POSITION",
+    &[
+        (1 << 0, "MAV_MODE_FLAG_DECODE_POSITION_CUSTOM_MODE"),
+        (1 << 1, "MAV_MODE_FLAG_DECODE_POSITION_TEST"),
+        (1 << 2, "MAV_MODE_FLAG_DECODE_POSITION_AUTO"),
+        (1 << 3, "MAV_MODE_FLAG_DECODE_POSITION_GUIDED"),
+        (1 << 4, "MAV_MODE_FLAG_DECODE_POSITION_STABILIZE"),
+        (1 << 5, "MAV_MODE_FLAG_DECODE_POSITION_HIL"),
+        (1 << 6, "MAV_MODE_FLAG_DECODE_POSITION_MANUAL"),
+        (1 << 7, "MAV_MODE_FLAG_DECODE_POSITION_SAFETY"),
     ],
-};
+);
 
 wire::flags!(MavModeFlagDecodePosition, u8, INFO);

@@ -12,21 +12,20 @@ pub struct MavModeProperty(u32);
 
 impl MavModeProperty {
     /// For experienced pilots.
-    pub const ADVANCED: Self = Self(1);
+    pub const ADVANCED: Self = Self(1 << 0);
     /// Not to be offered to the user; the vehicle enters it by itself.
-    pub const NOT_USER_SELECTABLE: Self = Self(2);
+    pub const NOT_USER_SELECTABLE: Self = Self(1 << 1);
     /// Flies by itself, without stick input.
-    pub const AUTO_MODE: Self = Self(4);
+    pub const AUTO_MODE: Self = Self(1 << 2);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_MODE_PROPERTY",
-    bitmask: true,
-    entries: &[
-        (1, "MAV_MODE_PROPERTY_ADVANCED"),
-        (2, "MAV_MODE_PROPERTY_NOT_USER_SELECTABLE"),
-        (4, "MAV_MODE_PROPERTY_AUTO_MODE"),
+static INFO: wire::EnumInfo = wire::EnumInfo::bitmask(
+    "MAV_MODE_PROPERTY",
+    &[
+        (1 << 0, "MAV_MODE_PROPERTY_ADVANCED"),
+        (1 << 1, "MAV_MODE_PROPERTY_NOT_USER_SELECTABLE"),
+        (1 << 2, "MAV_MODE_PROPERTY_AUTO_MODE"),
     ],
-};
+);
 
 wire::flags!(MavModeProperty, u32, INFO);

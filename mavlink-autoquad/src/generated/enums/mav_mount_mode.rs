@@ -32,10 +32,9 @@ impl MavMountMode {
     pub const WPNEXT_OFFSET: Self = Self(7);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_MOUNT_MODE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_MOUNT_MODE",
+    &[
         (0, "MAV_MOUNT_MODE_RETRACT"),
         (1, "MAV_MOUNT_MODE_NEUTRAL"),
         (2, "MAV_MOUNT_MODE_MAVLINK_TARGETING"),
@@ -45,6 +44,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (6, "MAV_MOUNT_MODE_HOME_LOCATION"),
         (7, "MAV_MOUNT_MODE_WPNEXT_OFFSET"),
     ],
-};
+);
 
 wire::open_enum!(MavMountMode, u8, INFO);

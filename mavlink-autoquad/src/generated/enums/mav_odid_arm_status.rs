@@ -17,13 +17,12 @@ impl MavOdidArmStatus {
     pub const PRE_ARM_FAIL_GENERIC: Self = Self(1);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_ODID_ARM_STATUS",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_ODID_ARM_STATUS",
+    &[
         (0, "MAV_ODID_ARM_STATUS_GOOD_TO_ARM"),
         (1, "MAV_ODID_ARM_STATUS_PRE_ARM_FAIL_GENERIC"),
     ],
-};
+);
 
 wire::open_enum!(MavOdidArmStatus, u8, INFO);

@@ -25,10 +25,9 @@ impl MavOdidAuthType {
     pub const SPECIFIC_AUTHENTICATION: Self = Self(5);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_ODID_AUTH_TYPE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_ODID_AUTH_TYPE",
+    &[
         (0, "MAV_ODID_AUTH_TYPE_NONE"),
         (1, "MAV_ODID_AUTH_TYPE_UAS_ID_SIGNATURE"),
         (2, "MAV_ODID_AUTH_TYPE_OPERATOR_ID_SIGNATURE"),
@@ -36,6 +35,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (4, "MAV_ODID_AUTH_TYPE_NETWORK_REMOTE_ID"),
         (5, "MAV_ODID_AUTH_TYPE_SPECIFIC_AUTHENTICATION"),
     ],
-};
+);
 
 wire::open_enum!(MavOdidAuthType, u8, INFO);

@@ -21,15 +21,14 @@ impl MavOdidCategoryEu {
     pub const CERTIFIED: Self = Self(3);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_ODID_CATEGORY_EU",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_ODID_CATEGORY_EU",
+    &[
         (0, "MAV_ODID_CATEGORY_EU_UNDECLARED"),
         (1, "MAV_ODID_CATEGORY_EU_OPEN"),
         (2, "MAV_ODID_CATEGORY_EU_SPECIFIC"),
         (3, "MAV_ODID_CATEGORY_EU_CERTIFIED"),
     ],
-};
+);
 
 wire::open_enum!(MavOdidCategoryEu, u8, INFO);

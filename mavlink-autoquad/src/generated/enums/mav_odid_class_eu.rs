@@ -29,10 +29,9 @@ impl MavOdidClassEu {
     pub const CLASS_6: Self = Self(7);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_ODID_CLASS_EU",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_ODID_CLASS_EU",
+    &[
         (0, "MAV_ODID_CLASS_EU_UNDECLARED"),
         (1, "MAV_ODID_CLASS_EU_CLASS_0"),
         (2, "MAV_ODID_CLASS_EU_CLASS_1"),
@@ -42,6 +41,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (6, "MAV_ODID_CLASS_EU_CLASS_5"),
         (7, "MAV_ODID_CLASS_EU_CLASS_6"),
     ],
-};
+);
 
 wire::open_enum!(MavOdidClassEu, u8, INFO);

@@ -17,13 +17,12 @@ impl MavOdidClassificationType {
     pub const EU: Self = Self(1);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_ODID_CLASSIFICATION_TYPE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_ODID_CLASSIFICATION_TYPE",
+    &[
         (0, "MAV_ODID_CLASSIFICATION_TYPE_UNDECLARED"),
         (1, "MAV_ODID_CLASSIFICATION_TYPE_EU"),
     ],
-};
+);
 
 wire::open_enum!(MavOdidClassificationType, u8, INFO);

@@ -19,14 +19,13 @@ impl MavOdidDescType {
     pub const EXTENDED_STATUS: Self = Self(2);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_ODID_DESC_TYPE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_ODID_DESC_TYPE",
+    &[
         (0, "MAV_ODID_DESC_TYPE_TEXT"),
         (1, "MAV_ODID_DESC_TYPE_EMERGENCY"),
         (2, "MAV_ODID_DESC_TYPE_EXTENDED_STATUS"),
     ],
-};
+);
 
 wire::open_enum!(MavOdidDescType, u8, INFO);

@@ -17,13 +17,9 @@ impl MavOdidHeightRef {
     pub const OVER_GROUND: Self = Self(1);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_ODID_HEIGHT_REF",
-    bitmask: false,
-    entries: &[
-        (0, "MAV_ODID_HEIGHT_REF_OVER_TAKEOFF"),
-        (1, "MAV_ODID_HEIGHT_REF_OVER_GROUND"),
-    ],
-};
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_ODID_HEIGHT_REF",
+    &[(0, "MAV_ODID_HEIGHT_REF_OVER_TAKEOFF"), (1, "MAV_ODID_HEIGHT_REF_OVER_GROUND")],
+);
 
 wire::open_enum!(MavOdidHeightRef, u8, INFO);

@@ -39,10 +39,9 @@ impl MavOdidHorAcc {
     pub const ACC_1_METER: Self = Self(12);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_ODID_HOR_ACC",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_ODID_HOR_ACC",
+    &[
         (0, "MAV_ODID_HOR_ACC_UNKNOWN"),
         (1, "MAV_ODID_HOR_ACC_10NM"),
         (2, "MAV_ODID_HOR_ACC_4NM"),
@@ -57,6 +56,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (11, "MAV_ODID_HOR_ACC_3_METER"),
         (12, "MAV_ODID_HOR_ACC_1_METER"),
     ],
-};
+);
 
 wire::open_enum!(MavOdidHorAcc, u8, INFO);

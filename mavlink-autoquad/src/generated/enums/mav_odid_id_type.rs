@@ -23,16 +23,15 @@ impl MavOdidIdType {
     pub const SPECIFIC_SESSION_ID: Self = Self(4);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_ODID_ID_TYPE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_ODID_ID_TYPE",
+    &[
         (0, "MAV_ODID_ID_TYPE_NONE"),
         (1, "MAV_ODID_ID_TYPE_SERIAL_NUMBER"),
         (2, "MAV_ODID_ID_TYPE_CAA_REGISTRATION_ID"),
         (3, "MAV_ODID_ID_TYPE_UTM_ASSIGNED_UUID"),
         (4, "MAV_ODID_ID_TYPE_SPECIFIC_SESSION_ID"),
     ],
-};
+);
 
 wire::open_enum!(MavOdidIdType, u8, INFO);

@@ -15,10 +15,9 @@ impl MavOdidOperatorIdType {
     pub const CAA: Self = Self(0);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_ODID_OPERATOR_ID_TYPE",
-    bitmask: false,
-    entries: &[(0, "MAV_ODID_OPERATOR_ID_TYPE_CAA")],
-};
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_ODID_OPERATOR_ID_TYPE",
+    &[(0, "MAV_ODID_OPERATOR_ID_TYPE_CAA")],
+);
 
 wire::open_enum!(MavOdidOperatorIdType, u8, INFO);

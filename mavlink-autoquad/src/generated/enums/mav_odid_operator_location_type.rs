@@ -19,14 +19,13 @@ impl MavOdidOperatorLocationType {
     pub const FIXED: Self = Self(2);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_ODID_OPERATOR_LOCATION_TYPE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_ODID_OPERATOR_LOCATION_TYPE",
+    &[
         (0, "MAV_ODID_OPERATOR_LOCATION_TYPE_TAKEOFF"),
         (1, "MAV_ODID_OPERATOR_LOCATION_TYPE_LIVE_GNSS"),
         (2, "MAV_ODID_OPERATOR_LOCATION_TYPE_FIXED"),
     ],
-};
+);
 
 wire::open_enum!(MavOdidOperatorLocationType, u8, INFO);

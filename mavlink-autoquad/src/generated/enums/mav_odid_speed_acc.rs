@@ -23,16 +23,15 @@ impl MavOdidSpeedAcc {
     pub const ACC_0_3_METERS_PER_SECOND: Self = Self(4);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_ODID_SPEED_ACC",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_ODID_SPEED_ACC",
+    &[
         (0, "MAV_ODID_SPEED_ACC_UNKNOWN"),
         (1, "MAV_ODID_SPEED_ACC_10_METERS_PER_SECOND"),
         (2, "MAV_ODID_SPEED_ACC_3_METERS_PER_SECOND"),
         (3, "MAV_ODID_SPEED_ACC_1_METERS_PER_SECOND"),
         (4, "MAV_ODID_SPEED_ACC_0_3_METERS_PER_SECOND"),
     ],
-};
+);
 
 wire::open_enum!(MavOdidSpeedAcc, u8, INFO);

@@ -23,16 +23,15 @@ impl MavOdidStatus {
     pub const REMOTE_ID_SYSTEM_FAILURE: Self = Self(4);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_ODID_STATUS",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_ODID_STATUS",
+    &[
         (0, "MAV_ODID_STATUS_UNDECLARED"),
         (1, "MAV_ODID_STATUS_GROUND"),
         (2, "MAV_ODID_STATUS_AIRBORNE"),
         (3, "MAV_ODID_STATUS_EMERGENCY"),
         (4, "MAV_ODID_STATUS_REMOTE_ID_SYSTEM_FAILURE"),
     ],
-};
+);
 
 wire::open_enum!(MavOdidStatus, u8, INFO);

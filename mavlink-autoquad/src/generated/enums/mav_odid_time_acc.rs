@@ -45,10 +45,9 @@ impl MavOdidTimeAcc {
     pub const ACC_1_5_SECOND: Self = Self(15);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_ODID_TIME_ACC",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_ODID_TIME_ACC",
+    &[
         (0, "MAV_ODID_TIME_ACC_UNKNOWN"),
         (1, "MAV_ODID_TIME_ACC_0_1_SECOND"),
         (2, "MAV_ODID_TIME_ACC_0_2_SECOND"),
@@ -66,6 +65,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (14, "MAV_ODID_TIME_ACC_1_4_SECOND"),
         (15, "MAV_ODID_TIME_ACC_1_5_SECOND"),
     ],
-};
+);
 
 wire::open_enum!(MavOdidTimeAcc, u8, INFO);

@@ -45,10 +45,9 @@ impl MavOdidUaType {
     pub const OTHER: Self = Self(15);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_ODID_UA_TYPE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_ODID_UA_TYPE",
+    &[
         (0, "MAV_ODID_UA_TYPE_NONE"),
         (1, "MAV_ODID_UA_TYPE_AEROPLANE"),
         (2, "MAV_ODID_UA_TYPE_HELICOPTER_OR_MULTIROTOR"),
@@ -66,6 +65,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (14, "MAV_ODID_UA_TYPE_GROUND_OBSTACLE"),
         (15, "MAV_ODID_UA_TYPE_OTHER"),
     ],
-};
+);
 
 wire::open_enum!(MavOdidUaType, u8, INFO);

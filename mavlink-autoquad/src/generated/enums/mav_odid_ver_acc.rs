@@ -27,10 +27,9 @@ impl MavOdidVerAcc {
     pub const ACC_1_METER: Self = Self(6);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_ODID_VER_ACC",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_ODID_VER_ACC",
+    &[
         (0, "MAV_ODID_VER_ACC_UNKNOWN"),
         (1, "MAV_ODID_VER_ACC_150_METER"),
         (2, "MAV_ODID_VER_ACC_45_METER"),
@@ -39,6 +38,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (5, "MAV_ODID_VER_ACC_3_METER"),
         (6, "MAV_ODID_VER_ACC_1_METER"),
     ],
-};
+);
 
 wire::open_enum!(MavOdidVerAcc, u8, INFO);

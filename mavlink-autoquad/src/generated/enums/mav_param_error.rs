@@ -33,10 +33,9 @@ impl MavParamError {
     pub const READ_FAIL: Self = Self(8);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_PARAM_ERROR",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_PARAM_ERROR",
+    &[
         (0, "MAV_PARAM_ERROR_NO_ERROR"),
         (1, "MAV_PARAM_ERROR_DOES_NOT_EXIST"),
         (2, "MAV_PARAM_ERROR_VALUE_OUT_OF_RANGE"),
@@ -47,6 +46,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (7, "MAV_PARAM_ERROR_TYPE_MISMATCH"),
         (8, "MAV_PARAM_ERROR_READ_FAIL"),
     ],
-};
+);
 
 wire::open_enum!(MavParamError, u8, INFO);

@@ -35,10 +35,9 @@ impl MavParamExtType {
     pub const CUSTOM: Self = Self(11);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_PARAM_EXT_TYPE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_PARAM_EXT_TYPE",
+    &[
         (1, "MAV_PARAM_EXT_TYPE_UINT8"),
         (2, "MAV_PARAM_EXT_TYPE_INT8"),
         (3, "MAV_PARAM_EXT_TYPE_UINT16"),
@@ -51,6 +50,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (10, "MAV_PARAM_EXT_TYPE_REAL64"),
         (11, "MAV_PARAM_EXT_TYPE_CUSTOM"),
     ],
-};
+);
 
 wire::open_enum!(MavParamExtType, u8, INFO);

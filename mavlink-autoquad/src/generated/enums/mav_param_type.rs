@@ -33,10 +33,9 @@ impl MavParamType {
     pub const REAL64: Self = Self(10);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_PARAM_TYPE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_PARAM_TYPE",
+    &[
         (1, "MAV_PARAM_TYPE_UINT8"),
         (2, "MAV_PARAM_TYPE_INT8"),
         (3, "MAV_PARAM_TYPE_UINT16"),
@@ -48,6 +47,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (9, "MAV_PARAM_TYPE_REAL32"),
         (10, "MAV_PARAM_TYPE_REAL64"),
     ],
-};
+);
 
 wire::open_enum!(MavParamType, u8, INFO);

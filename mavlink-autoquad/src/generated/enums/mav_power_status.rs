@@ -12,30 +12,29 @@ pub struct MavPowerStatus(u16);
 
 impl MavPowerStatus {
     /// Main supply is good.
-    pub const BRICK_VALID: Self = Self(1);
+    pub const BRICK_VALID: Self = Self(1 << 0);
     /// Servo supply is good.
-    pub const SERVO_VALID: Self = Self(2);
+    pub const SERVO_VALID: Self = Self(1 << 1);
     /// USB is connected.
-    pub const USB_CONNECTED: Self = Self(4);
+    pub const USB_CONNECTED: Self = Self(1 << 2);
     /// Peripherals draw too much.
-    pub const PERIPH_OVERCURRENT: Self = Self(8);
+    pub const PERIPH_OVERCURRENT: Self = Self(1 << 3);
     /// High-power peripherals draw too much.
-    pub const PERIPH_HIPOWER_OVERCURRENT: Self = Self(0x10);
+    pub const PERIPH_HIPOWER_OVERCURRENT: Self = Self(1 << 4);
     /// Something has changed since boot.
-    pub const CHANGED: Self = Self(0x20);
+    pub const CHANGED: Self = Self(1 << 5);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_POWER_STATUS",
-    bitmask: true,
-    entries: &[
-        (1, "MAV_POWER_STATUS_BRICK_VALID"),
-        (2, "MAV_POWER_STATUS_SERVO_VALID"),
-        (4, "MAV_POWER_STATUS_USB_CONNECTED"),
-        (8, "MAV_POWER_STATUS_PERIPH_OVERCURRENT"),
-        (0x10, "MAV_POWER_STATUS_PERIPH_HIPOWER_OVERCURRENT"),
-        (0x20, "MAV_POWER_STATUS_CHANGED"),
+static INFO: wire::EnumInfo = wire::EnumInfo::bitmask(
+    "MAV_POWER_STATUS",
+    &[
+        (1 << 0, "MAV_POWER_STATUS_BRICK_VALID"),
+        (1 << 1, "MAV_POWER_STATUS_SERVO_VALID"),
+        (1 << 2, "MAV_POWER_STATUS_USB_CONNECTED"),
+        (1 << 3, "MAV_POWER_STATUS_PERIPH_OVERCURRENT"),
+        (1 << 4, "MAV_POWER_STATUS_PERIPH_HIPOWER_OVERCURRENT"),
+        (1 << 5, "MAV_POWER_STATUS_CHANGED"),
     ],
-};
+);
 
 wire::flags!(MavPowerStatus, u16, INFO);

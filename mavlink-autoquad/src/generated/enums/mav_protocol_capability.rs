@@ -12,84 +12,83 @@ pub struct MavProtocolCapability(u64);
 
 impl MavProtocolCapability {
     /// Takes mission items as `MISSION_ITEM`.
-    pub const MISSION_FLOAT: Self = Self(1);
+    pub const MISSION_FLOAT: Self = Self(1 << 0);
 
     /// **Deprecated** since 2022-03, replaced by `MAV_PROTOCOL_CAPABILITY_PARAM_ENCODE_C_CAST`.
     #[deprecated(
         note = "since 2022-03: replaced by `MAV_PROTOCOL_CAPABILITY_PARAM_ENCODE_C_CAST`"
     )]
-    pub const PARAM_FLOAT: Self = Self(2);
+    pub const PARAM_FLOAT: Self = Self(1 << 1);
 
     /// Takes mission items as `MISSION_ITEM_INT`; set by everything that has missions.
-    pub const MISSION_INT: Self = Self(4);
+    pub const MISSION_INT: Self = Self(1 << 2);
     /// Takes `COMMAND_INT`.
-    pub const COMMAND_INT: Self = Self(8);
+    pub const COMMAND_INT: Self = Self(1 << 3);
     /// Parameter values are stored bytewise in the float field.
-    pub const PARAM_ENCODE_BYTEWISE: Self = Self(0x10);
+    pub const PARAM_ENCODE_BYTEWISE: Self = Self(1 << 4);
     /// MAVLink FTP.
-    pub const FTP: Self = Self(0x20);
+    pub const FTP: Self = Self(1 << 5);
     /// Takes `SET_ATTITUDE_TARGET`.
-    pub const SET_ATTITUDE_TARGET: Self = Self(0x40);
+    pub const SET_ATTITUDE_TARGET: Self = Self(1 << 6);
     /// Takes `SET_POSITION_TARGET_LOCAL_NED`.
-    pub const SET_POSITION_TARGET_LOCAL_NED: Self = Self(0x80);
+    pub const SET_POSITION_TARGET_LOCAL_NED: Self = Self(1 << 7);
     /// Takes `SET_POSITION_TARGET_GLOBAL_INT`.
-    pub const SET_POSITION_TARGET_GLOBAL_INT: Self = Self(0x100);
+    pub const SET_POSITION_TARGET_GLOBAL_INT: Self = Self(1 << 8);
     /// Uses terrain data.
-    pub const TERRAIN: Self = Self(0x200);
+    pub const TERRAIN: Self = Self(1 << 9);
     /// Not to be used.
-    pub const RESERVED3: Self = Self(0x400);
+    pub const RESERVED3: Self = Self(1 << 10);
     /// Takes `MAV_CMD_DO_FLIGHTTERMINATION`.
-    pub const FLIGHT_TERMINATION: Self = Self(0x800);
+    pub const FLIGHT_TERMINATION: Self = Self(1 << 11);
     /// Calibrates compasses on board.
-    pub const COMPASS_CALIBRATION: Self = Self(0x1000);
+    pub const COMPASS_CALIBRATION: Self = Self(1 << 12);
     /// Speaks MAVLink 2.
-    pub const MAVLINK2: Self = Self(0x2000);
+    pub const MAVLINK2: Self = Self(1 << 13);
     /// Geofences in the mission protocol.
-    pub const MISSION_FENCE: Self = Self(0x4000);
+    pub const MISSION_FENCE: Self = Self(1 << 14);
     /// Rally points in the mission protocol.
-    pub const MISSION_RALLY: Self = Self(0x8000);
+    pub const MISSION_RALLY: Self = Self(1 << 15);
     /// Not to be used.
-    pub const RESERVED2: Self = Self(0x1_0000);
+    pub const RESERVED2: Self = Self(1 << 16);
     /// Parameter values are converted to float, as a C cast does.
-    pub const PARAM_ENCODE_C_CAST: Self = Self(0x2_0000);
+    pub const PARAM_ENCODE_C_CAST: Self = Self(1 << 17);
     /// Is a gimbal manager.
-    pub const COMPONENT_IMPLEMENTS_GIMBAL_MANAGER: Self = Self(0x4_0000);
+    pub const COMPONENT_IMPLEMENTS_GIMBAL_MANAGER: Self = Self(1 << 18);
     /// Can be locked to one ground station.
     ///
     /// **Work in progress**: may still change.
-    pub const COMPONENT_ACCEPTS_GCS_CONTROL: Self = Self(0x8_0000);
+    pub const COMPONENT_ACCEPTS_GCS_CONTROL: Self = Self(1 << 19);
     /// Has a gripper of its own.
     ///
     /// **Work in progress**: may still change.
-    pub const GRIPPER: Self = Self(0x10_0000);
+    pub const GRIPPER: Self = Self(1 << 20);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_PROTOCOL_CAPABILITY",
-    bitmask: true,
-    entries: &[
-        (1, "MAV_PROTOCOL_CAPABILITY_MISSION_FLOAT"),
-        (2, "MAV_PROTOCOL_CAPABILITY_PARAM_FLOAT"),
-        (4, "MAV_PROTOCOL_CAPABILITY_MISSION_INT"),
-        (8, "MAV_PROTOCOL_CAPABILITY_COMMAND_INT"),
-        (0x10, "MAV_PROTOCOL_CAPABILITY_PARAM_ENCODE_BYTEWISE"),
-        (0x20, "MAV_PROTOCOL_CAPABILITY_FTP"),
-        (0x40, "MAV_PROTOCOL_CAPABILITY_SET_ATTITUDE_TARGET"),
-        (0x80, "MAV_PROTOCOL_CAPABILITY_SET_POSITION_TARGET_LOCAL_NED"),
-        (0x100, "MAV_PROTOCOL_CAPABILITY_SET_POSITION_TARGET_GLOBAL_INT"),
-        (0x200, "MAV_PROTOCOL_CAPABILITY_TERRAIN"),
-        (0x400, "MAV_PROTOCOL_CAPABILITY_RESERVED3"),
-        (0x800, "MAV_PROTOCOL_CAPABILITY_FLIGHT_TERMINATION"),
-        (0x1000, "MAV_PROTOCOL_CAPABILITY_COMPASS_CALIBRATION"),
-        (0x2000, "MAV_PROTOCOL_CAPABILITY_MAVLINK2"),
-        (0x4000, "MAV_PROTOCOL_CAPABILITY_MISSION_FENCE"),
-        (0x8000, "MAV_PROTOCOL_CAPABILITY_MISSION_RALLY"),
-        (0x1_0000, "MAV_PROTOCOL_CAPABILITY_RESERVED2"),
-        (0x2_0000, "MAV_PROTOCOL_CAPABILITY_PARAM_ENCODE_C_CAST"),
-        (0x4_0000, "MAV_PROTOCOL_CAPABILITY_COMPONENT_IMPLEMENTS_GIMBAL_MANAGER"),
-        (0x8_0000, "MAV_PROTOCOL_CAPABILITY_COMPONENT_ACCEPTS_GCS_CONTROL"),
-        (0x10_0000, "MAV_PROTOCOL_CAPABILITY_GRIPPER"),
+static INFO: wire::EnumInfo = wire::EnumInfo::bitmask(
+    "MAV_PROTOCOL_CAPABILITY",
+    &[
+        (1 << 0, "MAV_PROTOCOL_CAPABILITY_MISSION_FLOAT"),
+        (1 << 1, "MAV_PROTOCOL_CAPABILITY_PARAM_FLOAT"),
+        (1 << 2, "MAV_PROTOCOL_CAPABILITY_MISSION_INT"),
+        (1 << 3, "MAV_PROTOCOL_CAPABILITY_COMMAND_INT"),
+        (1 << 4, "MAV_PROTOCOL_CAPABILITY_PARAM_ENCODE_BYTEWISE"),
+        (1 << 5, "MAV_PROTOCOL_CAPABILITY_FTP"),
+        (1 << 6, "MAV_PROTOCOL_CAPABILITY_SET_ATTITUDE_TARGET"),
+        (1 << 7, "MAV_PROTOCOL_CAPABILITY_SET_POSITION_TARGET_LOCAL_NED"),
+        (1 << 8, "MAV_PROTOCOL_CAPABILITY_SET_POSITION_TARGET_GLOBAL_INT"),
+        (1 << 9, "MAV_PROTOCOL_CAPABILITY_TERRAIN"),
+        (1 << 10, "MAV_PROTOCOL_CAPABILITY_RESERVED3"),
+        (1 << 11, "MAV_PROTOCOL_CAPABILITY_FLIGHT_TERMINATION"),
+        (1 << 12, "MAV_PROTOCOL_CAPABILITY_COMPASS_CALIBRATION"),
+        (1 << 13, "MAV_PROTOCOL_CAPABILITY_MAVLINK2"),
+        (1 << 14, "MAV_PROTOCOL_CAPABILITY_MISSION_FENCE"),
+        (1 << 15, "MAV_PROTOCOL_CAPABILITY_MISSION_RALLY"),
+        (1 << 16, "MAV_PROTOCOL_CAPABILITY_RESERVED2"),
+        (1 << 17, "MAV_PROTOCOL_CAPABILITY_PARAM_ENCODE_C_CAST"),
+        (1 << 18, "MAV_PROTOCOL_CAPABILITY_COMPONENT_IMPLEMENTS_GIMBAL_MANAGER"),
+        (1 << 19, "MAV_PROTOCOL_CAPABILITY_COMPONENT_ACCEPTS_GCS_CONTROL"),
+        (1 << 20, "MAV_PROTOCOL_CAPABILITY_GRIPPER"),
     ],
-};
+);
 
 wire::flags!(MavProtocolCapability, u64, INFO);

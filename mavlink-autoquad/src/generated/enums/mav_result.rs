@@ -37,10 +37,9 @@ impl MavResult {
     pub const NOT_IN_CONTROL: Self = Self(10);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_RESULT",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_RESULT",
+    &[
         (0, "MAV_RESULT_ACCEPTED"),
         (1, "MAV_RESULT_TEMPORARILY_REJECTED"),
         (2, "MAV_RESULT_DENIED"),
@@ -53,6 +52,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (9, "MAV_RESULT_COMMAND_UNSUPPORTED_MAV_FRAME"),
         (10, "MAV_RESULT_NOT_IN_CONTROL"),
     ],
-};
+);
 
 wire::open_enum!(MavResult, u8, INFO);

@@ -25,16 +25,15 @@ impl MavRoi {
     pub const TARGET: Self = Self(4);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_ROI",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_ROI",
+    &[
         (0, "MAV_ROI_NONE"),
         (1, "MAV_ROI_WPNEXT"),
         (2, "MAV_ROI_WPINDEX"),
         (3, "MAV_ROI_LOCATION"),
         (4, "MAV_ROI_TARGET"),
     ],
-};
+);
 
 wire::open_enum!(MavRoi, u8, INFO);

@@ -97,10 +97,9 @@ impl MavSensorOrientation {
     pub const CUSTOM: Self = Self(100);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_SENSOR_ORIENTATION",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_SENSOR_ORIENTATION",
+    &[
         (0, "MAV_SENSOR_ROTATION_NONE"),
         (1, "MAV_SENSOR_ROTATION_YAW_45"),
         (2, "MAV_SENSOR_ROTATION_YAW_90"),
@@ -144,6 +143,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (40, "MAV_SENSOR_ROTATION_ROLL_90_PITCH_315"),
         (100, "MAV_SENSOR_ROTATION_CUSTOM"),
     ],
-};
+);
 
 wire::open_enum!(MavSensorOrientation, u8, INFO);

@@ -29,10 +29,9 @@ impl MavSeverity {
     pub const DEBUG: Self = Self(7);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_SEVERITY",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_SEVERITY",
+    &[
         (0, "MAV_SEVERITY_EMERGENCY"),
         (1, "MAV_SEVERITY_ALERT"),
         (2, "MAV_SEVERITY_CRITICAL"),
@@ -42,6 +41,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (6, "MAV_SEVERITY_INFO"),
         (7, "MAV_SEVERITY_DEBUG"),
     ],
-};
+);
 
 wire::open_enum!(MavSeverity, u8, INFO);

@@ -31,10 +31,9 @@ impl MavStandardMode {
     pub const TAKEOFF: Self = Self(8);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_STANDARD_MODE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_STANDARD_MODE",
+    &[
         (0, "MAV_STANDARD_MODE_NON_STANDARD"),
         (1, "MAV_STANDARD_MODE_POSITION_HOLD"),
         (2, "MAV_STANDARD_MODE_ORBIT"),
@@ -45,6 +44,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (7, "MAV_STANDARD_MODE_LAND"),
         (8, "MAV_STANDARD_MODE_TAKEOFF"),
     ],
-};
+);
 
 wire::open_enum!(MavStandardMode, u8, INFO);

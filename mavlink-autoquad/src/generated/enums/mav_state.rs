@@ -31,10 +31,9 @@ impl MavState {
     pub const FLIGHT_TERMINATION: Self = Self(8);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_STATE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_STATE",
+    &[
         (0, "MAV_STATE_UNINIT"),
         (1, "MAV_STATE_BOOT"),
         (2, "MAV_STATE_CALIBRATING"),
@@ -45,6 +44,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (7, "MAV_STATE_POWEROFF"),
         (8, "MAV_STATE_FLIGHT_TERMINATION"),
     ],
-};
+);
 
 wire::open_enum!(MavState, u8, INFO);

@@ -12,108 +12,107 @@ pub struct MavSysStatusSensor(u32);
 
 impl MavSysStatusSensor {
     /// First gyroscope.
-    pub const SENSOR_3D_GYRO: Self = Self(1);
+    pub const SENSOR_3D_GYRO: Self = Self(1 << 0);
     /// First accelerometer.
-    pub const SENSOR_3D_ACCEL: Self = Self(2);
+    pub const SENSOR_3D_ACCEL: Self = Self(1 << 1);
     /// First magnetometer.
-    pub const SENSOR_3D_MAG: Self = Self(4);
+    pub const SENSOR_3D_MAG: Self = Self(1 << 2);
     /// Barometer.
-    pub const SENSOR_ABSOLUTE_PRESSURE: Self = Self(8);
+    pub const SENSOR_ABSOLUTE_PRESSURE: Self = Self(1 << 3);
     /// Airspeed sensor.
-    pub const SENSOR_DIFFERENTIAL_PRESSURE: Self = Self(0x10);
+    pub const SENSOR_DIFFERENTIAL_PRESSURE: Self = Self(1 << 4);
     /// Satellite receiver.
-    pub const SENSOR_GPS: Self = Self(0x20);
+    pub const SENSOR_GPS: Self = Self(1 << 5);
     /// Optical flow sensor.
-    pub const SENSOR_OPTICAL_FLOW: Self = Self(0x40);
+    pub const SENSOR_OPTICAL_FLOW: Self = Self(1 << 6);
     /// Position from vision.
-    pub const SENSOR_VISION_POSITION: Self = Self(0x80);
+    pub const SENSOR_VISION_POSITION: Self = Self(1 << 7);
     /// Position or distance by laser.
-    pub const SENSOR_LASER_POSITION: Self = Self(0x100);
+    pub const SENSOR_LASER_POSITION: Self = Self(1 << 8);
     /// Motion capture or other external reference.
-    pub const SENSOR_EXTERNAL_GROUND_TRUTH: Self = Self(0x200);
+    pub const SENSOR_EXTERNAL_GROUND_TRUTH: Self = Self(1 << 9);
     /// Rate controller.
-    pub const SENSOR_ANGULAR_RATE_CONTROL: Self = Self(0x400);
+    pub const SENSOR_ANGULAR_RATE_CONTROL: Self = Self(1 << 10);
     /// Attitude controller.
-    pub const SENSOR_ATTITUDE_STABILIZATION: Self = Self(0x800);
+    pub const SENSOR_ATTITUDE_STABILIZATION: Self = Self(1 << 11);
     /// Heading controller.
-    pub const SENSOR_YAW_POSITION: Self = Self(0x1000);
+    pub const SENSOR_YAW_POSITION: Self = Self(1 << 12);
     /// Altitude controller.
-    pub const SENSOR_Z_ALTITUDE_CONTROL: Self = Self(0x2000);
+    pub const SENSOR_Z_ALTITUDE_CONTROL: Self = Self(1 << 13);
     /// Horizontal position controller.
-    pub const SENSOR_XY_POSITION_CONTROL: Self = Self(0x4000);
+    pub const SENSOR_XY_POSITION_CONTROL: Self = Self(1 << 14);
     /// Motor outputs.
-    pub const SENSOR_MOTOR_OUTPUTS: Self = Self(0x8000);
+    pub const SENSOR_MOTOR_OUTPUTS: Self = Self(1 << 15);
     /// Radio control receiver.
-    pub const SENSOR_RC_RECEIVER: Self = Self(0x1_0000);
+    pub const SENSOR_RC_RECEIVER: Self = Self(1 << 16);
     /// Second gyroscope.
-    pub const SENSOR_3D_GYRO2: Self = Self(0x2_0000);
+    pub const SENSOR_3D_GYRO2: Self = Self(1 << 17);
     /// Second accelerometer.
-    pub const SENSOR_3D_ACCEL2: Self = Self(0x4_0000);
+    pub const SENSOR_3D_ACCEL2: Self = Self(1 << 18);
     /// Second magnetometer.
-    pub const SENSOR_3D_MAG2: Self = Self(0x8_0000);
+    pub const SENSOR_3D_MAG2: Self = Self(1 << 19);
     /// Geofence.
-    pub const GEOFENCE: Self = Self(0x10_0000);
+    pub const GEOFENCE: Self = Self(1 << 20);
     /// Attitude and heading estimate.
-    pub const AHRS: Self = Self(0x20_0000);
+    pub const AHRS: Self = Self(1 << 21);
     /// Terrain data.
-    pub const TERRAIN: Self = Self(0x40_0000);
+    pub const TERRAIN: Self = Self(1 << 22);
     /// Motors run in reverse.
-    pub const REVERSE_MOTOR: Self = Self(0x80_0000);
+    pub const REVERSE_MOTOR: Self = Self(1 << 23);
     /// Logging.
-    pub const LOGGING: Self = Self(0x100_0000);
+    pub const LOGGING: Self = Self(1 << 24);
     /// Battery.
-    pub const SENSOR_BATTERY: Self = Self(0x200_0000);
+    pub const SENSOR_BATTERY: Self = Self(1 << 25);
     /// Proximity sensor.
-    pub const SENSOR_PROXIMITY: Self = Self(0x400_0000);
+    pub const SENSOR_PROXIMITY: Self = Self(1 << 26);
     /// Satellite link.
-    pub const SENSOR_SATCOM: Self = Self(0x800_0000);
+    pub const SENSOR_SATCOM: Self = Self(1 << 27);
     /// Checks before arming; healthy whenever armed.
-    pub const PREARM_CHECK: Self = Self(0x1000_0000);
+    pub const PREARM_CHECK: Self = Self(1 << 28);
     /// Obstacle avoidance.
-    pub const OBSTACLE_AVOIDANCE: Self = Self(0x2000_0000);
+    pub const OBSTACLE_AVOIDANCE: Self = Self(1 << 29);
     /// Propulsion: motor, ESC, propeller.
-    pub const SENSOR_PROPULSION: Self = Self(0x4000_0000);
+    pub const SENSOR_PROPULSION: Self = Self(1 << 30);
     /// Set in the present mask only: the extension masks are in use.
-    pub const EXTENSION_USED: Self = Self(0x8000_0000);
+    pub const EXTENSION_USED: Self = Self(1 << 31);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_SYS_STATUS_SENSOR",
-    bitmask: true,
-    entries: &[
-        (1, "MAV_SYS_STATUS_SENSOR_3D_GYRO"),
-        (2, "MAV_SYS_STATUS_SENSOR_3D_ACCEL"),
-        (4, "MAV_SYS_STATUS_SENSOR_3D_MAG"),
-        (8, "MAV_SYS_STATUS_SENSOR_ABSOLUTE_PRESSURE"),
-        (0x10, "MAV_SYS_STATUS_SENSOR_DIFFERENTIAL_PRESSURE"),
-        (0x20, "MAV_SYS_STATUS_SENSOR_GPS"),
-        (0x40, "MAV_SYS_STATUS_SENSOR_OPTICAL_FLOW"),
-        (0x80, "MAV_SYS_STATUS_SENSOR_VISION_POSITION"),
-        (0x100, "MAV_SYS_STATUS_SENSOR_LASER_POSITION"),
-        (0x200, "MAV_SYS_STATUS_SENSOR_EXTERNAL_GROUND_TRUTH"),
-        (0x400, "MAV_SYS_STATUS_SENSOR_ANGULAR_RATE_CONTROL"),
-        (0x800, "MAV_SYS_STATUS_SENSOR_ATTITUDE_STABILIZATION"),
-        (0x1000, "MAV_SYS_STATUS_SENSOR_YAW_POSITION"),
-        (0x2000, "MAV_SYS_STATUS_SENSOR_Z_ALTITUDE_CONTROL"),
-        (0x4000, "MAV_SYS_STATUS_SENSOR_XY_POSITION_CONTROL"),
-        (0x8000, "MAV_SYS_STATUS_SENSOR_MOTOR_OUTPUTS"),
-        (0x1_0000, "MAV_SYS_STATUS_SENSOR_RC_RECEIVER"),
-        (0x2_0000, "MAV_SYS_STATUS_SENSOR_3D_GYRO2"),
-        (0x4_0000, "MAV_SYS_STATUS_SENSOR_3D_ACCEL2"),
-        (0x8_0000, "MAV_SYS_STATUS_SENSOR_3D_MAG2"),
-        (0x10_0000, "MAV_SYS_STATUS_GEOFENCE"),
-        (0x20_0000, "MAV_SYS_STATUS_AHRS"),
-        (0x40_0000, "MAV_SYS_STATUS_TERRAIN"),
-        (0x80_0000, "MAV_SYS_STATUS_REVERSE_MOTOR"),
-        (0x100_0000, "MAV_SYS_STATUS_LOGGING"),
-        (0x200_0000, "MAV_SYS_STATUS_SENSOR_BATTERY"),
-        (0x400_0000, "MAV_SYS_STATUS_SENSOR_PROXIMITY"),
-        (0x800_0000, "MAV_SYS_STATUS_SENSOR_SATCOM"),
-        (0x1000_0000, "MAV_SYS_STATUS_PREARM_CHECK"),
-        (0x2000_0000, "MAV_SYS_STATUS_OBSTACLE_AVOIDANCE"),
-        (0x4000_0000, "MAV_SYS_STATUS_SENSOR_PROPULSION"),
-        (0x8000_0000, "MAV_SYS_STATUS_EXTENSION_USED"),
+static INFO: wire::EnumInfo = wire::EnumInfo::bitmask(
+    "MAV_SYS_STATUS_SENSOR",
+    &[
+        (1 << 0, "MAV_SYS_STATUS_SENSOR_3D_GYRO"),
+        (1 << 1, "MAV_SYS_STATUS_SENSOR_3D_ACCEL"),
+        (1 << 2, "MAV_SYS_STATUS_SENSOR_3D_MAG"),
+        (1 << 3, "MAV_SYS_STATUS_SENSOR_ABSOLUTE_PRESSURE"),
+        (1 << 4, "MAV_SYS_STATUS_SENSOR_DIFFERENTIAL_PRESSURE"),
+        (1 << 5, "MAV_SYS_STATUS_SENSOR_GPS"),
+        (1 << 6, "MAV_SYS_STATUS_SENSOR_OPTICAL_FLOW"),
+        (1 << 7, "MAV_SYS_STATUS_SENSOR_VISION_POSITION"),
+        (1 << 8, "MAV_SYS_STATUS_SENSOR_LASER_POSITION"),
+        (1 << 9, "MAV_SYS_STATUS_SENSOR_EXTERNAL_GROUND_TRUTH"),
+        (1 << 10, "MAV_SYS_STATUS_SENSOR_ANGULAR_RATE_CONTROL"),
+        (1 << 11, "MAV_SYS_STATUS_SENSOR_ATTITUDE_STABILIZATION"),
+        (1 << 12, "MAV_SYS_STATUS_SENSOR_YAW_POSITION"),
+        (1 << 13, "MAV_SYS_STATUS_SENSOR_Z_ALTITUDE_CONTROL"),
+        (1 << 14, "MAV_SYS_STATUS_SENSOR_XY_POSITION_CONTROL"),
+        (1 << 15, "MAV_SYS_STATUS_SENSOR_MOTOR_OUTPUTS"),
+        (1 << 16, "MAV_SYS_STATUS_SENSOR_RC_RECEIVER"),
+        (1 << 17, "MAV_SYS_STATUS_SENSOR_3D_GYRO2"),
+        (1 << 18, "MAV_SYS_STATUS_SENSOR_3D_ACCEL2"),
+        (1 << 19, "MAV_SYS_STATUS_SENSOR_3D_MAG2"),
+        (1 << 20, "MAV_SYS_STATUS_GEOFENCE"),
+        (1 << 21, "MAV_SYS_STATUS_AHRS"),
+        (1 << 22, "MAV_SYS_STATUS_TERRAIN"),
+        (1 << 23, "MAV_SYS_STATUS_REVERSE_MOTOR"),
+        (1 << 24, "MAV_SYS_STATUS_LOGGING"),
+        (1 << 25, "MAV_SYS_STATUS_SENSOR_BATTERY"),
+        (1 << 26, "MAV_SYS_STATUS_SENSOR_PROXIMITY"),
+        (1 << 27, "MAV_SYS_STATUS_SENSOR_SATCOM"),
+        (1 << 28, "MAV_SYS_STATUS_PREARM_CHECK"),
+        (1 << 29, "MAV_SYS_STATUS_OBSTACLE_AVOIDANCE"),
+        (1 << 30, "MAV_SYS_STATUS_SENSOR_PROPULSION"),
+        (1 << 31, "MAV_SYS_STATUS_EXTENSION_USED"),
     ],
-};
+);
 
 wire::flags!(MavSysStatusSensor, u32, INFO);

@@ -12,30 +12,29 @@ pub struct MavSysStatusSensorExtended(u32);
 
 impl MavSysStatusSensorExtended {
     /// Recovery system, such as a parachute.
-    pub const RECOVERY_SYSTEM: Self = Self(1);
+    pub const RECOVERY_SYSTEM: Self = Self(1 << 0);
     /// Leak detector.
-    pub const SENSOR_LEAK: Self = Self(2);
+    pub const SENSOR_LEAK: Self = Self(1 << 1);
     /// Third gyroscope.
-    pub const SENSOR_3D_GYRO3: Self = Self(4);
+    pub const SENSOR_3D_GYRO3: Self = Self(1 << 2);
     /// Third accelerometer.
-    pub const SENSOR_3D_ACCEL3: Self = Self(8);
+    pub const SENSOR_3D_ACCEL3: Self = Self(1 << 3);
     /// Fourth gyroscope.
-    pub const SENSOR_3D_GYRO4: Self = Self(0x10);
+    pub const SENSOR_3D_GYRO4: Self = Self(1 << 4);
     /// Fourth accelerometer.
-    pub const SENSOR_3D_ACCEL4: Self = Self(0x20);
+    pub const SENSOR_3D_ACCEL4: Self = Self(1 << 5);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_SYS_STATUS_SENSOR_EXTENDED",
-    bitmask: true,
-    entries: &[
-        (1, "MAV_SYS_STATUS_RECOVERY_SYSTEM"),
-        (2, "MAV_SYS_STATUS_SENSOR_LEAK"),
-        (4, "MAV_SYS_STATUS_SENSOR_3D_GYRO3"),
-        (8, "MAV_SYS_STATUS_SENSOR_3D_ACCEL3"),
-        (0x10, "MAV_SYS_STATUS_SENSOR_3D_GYRO4"),
-        (0x20, "MAV_SYS_STATUS_SENSOR_3D_ACCEL4"),
+static INFO: wire::EnumInfo = wire::EnumInfo::bitmask(
+    "MAV_SYS_STATUS_SENSOR_EXTENDED",
+    &[
+        (1 << 0, "MAV_SYS_STATUS_RECOVERY_SYSTEM"),
+        (1 << 1, "MAV_SYS_STATUS_SENSOR_LEAK"),
+        (1 << 2, "MAV_SYS_STATUS_SENSOR_3D_GYRO3"),
+        (1 << 3, "MAV_SYS_STATUS_SENSOR_3D_ACCEL3"),
+        (1 << 4, "MAV_SYS_STATUS_SENSOR_3D_GYRO4"),
+        (1 << 5, "MAV_SYS_STATUS_SENSOR_3D_ACCEL4"),
     ],
-};
+);
 
 wire::flags!(MavSysStatusSensorExtended, u32, INFO);

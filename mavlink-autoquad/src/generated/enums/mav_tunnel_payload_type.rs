@@ -41,10 +41,9 @@ impl MavTunnelPayloadType {
     pub const MODALAI_IO_UART_PASSTHRU: Self = Self(212);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_TUNNEL_PAYLOAD_TYPE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_TUNNEL_PAYLOAD_TYPE",
+    &[
         (0, "MAV_TUNNEL_PAYLOAD_TYPE_UNKNOWN"),
         (200, "MAV_TUNNEL_PAYLOAD_TYPE_STORM32_RESERVED0"),
         (201, "MAV_TUNNEL_PAYLOAD_TYPE_STORM32_RESERVED1"),
@@ -60,6 +59,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (211, "MAV_TUNNEL_PAYLOAD_TYPE_MODALAI_ESC_UART_PASSTHRU"),
         (212, "MAV_TUNNEL_PAYLOAD_TYPE_MODALAI_IO_UART_PASSTHRU"),
     ],
-};
+);
 
 wire::open_enum!(MavTunnelPayloadType, u16, INFO);

@@ -113,10 +113,9 @@ impl MavType {
     pub const RADIO: Self = Self(49);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_TYPE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_TYPE",
+    &[
         (0, "MAV_TYPE_GENERIC"),
         (1, "MAV_TYPE_FIXED_WING"),
         (2, "MAV_TYPE_QUADROTOR"),
@@ -168,6 +167,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (48, "MAV_TYPE_GRIPPER"),
         (49, "MAV_TYPE_RADIO"),
     ],
-};
+);
 
 wire::open_enum!(MavType, u8, INFO);

@@ -23,16 +23,15 @@ impl MavVtolState {
     pub const FW: Self = Self(4);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_VTOL_STATE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAV_VTOL_STATE",
+    &[
         (0, "MAV_VTOL_STATE_UNDEFINED"),
         (1, "MAV_VTOL_STATE_TRANSITION_TO_FW"),
         (2, "MAV_VTOL_STATE_TRANSITION_TO_MC"),
         (3, "MAV_VTOL_STATE_MC"),
         (4, "MAV_VTOL_STATE_FW"),
     ],
-};
+);
 
 wire::open_enum!(MavVtolState, u8, INFO);

@@ -12,54 +12,53 @@ pub struct MavWinchStatusFlag(u32);
 
 impl MavWinchStatusFlag {
     /// Working.
-    pub const HEALTHY: Self = Self(1);
+    pub const HEALTHY: Self = Self(1 << 0);
     /// Line wound in completely.
-    pub const FULLY_RETRACTED: Self = Self(2);
+    pub const FULLY_RETRACTED: Self = Self(1 << 1);
     /// Line moves.
-    pub const MOVING: Self = Self(4);
+    pub const MOVING: Self = Self(1 << 2);
     /// Clutch lets the line run free.
-    pub const CLUTCH_ENGAGED: Self = Self(8);
+    pub const CLUTCH_ENGAGED: Self = Self(1 << 3);
     /// Line locked.
-    pub const LOCKED: Self = Self(0x10);
+    pub const LOCKED: Self = Self(1 << 4);
     /// Payload going down.
-    pub const DROPPING: Self = Self(0x20);
+    pub const DROPPING: Self = Self(1 << 5);
     /// Payload being stopped.
-    pub const ARRESTING: Self = Self(0x40);
+    pub const ARRESTING: Self = Self(1 << 6);
     /// Feeling for the ground by torque.
-    pub const GROUND_SENSE: Self = Self(0x80);
+    pub const GROUND_SENSE: Self = Self(1 << 7);
     /// Winding in.
-    pub const RETRACTING: Self = Self(0x100);
+    pub const RETRACTING: Self = Self(1 << 8);
     /// Lowering again, because the line pulled too hard on the way up.
-    pub const REDELIVER: Self = Self(0x200);
+    pub const REDELIVER: Self = Self(1 << 9);
     /// Letting the line go.
-    pub const ABANDON_LINE: Self = Self(0x400);
+    pub const ABANDON_LINE: Self = Self(1 << 10);
     /// Locking the line.
-    pub const LOCKING: Self = Self(0x800);
+    pub const LOCKING: Self = Self(1 << 11);
     /// Taking on a line.
-    pub const LOAD_LINE: Self = Self(0x1000);
+    pub const LOAD_LINE: Self = Self(1 << 12);
     /// Ready to take a payload.
-    pub const LOAD_PAYLOAD: Self = Self(0x2000);
+    pub const LOAD_PAYLOAD: Self = Self(1 << 13);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAV_WINCH_STATUS_FLAG",
-    bitmask: true,
-    entries: &[
-        (1, "MAV_WINCH_STATUS_HEALTHY"),
-        (2, "MAV_WINCH_STATUS_FULLY_RETRACTED"),
-        (4, "MAV_WINCH_STATUS_MOVING"),
-        (8, "MAV_WINCH_STATUS_CLUTCH_ENGAGED"),
-        (0x10, "MAV_WINCH_STATUS_LOCKED"),
-        (0x20, "MAV_WINCH_STATUS_DROPPING"),
-        (0x40, "MAV_WINCH_STATUS_ARRESTING"),
-        (0x80, "MAV_WINCH_STATUS_GROUND_SENSE"),
-        (0x100, "MAV_WINCH_STATUS_RETRACTING"),
-        (0x200, "MAV_WINCH_STATUS_REDELIVER"),
-        (0x400, "MAV_WINCH_STATUS_ABANDON_LINE"),
-        (0x800, "MAV_WINCH_STATUS_LOCKING"),
-        (0x1000, "MAV_WINCH_STATUS_LOAD_LINE"),
-        (0x2000, "MAV_WINCH_STATUS_LOAD_PAYLOAD"),
+static INFO: wire::EnumInfo = wire::EnumInfo::bitmask(
+    "MAV_WINCH_STATUS_FLAG",
+    &[
+        (1 << 0, "MAV_WINCH_STATUS_HEALTHY"),
+        (1 << 1, "MAV_WINCH_STATUS_FULLY_RETRACTED"),
+        (1 << 2, "MAV_WINCH_STATUS_MOVING"),
+        (1 << 3, "MAV_WINCH_STATUS_CLUTCH_ENGAGED"),
+        (1 << 4, "MAV_WINCH_STATUS_LOCKED"),
+        (1 << 5, "MAV_WINCH_STATUS_DROPPING"),
+        (1 << 6, "MAV_WINCH_STATUS_ARRESTING"),
+        (1 << 7, "MAV_WINCH_STATUS_GROUND_SENSE"),
+        (1 << 8, "MAV_WINCH_STATUS_RETRACTING"),
+        (1 << 9, "MAV_WINCH_STATUS_REDELIVER"),
+        (1 << 10, "MAV_WINCH_STATUS_ABANDON_LINE"),
+        (1 << 11, "MAV_WINCH_STATUS_LOCKING"),
+        (1 << 12, "MAV_WINCH_STATUS_LOAD_LINE"),
+        (1 << 13, "MAV_WINCH_STATUS_LOAD_PAYLOAD"),
     ],
-};
+);
 
 wire::flags!(MavWinchStatusFlag, u32, INFO);

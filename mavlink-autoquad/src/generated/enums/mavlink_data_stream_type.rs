@@ -25,10 +25,9 @@ impl MavlinkDataStreamType {
     pub const PNG: Self = Self(5);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MAVLINK_DATA_STREAM_TYPE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MAVLINK_DATA_STREAM_TYPE",
+    &[
         (0, "MAVLINK_DATA_STREAM_IMG_JPEG"),
         (1, "MAVLINK_DATA_STREAM_IMG_BMP"),
         (2, "MAVLINK_DATA_STREAM_IMG_RAW8U"),
@@ -36,6 +35,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (4, "MAVLINK_DATA_STREAM_IMG_PGM"),
         (5, "MAVLINK_DATA_STREAM_IMG_PNG"),
     ],
-};
+);
 
 wire::open_enum!(MavlinkDataStreamType, u8, INFO);

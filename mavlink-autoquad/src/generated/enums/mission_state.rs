@@ -25,10 +25,9 @@ impl MissionState {
     pub const COMPLETE: Self = Self(5);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MISSION_STATE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MISSION_STATE",
+    &[
         (0, "MISSION_STATE_UNKNOWN"),
         (1, "MISSION_STATE_NO_MISSION"),
         (2, "MISSION_STATE_NOT_STARTED"),
@@ -36,6 +35,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (4, "MISSION_STATE_PAUSED"),
         (5, "MISSION_STATE_COMPLETE"),
     ],
-};
+);
 
 wire::open_enum!(MissionState, u8, INFO);

@@ -19,14 +19,13 @@ impl MotorTestOrder {
     pub const BOARD: Self = Self(2);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MOTOR_TEST_ORDER",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MOTOR_TEST_ORDER",
+    &[
         (0, "MOTOR_TEST_ORDER_DEFAULT"),
         (1, "MOTOR_TEST_ORDER_SEQUENCE"),
         (2, "MOTOR_TEST_ORDER_BOARD"),
     ],
-};
+);
 
 wire::open_enum!(MotorTestOrder, u8, INFO);

@@ -21,15 +21,14 @@ impl MotorTestThrottleType {
     pub const COMPASS_CAL: Self = Self(3);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "MOTOR_TEST_THROTTLE_TYPE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "MOTOR_TEST_THROTTLE_TYPE",
+    &[
         (0, "MOTOR_TEST_THROTTLE_PERCENT"),
         (1, "MOTOR_TEST_THROTTLE_PWM"),
         (2, "MOTOR_TEST_THROTTLE_PILOT"),
         (3, "MOTOR_TEST_COMPASS_CAL"),
     ],
-};
+);
 
 wire::open_enum!(MotorTestThrottleType, u8, INFO);

@@ -12,13 +12,12 @@ pub struct NavTakeoffFlags(u8);
 
 impl NavTakeoffFlags {
     /// Take off even without a horizontal position.
-    pub const HORIZONTAL_POSITION_NOT_REQUIRED: Self = Self(1);
+    pub const HORIZONTAL_POSITION_NOT_REQUIRED: Self = Self(1 << 0);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "NAV_TAKEOFF_FLAGS",
-    bitmask: true,
-    entries: &[(1, "NAV_TAKEOFF_FLAGS_HORIZONTAL_POSITION_NOT_REQUIRED")],
-};
+static INFO: wire::EnumInfo = wire::EnumInfo::bitmask(
+    "NAV_TAKEOFF_FLAGS",
+    &[(1 << 0, "NAV_TAKEOFF_FLAGS_HORIZONTAL_POSITION_NOT_REQUIRED")],
+);
 
 wire::flags!(NavTakeoffFlags, u8, INFO);

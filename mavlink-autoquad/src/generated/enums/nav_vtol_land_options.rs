@@ -19,14 +19,13 @@ impl NavVtolLandOptions {
     pub const FW_APPROACH: Self = Self(2);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "NAV_VTOL_LAND_OPTIONS",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "NAV_VTOL_LAND_OPTIONS",
+    &[
         (0, "NAV_VTOL_LAND_OPTIONS_DEFAULT"),
         (1, "NAV_VTOL_LAND_OPTIONS_FW_SPIRAL_APPROACH"),
         (2, "NAV_VTOL_LAND_OPTIONS_FW_APPROACH"),
     ],
-};
+);
 
 wire::open_enum!(NavVtolLandOptions, u8, INFO);

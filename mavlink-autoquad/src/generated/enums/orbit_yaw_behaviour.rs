@@ -25,10 +25,9 @@ impl OrbitYawBehaviour {
     pub const UNCHANGED: Self = Self(5);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "ORBIT_YAW_BEHAVIOUR",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "ORBIT_YAW_BEHAVIOUR",
+    &[
         (0, "ORBIT_YAW_BEHAVIOUR_HOLD_FRONT_TO_CIRCLE_CENTER"),
         (1, "ORBIT_YAW_BEHAVIOUR_HOLD_INITIAL_HEADING"),
         (2, "ORBIT_YAW_BEHAVIOUR_UNCONTROLLED"),
@@ -36,6 +35,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (4, "ORBIT_YAW_BEHAVIOUR_RC_CONTROLLED"),
         (5, "ORBIT_YAW_BEHAVIOUR_UNCHANGED"),
     ],
-};
+);
 
 wire::open_enum!(OrbitYawBehaviour, u8, INFO);

@@ -19,14 +19,9 @@ impl ParachuteAction {
     pub const RELEASE: Self = Self(2);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "PARACHUTE_ACTION",
-    bitmask: false,
-    entries: &[
-        (0, "PARACHUTE_DISABLE"),
-        (1, "PARACHUTE_ENABLE"),
-        (2, "PARACHUTE_RELEASE"),
-    ],
-};
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "PARACHUTE_ACTION",
+    &[(0, "PARACHUTE_DISABLE"), (1, "PARACHUTE_ENABLE"), (2, "PARACHUTE_RELEASE")],
+);
 
 wire::open_enum!(ParachuteAction, u8, INFO);

@@ -21,15 +21,14 @@ impl ParamAck {
     pub const IN_PROGRESS: Self = Self(3);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "PARAM_ACK",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "PARAM_ACK",
+    &[
         (0, "PARAM_ACK_ACCEPTED"),
         (1, "PARAM_ACK_VALUE_UNSUPPORTED"),
         (2, "PARAM_ACK_FAILED"),
         (3, "PARAM_ACK_IN_PROGRESS"),
     ],
-};
+);
 
 wire::open_enum!(ParamAck, u8, INFO);

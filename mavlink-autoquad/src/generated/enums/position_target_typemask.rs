@@ -12,48 +12,47 @@ pub struct PositionTargetTypemask(u16);
 
 impl PositionTargetTypemask {
     /// No x, latitude included.
-    pub const X_IGNORE: Self = Self(1);
+    pub const X_IGNORE: Self = Self(1 << 0);
     /// No y, longitude included.
-    pub const Y_IGNORE: Self = Self(2);
+    pub const Y_IGNORE: Self = Self(1 << 1);
     /// No z, altitude included.
-    pub const Z_IGNORE: Self = Self(4);
+    pub const Z_IGNORE: Self = Self(1 << 2);
     /// No vx.
-    pub const VX_IGNORE: Self = Self(8);
+    pub const VX_IGNORE: Self = Self(1 << 3);
     /// No vy.
-    pub const VY_IGNORE: Self = Self(0x10);
+    pub const VY_IGNORE: Self = Self(1 << 4);
     /// No vz.
-    pub const VZ_IGNORE: Self = Self(0x20);
+    pub const VZ_IGNORE: Self = Self(1 << 5);
     /// No afx.
-    pub const AX_IGNORE: Self = Self(0x40);
+    pub const AX_IGNORE: Self = Self(1 << 6);
     /// No afy.
-    pub const AY_IGNORE: Self = Self(0x80);
+    pub const AY_IGNORE: Self = Self(1 << 7);
     /// No afz.
-    pub const AZ_IGNORE: Self = Self(0x100);
+    pub const AZ_IGNORE: Self = Self(1 << 8);
     /// afx, afy and afz are forces.
-    pub const FORCE_SET: Self = Self(0x200);
+    pub const FORCE_SET: Self = Self(1 << 9);
     /// No yaw.
-    pub const YAW_IGNORE: Self = Self(0x400);
+    pub const YAW_IGNORE: Self = Self(1 << 10);
     /// No yaw_rate.
-    pub const YAW_RATE_IGNORE: Self = Self(0x800);
+    pub const YAW_RATE_IGNORE: Self = Self(1 << 11);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "POSITION_TARGET_TYPEMASK",
-    bitmask: true,
-    entries: &[
-        (1, "POSITION_TARGET_TYPEMASK_X_IGNORE"),
-        (2, "POSITION_TARGET_TYPEMASK_Y_IGNORE"),
-        (4, "POSITION_TARGET_TYPEMASK_Z_IGNORE"),
-        (8, "POSITION_TARGET_TYPEMASK_VX_IGNORE"),
-        (0x10, "POSITION_TARGET_TYPEMASK_VY_IGNORE"),
-        (0x20, "POSITION_TARGET_TYPEMASK_VZ_IGNORE"),
-        (0x40, "POSITION_TARGET_TYPEMASK_AX_IGNORE"),
-        (0x80, "POSITION_TARGET_TYPEMASK_AY_IGNORE"),
-        (0x100, "POSITION_TARGET_TYPEMASK_AZ_IGNORE"),
-        (0x200, "POSITION_TARGET_TYPEMASK_FORCE_SET"),
-        (0x400, "POSITION_TARGET_TYPEMASK_YAW_IGNORE"),
-        (0x800, "POSITION_TARGET_TYPEMASK_YAW_RATE_IGNORE"),
+static INFO: wire::EnumInfo = wire::EnumInfo::bitmask(
+    "POSITION_TARGET_TYPEMASK",
+    &[
+        (1 << 0, "POSITION_TARGET_TYPEMASK_X_IGNORE"),
+        (1 << 1, "POSITION_TARGET_TYPEMASK_Y_IGNORE"),
+        (1 << 2, "POSITION_TARGET_TYPEMASK_Z_IGNORE"),
+        (1 << 3, "POSITION_TARGET_TYPEMASK_VX_IGNORE"),
+        (1 << 4, "POSITION_TARGET_TYPEMASK_VY_IGNORE"),
+        (1 << 5, "POSITION_TARGET_TYPEMASK_VZ_IGNORE"),
+        (1 << 6, "POSITION_TARGET_TYPEMASK_AX_IGNORE"),
+        (1 << 7, "POSITION_TARGET_TYPEMASK_AY_IGNORE"),
+        (1 << 8, "POSITION_TARGET_TYPEMASK_AZ_IGNORE"),
+        (1 << 9, "POSITION_TARGET_TYPEMASK_FORCE_SET"),
+        (1 << 10, "POSITION_TARGET_TYPEMASK_YAW_IGNORE"),
+        (1 << 11, "POSITION_TARGET_TYPEMASK_YAW_RATE_IGNORE"),
     ],
-};
+);
 
 wire::flags!(PositionTargetTypemask, u16, INFO);

@@ -19,14 +19,13 @@ impl PrecisionLandMode {
     pub const REQUIRED: Self = Self(2);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "PRECISION_LAND_MODE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "PRECISION_LAND_MODE",
+    &[
         (0, "PRECISION_LAND_MODE_DISABLED"),
         (1, "PRECISION_LAND_MODE_OPPORTUNISTIC"),
         (2, "PRECISION_LAND_MODE_REQUIRED"),
     ],
-};
+);
 
 wire::open_enum!(PrecisionLandMode, u8, INFO);

@@ -25,10 +25,9 @@ impl PreflightCalibrationAccelerometer {
     pub const FORCE_SAVE: Self = Self(76);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "PREFLIGHT_CALIBRATION_ACCELEROMETER",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "PREFLIGHT_CALIBRATION_ACCELEROMETER",
+    &[
         (0, "PREFLIGHT_CALIBRATION_ACCELEROMETER_NONE"),
         (1, "PREFLIGHT_CALIBRATION_ACCELEROMETER_FULL"),
         (2, "PREFLIGHT_CALIBRATION_ACCELEROMETER_TRIM"),
@@ -36,6 +35,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (4, "PREFLIGHT_CALIBRATION_ACCELEROMETER_SIMPLE"),
         (76, "PREFLIGHT_CALIBRATION_ACCELEROMETER_FORCE_SAVE"),
     ],
-};
+);
 
 wire::open_enum!(PreflightCalibrationAccelerometer, u8, INFO);

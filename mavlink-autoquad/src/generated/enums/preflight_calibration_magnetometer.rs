@@ -19,14 +19,13 @@ impl PreflightCalibrationMagnetometer {
     pub const FORCE_SAVE: Self = Self(76);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "PREFLIGHT_CALIBRATION_MAGNETOMETER",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "PREFLIGHT_CALIBRATION_MAGNETOMETER",
+    &[
         (0, "PREFLIGHT_CALIBRATION_MAGNETOMETER_NONE"),
         (1, "PREFLIGHT_CALIBRATION_MAGNETOMETER_START"),
         (76, "PREFLIGHT_CALIBRATION_MAGNETOMETER_FORCE_SAVE"),
     ],
-};
+);
 
 wire::open_enum!(PreflightCalibrationMagnetometer, u8, INFO);

@@ -19,14 +19,13 @@ impl PreflightStorageMissionAction {
     pub const RESET_DEFAULT: Self = Self(2);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "PREFLIGHT_STORAGE_MISSION_ACTION",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "PREFLIGHT_STORAGE_MISSION_ACTION",
+    &[
         (0, "MISSION_READ_PERSISTENT"),
         (1, "MISSION_WRITE_PERSISTENT"),
         (2, "MISSION_RESET_DEFAULT"),
     ],
-};
+);
 
 wire::open_enum!(PreflightStorageMissionAction, u8, INFO);

@@ -23,16 +23,15 @@ impl PreflightStorageParameterAction {
     pub const RESET_ALL_DEFAULT: Self = Self(4);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "PREFLIGHT_STORAGE_PARAMETER_ACTION",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "PREFLIGHT_STORAGE_PARAMETER_ACTION",
+    &[
         (0, "PARAM_READ_PERSISTENT"),
         (1, "PARAM_WRITE_PERSISTENT"),
         (2, "PARAM_RESET_FACTORY_DEFAULT"),
         (3, "PARAM_RESET_SENSOR_DEFAULT"),
         (4, "PARAM_RESET_ALL_DEFAULT"),
     ],
-};
+);
 
 wire::open_enum!(PreflightStorageParameterAction, u8, INFO);

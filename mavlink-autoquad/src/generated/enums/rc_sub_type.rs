@@ -19,14 +19,13 @@ impl RcSubType {
     pub const SPEKTRUM_DSMX8: Self = Self(2);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "RC_SUB_TYPE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "RC_SUB_TYPE",
+    &[
         (0, "RC_SUB_TYPE_SPEKTRUM_DSM2"),
         (1, "RC_SUB_TYPE_SPEKTRUM_DSMX"),
         (2, "RC_SUB_TYPE_SPEKTRUM_DSMX8"),
     ],
-};
+);
 
 wire::open_enum!(RcSubType, u8, INFO);

@@ -17,10 +17,9 @@ impl RcType {
     pub const CRSF: Self = Self(1);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "RC_TYPE",
-    bitmask: false,
-    entries: &[(0, "RC_TYPE_SPEKTRUM"), (1, "RC_TYPE_CRSF")],
-};
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "RC_TYPE",
+    &[(0, "RC_TYPE_SPEKTRUM"), (1, "RC_TYPE_CRSF")],
+);
 
 wire::open_enum!(RcType, u8, INFO);

@@ -23,16 +23,15 @@ impl RebootShutdownAction {
     pub const POWER_ON: Self = Self(4);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "REBOOT_SHUTDOWN_ACTION",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "REBOOT_SHUTDOWN_ACTION",
+    &[
         (0, "REBOOT_SHUTDOWN_ACTION_NONE"),
         (1, "REBOOT_SHUTDOWN_ACTION_REBOOT"),
         (2, "REBOOT_SHUTDOWN_ACTION_SHUTDOWN"),
         (3, "REBOOT_SHUTDOWN_ACTION_REBOOT_TO_BOOTLOADER"),
         (4, "REBOOT_SHUTDOWN_ACTION_POWER_ON"),
     ],
-};
+);
 
 wire::open_enum!(RebootShutdownAction, u8, INFO);

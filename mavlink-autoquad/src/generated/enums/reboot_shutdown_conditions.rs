@@ -17,13 +17,12 @@ impl RebootShutdownConditions {
     pub const FORCE: Self = Self(20190226);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "REBOOT_SHUTDOWN_CONDITIONS",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "REBOOT_SHUTDOWN_CONDITIONS",
+    &[
         (0, "REBOOT_SHUTDOWN_CONDITIONS_SAFETY_INTERLOCKED"),
         (20190226, "REBOOT_SHUTDOWN_CONDITIONS_FORCE"),
     ],
-};
+);
 
 wire::open_enum!(RebootShutdownConditions, u32, INFO);

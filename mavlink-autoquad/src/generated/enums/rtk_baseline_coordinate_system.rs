@@ -17,13 +17,12 @@ impl RtkBaselineCoordinateSystem {
     pub const NED: Self = Self(1);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "RTK_BASELINE_COORDINATE_SYSTEM",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "RTK_BASELINE_COORDINATE_SYSTEM",
+    &[
         (0, "RTK_BASELINE_COORDINATE_SYSTEM_ECEF"),
         (1, "RTK_BASELINE_COORDINATE_SYSTEM_NED"),
     ],
-};
+);
 
 wire::open_enum!(RtkBaselineCoordinateSystem, u8, INFO);

@@ -17,10 +17,9 @@ impl SafetySwitchState {
     pub const DANGEROUS: Self = Self(1);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "SAFETY_SWITCH_STATE",
-    bitmask: false,
-    entries: &[(0, "SAFETY_SWITCH_STATE_SAFE"), (1, "SAFETY_SWITCH_STATE_DANGEROUS")],
-};
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "SAFETY_SWITCH_STATE",
+    &[(0, "SAFETY_SWITCH_STATE_SAFE"), (1, "SAFETY_SWITCH_STATE_DANGEROUS")],
+);
 
 wire::open_enum!(SafetySwitchState, u8, INFO);

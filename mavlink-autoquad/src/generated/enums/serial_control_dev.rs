@@ -63,10 +63,9 @@ impl SerialControlDev {
     pub const SERIAL9: Self = Self(109);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "SERIAL_CONTROL_DEV",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "SERIAL_CONTROL_DEV",
+    &[
         (0, "SERIAL_CONTROL_DEV_TELEM1"),
         (1, "SERIAL_CONTROL_DEV_TELEM2"),
         (2, "SERIAL_CONTROL_DEV_GPS1"),
@@ -93,6 +92,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (108, "SERIAL_CONTROL_SERIAL8"),
         (109, "SERIAL_CONTROL_SERIAL9"),
     ],
-};
+);
 
 wire::open_enum!(SerialControlDev, u8, INFO);

@@ -12,27 +12,26 @@ pub struct SerialControlFlag(u8);
 
 impl SerialControlFlag {
     /// This is an answer.
-    pub const REPLY: Self = Self(1);
+    pub const REPLY: Self = Self(1 << 0);
     /// An answer is wanted.
-    pub const RESPOND: Self = Self(2);
+    pub const RESPOND: Self = Self(1 << 1);
     /// Takes the port away from its driver.
-    pub const EXCLUSIVE: Self = Self(4);
+    pub const EXCLUSIVE: Self = Self(1 << 2);
     /// Waits until everything is written.
-    pub const BLOCKING: Self = Self(8);
+    pub const BLOCKING: Self = Self(1 << 3);
     /// As many answers as it takes to empty the port.
-    pub const MULTI: Self = Self(0x10);
+    pub const MULTI: Self = Self(1 << 4);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "SERIAL_CONTROL_FLAG",
-    bitmask: true,
-    entries: &[
-        (1, "SERIAL_CONTROL_FLAG_REPLY"),
-        (2, "SERIAL_CONTROL_FLAG_RESPOND"),
-        (4, "SERIAL_CONTROL_FLAG_EXCLUSIVE"),
-        (8, "SERIAL_CONTROL_FLAG_BLOCKING"),
-        (0x10, "SERIAL_CONTROL_FLAG_MULTI"),
+static INFO: wire::EnumInfo = wire::EnumInfo::bitmask(
+    "SERIAL_CONTROL_FLAG",
+    &[
+        (1 << 0, "SERIAL_CONTROL_FLAG_REPLY"),
+        (1 << 1, "SERIAL_CONTROL_FLAG_RESPOND"),
+        (1 << 2, "SERIAL_CONTROL_FLAG_EXCLUSIVE"),
+        (1 << 3, "SERIAL_CONTROL_FLAG_BLOCKING"),
+        (1 << 4, "SERIAL_CONTROL_FLAG_MULTI"),
     ],
-};
+);
 
 wire::flags!(SerialControlFlag, u8, INFO);

@@ -27,10 +27,9 @@ impl SetFocusType {
     pub const AUTO_CONTINUOUS: Self = Self(6);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "SET_FOCUS_TYPE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "SET_FOCUS_TYPE",
+    &[
         (0, "FOCUS_TYPE_STEP"),
         (1, "FOCUS_TYPE_CONTINUOUS"),
         (2, "FOCUS_TYPE_RANGE"),
@@ -39,6 +38,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (5, "FOCUS_TYPE_AUTO_SINGLE"),
         (6, "FOCUS_TYPE_AUTO_CONTINUOUS"),
     ],
-};
+);
 
 wire::open_enum!(SetFocusType, u8, INFO);

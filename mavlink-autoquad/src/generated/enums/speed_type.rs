@@ -21,15 +21,14 @@ impl SpeedType {
     pub const DESCENT_SPEED: Self = Self(3);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "SPEED_TYPE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "SPEED_TYPE",
+    &[
         (0, "SPEED_TYPE_AIRSPEED"),
         (1, "SPEED_TYPE_GROUNDSPEED"),
         (2, "SPEED_TYPE_CLIMB_SPEED"),
         (3, "SPEED_TYPE_DESCENT_SPEED"),
     ],
-};
+);
 
 wire::open_enum!(SpeedType, u8, INFO);

@@ -21,15 +21,14 @@ impl StorageStatus {
     pub const NOT_SUPPORTED: Self = Self(3);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "STORAGE_STATUS",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "STORAGE_STATUS",
+    &[
         (0, "STORAGE_STATUS_EMPTY"),
         (1, "STORAGE_STATUS_UNFORMATTED"),
         (2, "STORAGE_STATUS_READY"),
         (3, "STORAGE_STATUS_NOT_SUPPORTED"),
     ],
-};
+);
 
 wire::open_enum!(StorageStatus, u8, INFO);

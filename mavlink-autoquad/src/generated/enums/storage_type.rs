@@ -31,10 +31,9 @@ impl StorageType {
     pub const OTHER: Self = Self(254);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "STORAGE_TYPE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "STORAGE_TYPE",
+    &[
         (0, "STORAGE_TYPE_UNKNOWN"),
         (1, "STORAGE_TYPE_USB_STICK"),
         (2, "STORAGE_TYPE_SD"),
@@ -45,6 +44,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (7, "STORAGE_TYPE_HD"),
         (254, "STORAGE_TYPE_OTHER"),
     ],
-};
+);
 
 wire::open_enum!(StorageType, u8, INFO);

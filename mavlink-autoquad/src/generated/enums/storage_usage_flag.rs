@@ -12,24 +12,23 @@ pub struct StorageUsageFlag(u8);
 
 impl StorageUsageFlag {
     /// `STORAGE_USAGE_FLAG_SET`.
-    pub const SET: Self = Self(1);
+    pub const SET: Self = Self(1 << 0);
     /// `STORAGE_USAGE_FLAG_PHOTO`.
-    pub const PHOTO: Self = Self(2);
+    pub const PHOTO: Self = Self(1 << 1);
     /// `STORAGE_USAGE_FLAG_VIDEO`.
-    pub const VIDEO: Self = Self(4);
+    pub const VIDEO: Self = Self(1 << 2);
     /// `STORAGE_USAGE_FLAG_LOGS`.
-    pub const LOGS: Self = Self(8);
+    pub const LOGS: Self = Self(1 << 3);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "STORAGE_USAGE_FLAG",
-    bitmask: true,
-    entries: &[
-        (1, "STORAGE_USAGE_FLAG_SET"),
-        (2, "STORAGE_USAGE_FLAG_PHOTO"),
-        (4, "STORAGE_USAGE_FLAG_VIDEO"),
-        (8, "STORAGE_USAGE_FLAG_LOGS"),
+static INFO: wire::EnumInfo = wire::EnumInfo::bitmask(
+    "STORAGE_USAGE_FLAG",
+    &[
+        (1 << 0, "STORAGE_USAGE_FLAG_SET"),
+        (1 << 1, "STORAGE_USAGE_FLAG_PHOTO"),
+        (1 << 2, "STORAGE_USAGE_FLAG_VIDEO"),
+        (1 << 3, "STORAGE_USAGE_FLAG_LOGS"),
     ],
-};
+);
 
 wire::flags!(StorageUsageFlag, u8, INFO);

@@ -17,10 +17,9 @@ impl TuneFormat {
     pub const MML_MODERN: Self = Self(2);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "TUNE_FORMAT",
-    bitmask: false,
-    entries: &[(1, "TUNE_FORMAT_QBASIC1_1"), (2, "TUNE_FORMAT_MML_MODERN")],
-};
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "TUNE_FORMAT",
+    &[(1, "TUNE_FORMAT_QBASIC1_1"), (2, "TUNE_FORMAT_MML_MODERN")],
+);
 
 wire::open_enum!(TuneFormat, u32, INFO);

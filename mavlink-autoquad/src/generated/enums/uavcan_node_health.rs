@@ -21,15 +21,14 @@ impl UavcanNodeHealth {
     pub const CRITICAL: Self = Self(3);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "UAVCAN_NODE_HEALTH",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "UAVCAN_NODE_HEALTH",
+    &[
         (0, "UAVCAN_NODE_HEALTH_OK"),
         (1, "UAVCAN_NODE_HEALTH_WARNING"),
         (2, "UAVCAN_NODE_HEALTH_ERROR"),
         (3, "UAVCAN_NODE_HEALTH_CRITICAL"),
     ],
-};
+);
 
 wire::open_enum!(UavcanNodeHealth, u8, INFO);

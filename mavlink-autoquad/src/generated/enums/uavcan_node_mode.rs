@@ -23,16 +23,15 @@ impl UavcanNodeMode {
     pub const OFFLINE: Self = Self(7);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "UAVCAN_NODE_MODE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "UAVCAN_NODE_MODE",
+    &[
         (0, "UAVCAN_NODE_MODE_OPERATIONAL"),
         (1, "UAVCAN_NODE_MODE_INITIALIZATION"),
         (2, "UAVCAN_NODE_MODE_MAINTENANCE"),
         (3, "UAVCAN_NODE_MODE_SOFTWARE_UPDATE"),
         (7, "UAVCAN_NODE_MODE_OFFLINE"),
     ],
-};
+);
 
 wire::open_enum!(UavcanNodeMode, u8, INFO);

@@ -12,36 +12,35 @@ pub struct UtmDataAvailFlags(u8);
 
 impl UtmDataAvailFlags {
     /// `UTM_DATA_AVAIL_FLAGS_TIME_VALID`.
-    pub const TIME_VALID: Self = Self(1);
+    pub const TIME_VALID: Self = Self(1 << 0);
     /// `UTM_DATA_AVAIL_FLAGS_UAS_ID_AVAILABLE`.
-    pub const UAS_ID_AVAILABLE: Self = Self(2);
+    pub const UAS_ID_AVAILABLE: Self = Self(1 << 1);
     /// `UTM_DATA_AVAIL_FLAGS_POSITION_AVAILABLE`.
-    pub const POSITION_AVAILABLE: Self = Self(4);
+    pub const POSITION_AVAILABLE: Self = Self(1 << 2);
     /// `UTM_DATA_AVAIL_FLAGS_ALTITUDE_AVAILABLE`.
-    pub const ALTITUDE_AVAILABLE: Self = Self(8);
+    pub const ALTITUDE_AVAILABLE: Self = Self(1 << 3);
     /// `UTM_DATA_AVAIL_FLAGS_RELATIVE_ALTITUDE_AVAILABLE`.
-    pub const RELATIVE_ALTITUDE_AVAILABLE: Self = Self(0x10);
+    pub const RELATIVE_ALTITUDE_AVAILABLE: Self = Self(1 << 4);
     /// `UTM_DATA_AVAIL_FLAGS_HORIZONTAL_VELO_AVAILABLE`.
-    pub const HORIZONTAL_VELO_AVAILABLE: Self = Self(0x20);
+    pub const HORIZONTAL_VELO_AVAILABLE: Self = Self(1 << 5);
     /// `UTM_DATA_AVAIL_FLAGS_VERTICAL_VELO_AVAILABLE`.
-    pub const VERTICAL_VELO_AVAILABLE: Self = Self(0x40);
+    pub const VERTICAL_VELO_AVAILABLE: Self = Self(1 << 6);
     /// `UTM_DATA_AVAIL_FLAGS_NEXT_WAYPOINT_AVAILABLE`.
-    pub const NEXT_WAYPOINT_AVAILABLE: Self = Self(0x80);
+    pub const NEXT_WAYPOINT_AVAILABLE: Self = Self(1 << 7);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "UTM_DATA_AVAIL_FLAGS",
-    bitmask: true,
-    entries: &[
-        (1, "UTM_DATA_AVAIL_FLAGS_TIME_VALID"),
-        (2, "UTM_DATA_AVAIL_FLAGS_UAS_ID_AVAILABLE"),
-        (4, "UTM_DATA_AVAIL_FLAGS_POSITION_AVAILABLE"),
-        (8, "UTM_DATA_AVAIL_FLAGS_ALTITUDE_AVAILABLE"),
-        (0x10, "UTM_DATA_AVAIL_FLAGS_RELATIVE_ALTITUDE_AVAILABLE"),
-        (0x20, "UTM_DATA_AVAIL_FLAGS_HORIZONTAL_VELO_AVAILABLE"),
-        (0x40, "UTM_DATA_AVAIL_FLAGS_VERTICAL_VELO_AVAILABLE"),
-        (0x80, "UTM_DATA_AVAIL_FLAGS_NEXT_WAYPOINT_AVAILABLE"),
+static INFO: wire::EnumInfo = wire::EnumInfo::bitmask(
+    "UTM_DATA_AVAIL_FLAGS",
+    &[
+        (1 << 0, "UTM_DATA_AVAIL_FLAGS_TIME_VALID"),
+        (1 << 1, "UTM_DATA_AVAIL_FLAGS_UAS_ID_AVAILABLE"),
+        (1 << 2, "UTM_DATA_AVAIL_FLAGS_POSITION_AVAILABLE"),
+        (1 << 3, "UTM_DATA_AVAIL_FLAGS_ALTITUDE_AVAILABLE"),
+        (1 << 4, "UTM_DATA_AVAIL_FLAGS_RELATIVE_ALTITUDE_AVAILABLE"),
+        (1 << 5, "UTM_DATA_AVAIL_FLAGS_HORIZONTAL_VELO_AVAILABLE"),
+        (1 << 6, "UTM_DATA_AVAIL_FLAGS_VERTICAL_VELO_AVAILABLE"),
+        (1 << 7, "UTM_DATA_AVAIL_FLAGS_NEXT_WAYPOINT_AVAILABLE"),
     ],
-};
+);
 
 wire::flags!(UtmDataAvailFlags, u8, INFO);

@@ -23,16 +23,15 @@ impl UtmFlightState {
     pub const NOCTRL: Self = Self(32);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "UTM_FLIGHT_STATE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "UTM_FLIGHT_STATE",
+    &[
         (1, "UTM_FLIGHT_STATE_UNKNOWN"),
         (2, "UTM_FLIGHT_STATE_GROUND"),
         (3, "UTM_FLIGHT_STATE_AIRBORNE"),
         (16, "UTM_FLIGHT_STATE_EMERGENCY"),
         (32, "UTM_FLIGHT_STATE_NOCTRL"),
     ],
-};
+);
 
 wire::open_enum!(UtmFlightState, u8, INFO);

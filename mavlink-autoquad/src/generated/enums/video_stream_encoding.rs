@@ -19,14 +19,13 @@ impl VideoStreamEncoding {
     pub const H265: Self = Self(2);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "VIDEO_STREAM_ENCODING",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "VIDEO_STREAM_ENCODING",
+    &[
         (0, "VIDEO_STREAM_ENCODING_UNKNOWN"),
         (1, "VIDEO_STREAM_ENCODING_H264"),
         (2, "VIDEO_STREAM_ENCODING_H265"),
     ],
-};
+);
 
 wire::open_enum!(VideoStreamEncoding, u8, INFO);

@@ -12,21 +12,20 @@ pub struct VideoStreamStatusFlags(u16);
 
 impl VideoStreamStatusFlags {
     /// Running.
-    pub const RUNNING: Self = Self(1);
+    pub const RUNNING: Self = Self(1 << 0);
     /// Thermal picture.
-    pub const THERMAL: Self = Self(2);
+    pub const THERMAL: Self = Self(1 << 1);
     /// Temperatures are reported.
-    pub const THERMAL_RANGE_ENABLED: Self = Self(4);
+    pub const THERMAL_RANGE_ENABLED: Self = Self(1 << 2);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "VIDEO_STREAM_STATUS_FLAGS",
-    bitmask: true,
-    entries: &[
-        (1, "VIDEO_STREAM_STATUS_FLAGS_RUNNING"),
-        (2, "VIDEO_STREAM_STATUS_FLAGS_THERMAL"),
-        (4, "VIDEO_STREAM_STATUS_FLAGS_THERMAL_RANGE_ENABLED"),
+static INFO: wire::EnumInfo = wire::EnumInfo::bitmask(
+    "VIDEO_STREAM_STATUS_FLAGS",
+    &[
+        (1 << 0, "VIDEO_STREAM_STATUS_FLAGS_RUNNING"),
+        (1 << 1, "VIDEO_STREAM_STATUS_FLAGS_THERMAL"),
+        (1 << 2, "VIDEO_STREAM_STATUS_FLAGS_THERMAL_RANGE_ENABLED"),
     ],
-};
+);
 
 wire::flags!(VideoStreamStatusFlags, u16, INFO);

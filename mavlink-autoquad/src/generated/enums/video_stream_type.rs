@@ -23,16 +23,15 @@ impl VideoStreamType {
     pub const WHEP: Self = Self(4);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "VIDEO_STREAM_TYPE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "VIDEO_STREAM_TYPE",
+    &[
         (0, "VIDEO_STREAM_TYPE_RTSP"),
         (1, "VIDEO_STREAM_TYPE_RTPUDP"),
         (2, "VIDEO_STREAM_TYPE_TCP_MPEG"),
         (3, "VIDEO_STREAM_TYPE_MPEG_TS"),
         (4, "VIDEO_STREAM_TYPE_WHEP"),
     ],
-};
+);
 
 wire::open_enum!(VideoStreamType, u8, INFO);

@@ -23,16 +23,15 @@ impl VtolTransitionHeading {
     pub const ANY: Self = Self(4);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "VTOL_TRANSITION_HEADING",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "VTOL_TRANSITION_HEADING",
+    &[
         (0, "VTOL_TRANSITION_HEADING_VEHICLE_DEFAULT"),
         (1, "VTOL_TRANSITION_HEADING_NEXT_WAYPOINT"),
         (2, "VTOL_TRANSITION_HEADING_TAKEOFF"),
         (3, "VTOL_TRANSITION_HEADING_SPECIFIED"),
         (4, "VTOL_TRANSITION_HEADING_ANY"),
     ],
-};
+);
 
 wire::open_enum!(VtolTransitionHeading, u8, INFO);

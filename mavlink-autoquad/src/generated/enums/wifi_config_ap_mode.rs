@@ -21,15 +21,14 @@ impl WifiConfigApMode {
     pub const DISABLED: Self = Self(3);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "WIFI_CONFIG_AP_MODE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "WIFI_CONFIG_AP_MODE",
+    &[
         (0, "WIFI_CONFIG_AP_MODE_UNDEFINED"),
         (1, "WIFI_CONFIG_AP_MODE_AP"),
         (2, "WIFI_CONFIG_AP_MODE_STATION"),
         (3, "WIFI_CONFIG_AP_MODE_DISABLED"),
     ],
-};
+);
 
 wire::open_enum!(WifiConfigApMode, i8, INFO);

@@ -25,10 +25,9 @@ impl WifiConfigApResponse {
     pub const PASSWORD_ERROR: Self = Self(5);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "WIFI_CONFIG_AP_RESPONSE",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "WIFI_CONFIG_AP_RESPONSE",
+    &[
         (0, "WIFI_CONFIG_AP_RESPONSE_UNDEFINED"),
         (1, "WIFI_CONFIG_AP_RESPONSE_ACCEPTED"),
         (2, "WIFI_CONFIG_AP_RESPONSE_REJECTED"),
@@ -36,6 +35,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (4, "WIFI_CONFIG_AP_RESPONSE_SSID_ERROR"),
         (5, "WIFI_CONFIG_AP_RESPONSE_PASSWORD_ERROR"),
     ],
-};
+);
 
 wire::open_enum!(WifiConfigApResponse, i8, INFO);

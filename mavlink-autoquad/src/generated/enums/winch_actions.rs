@@ -33,10 +33,9 @@ impl WinchActions {
     pub const LOAD_PAYLOAD: Self = Self(9);
 }
 
-static INFO: wire::EnumInfo = wire::EnumInfo {
-    name: "WINCH_ACTIONS",
-    bitmask: false,
-    entries: &[
+static INFO: wire::EnumInfo = wire::EnumInfo::new(
+    "WINCH_ACTIONS",
+    &[
         (0, "WINCH_RELAXED"),
         (1, "WINCH_RELATIVE_LENGTH_CONTROL"),
         (2, "WINCH_RATE_CONTROL"),
@@ -48,6 +47,6 @@ static INFO: wire::EnumInfo = wire::EnumInfo {
         (8, "WINCH_ABANDON_LINE"),
         (9, "WINCH_LOAD_PAYLOAD"),
     ],
-};
+);
 
 wire::open_enum!(WinchActions, u8, INFO);

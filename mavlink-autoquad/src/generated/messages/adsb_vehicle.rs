@@ -2,6 +2,7 @@
 
 use super::super::enums::{AdsbAltitudeType, AdsbEmitterType, AdsbFlags};
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// One aircraft seen by an ADS-B receiver.
 ///
@@ -129,17 +130,14 @@ impl AdsbVehicle {
 }
 
 impl wire::Message for AdsbVehicle {
-    const ID: u32 = 246;
+    type Payload = [u8; 38];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 246,
-        name: "ADSB_VEHICLE",
-        crc_extra: 184,
-        len_v1: 38,
-        len_v2: 38,
-        target_system: None,
-        target_component: None,
-    };
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+        246,
+        "ADSB_VEHICLE",
+        184,
+        38,
+    );
 
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("ICAO_address", wire::Kind::U32, 0),
@@ -189,53 +187,39 @@ impl wire::Message for AdsbVehicle {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<38>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<38>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 38]) -> Self {
         Self {
-            icao_address: wire::generated::get(p, 0),
-            lat: wire::generated::get(p, 4),
-            lon: wire::generated::get(p, 8),
-            altitude_type: wire::generated::get(p, 26),
-            altitude: wire::generated::get(p, 12),
-            heading: wire::generated::get(p, 16),
-            hor_velocity: wire::generated::get(p, 18),
-            ver_velocity: wire::generated::get(p, 20),
-            callsign: wire::generated::get(p, 27),
-            emitter_type: wire::generated::get(p, 36),
-            tslc: wire::generated::get(p, 37),
-            flags: wire::generated::get(p, 22),
-            squawk: wire::generated::get(p, 24),
+            icao_address: get(p, 0),
+            lat: get(p, 4),
+            lon: get(p, 8),
+            altitude_type: get(p, 26),
+            altitude: get(p, 12),
+            heading: get(p, 16),
+            hor_velocity: get(p, 18),
+            ver_velocity: get(p, 20),
+            callsign: get(p, 27),
+            emitter_type: get(p, 36),
+            tslc: get(p, 37),
+            flags: get(p, 22),
+            squawk: get(p, 24),
         }
-    }
-}
-
-impl wire::Encode for AdsbVehicle {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.icao_address);
-        wire::generated::put(p, 4, self.lat);
-        wire::generated::put(p, 8, self.lon);
-        wire::generated::put(p, 12, self.altitude);
-        wire::generated::put(p, 16, self.heading);
-        wire::generated::put(p, 18, self.hor_velocity);
-        wire::generated::put(p, 20, self.ver_velocity);
-        wire::generated::put(p, 22, self.flags);
-        wire::generated::put(p, 24, self.squawk);
-        wire::generated::put(p, 26, self.altitude_type);
-        wire::generated::put(p, 27, self.callsign);
-        wire::generated::put(p, 36, self.emitter_type);
-        wire::generated::put(p, 37, self.tslc);
+    fn store(&self, p: &mut [u8; 38]) {
+        put(p, 0, self.icao_address);
+        put(p, 4, self.lat);
+        put(p, 8, self.lon);
+        put(p, 12, self.altitude);
+        put(p, 16, self.heading);
+        put(p, 18, self.hor_velocity);
+        put(p, 20, self.ver_velocity);
+        put(p, 22, self.flags);
+        put(p, 24, self.squawk);
+        put(p, 26, self.altitude_type);
+        put(p, 27, self.callsign);
+        put(p, 36, self.emitter_type);
+        put(p, 37, self.tslc);
     }
 }
 

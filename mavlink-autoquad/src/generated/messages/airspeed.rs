@@ -2,6 +2,7 @@
 
 use super::super::enums::AirspeedSensorFlags;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Reading of one airspeed sensor.
 ///
@@ -57,17 +58,14 @@ impl Airspeed {
 }
 
 impl wire::Message for Airspeed {
-    const ID: u32 = 295;
+    type Payload = [u8; 12];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 295,
-        name: "AIRSPEED",
-        crc_extra: 234,
-        len_v1: 12,
-        len_v2: 12,
-        target_system: None,
-        target_component: None,
-    };
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+        295,
+        "AIRSPEED",
+        234,
+        12,
+    );
 
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("id", wire::Kind::U8, 10),
@@ -91,37 +89,23 @@ impl wire::Message for Airspeed {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<12>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<12>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 12]) -> Self {
         Self {
-            id: wire::generated::get(p, 10),
-            airspeed: wire::generated::get(p, 0),
-            temperature: wire::generated::get(p, 8),
-            raw_press: wire::generated::get(p, 4),
-            flags: wire::generated::get(p, 11),
+            id: get(p, 10),
+            airspeed: get(p, 0),
+            temperature: get(p, 8),
+            raw_press: get(p, 4),
+            flags: get(p, 11),
         }
-    }
-}
-
-impl wire::Encode for Airspeed {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.airspeed);
-        wire::generated::put(p, 4, self.raw_press);
-        wire::generated::put(p, 8, self.temperature);
-        wire::generated::put(p, 10, self.id);
-        wire::generated::put(p, 11, self.flags);
+    fn store(&self, p: &mut [u8; 12]) {
+        put(p, 0, self.airspeed);
+        put(p, 4, self.raw_press);
+        put(p, 8, self.temperature);
+        put(p, 10, self.id);
+        put(p, 11, self.flags);
     }
 }
 

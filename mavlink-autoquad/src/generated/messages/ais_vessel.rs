@@ -2,6 +2,7 @@
 
 use super::super::enums::{AisFlags, AisNavStatus, AisType};
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// One vessel seen by an AIS receiver.
 ///
@@ -193,17 +194,14 @@ impl AisVessel {
 }
 
 impl wire::Message for AisVessel {
-    const ID: u32 = 301;
+    type Payload = [u8; 58];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 301,
-        name: "AIS_VESSEL",
-        crc_extra: 243,
-        len_v1: 58,
-        len_v2: 58,
-        target_system: None,
-        target_component: None,
-    };
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+        301,
+        "AIS_VESSEL",
+        243,
+        58,
+    );
 
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("MMSI", wire::Kind::U32, 0),
@@ -269,61 +267,47 @@ impl wire::Message for AisVessel {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<58>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<58>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 58]) -> Self {
         Self {
-            mmsi: wire::generated::get(p, 0),
-            lat: wire::generated::get(p, 4),
-            lon: wire::generated::get(p, 8),
-            cog: wire::generated::get(p, 12),
-            heading: wire::generated::get(p, 14),
-            velocity: wire::generated::get(p, 16),
-            turn_rate: wire::generated::get(p, 26),
-            navigational_status: wire::generated::get(p, 27),
-            r#type: wire::generated::get(p, 28),
-            dimension_bow: wire::generated::get(p, 18),
-            dimension_stern: wire::generated::get(p, 20),
-            dimension_port: wire::generated::get(p, 29),
-            dimension_starboard: wire::generated::get(p, 30),
-            callsign: wire::generated::get(p, 31),
-            name: wire::generated::get(p, 38),
-            tslc: wire::generated::get(p, 22),
-            flags: wire::generated::get(p, 24),
+            mmsi: get(p, 0),
+            lat: get(p, 4),
+            lon: get(p, 8),
+            cog: get(p, 12),
+            heading: get(p, 14),
+            velocity: get(p, 16),
+            turn_rate: get(p, 26),
+            navigational_status: get(p, 27),
+            r#type: get(p, 28),
+            dimension_bow: get(p, 18),
+            dimension_stern: get(p, 20),
+            dimension_port: get(p, 29),
+            dimension_starboard: get(p, 30),
+            callsign: get(p, 31),
+            name: get(p, 38),
+            tslc: get(p, 22),
+            flags: get(p, 24),
         }
-    }
-}
-
-impl wire::Encode for AisVessel {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.mmsi);
-        wire::generated::put(p, 4, self.lat);
-        wire::generated::put(p, 8, self.lon);
-        wire::generated::put(p, 12, self.cog);
-        wire::generated::put(p, 14, self.heading);
-        wire::generated::put(p, 16, self.velocity);
-        wire::generated::put(p, 18, self.dimension_bow);
-        wire::generated::put(p, 20, self.dimension_stern);
-        wire::generated::put(p, 22, self.tslc);
-        wire::generated::put(p, 24, self.flags);
-        wire::generated::put(p, 26, self.turn_rate);
-        wire::generated::put(p, 27, self.navigational_status);
-        wire::generated::put(p, 28, self.r#type);
-        wire::generated::put(p, 29, self.dimension_port);
-        wire::generated::put(p, 30, self.dimension_starboard);
-        wire::generated::put(p, 31, self.callsign);
-        wire::generated::put(p, 38, self.name);
+    fn store(&self, p: &mut [u8; 58]) {
+        put(p, 0, self.mmsi);
+        put(p, 4, self.lat);
+        put(p, 8, self.lon);
+        put(p, 12, self.cog);
+        put(p, 14, self.heading);
+        put(p, 16, self.velocity);
+        put(p, 18, self.dimension_bow);
+        put(p, 20, self.dimension_stern);
+        put(p, 22, self.tslc);
+        put(p, 24, self.flags);
+        put(p, 26, self.turn_rate);
+        put(p, 27, self.navigational_status);
+        put(p, 28, self.r#type);
+        put(p, 29, self.dimension_port);
+        put(p, 30, self.dimension_starboard);
+        put(p, 31, self.callsign);
+        put(p, 38, self.name);
     }
 }
 

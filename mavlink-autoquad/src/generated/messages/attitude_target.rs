@@ -2,6 +2,7 @@
 
 use super::super::enums::AttitudeTargetTypemask;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// The attitude, rate and thrust setpoint the controller is following now.
 ///
@@ -37,17 +38,14 @@ pub struct AttitudeTarget {
 }
 
 impl wire::Message for AttitudeTarget {
-    const ID: u32 = 83;
+    type Payload = [u8; 37];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 83,
-        name: "ATTITUDE_TARGET",
-        crc_extra: 22,
-        len_v1: 37,
-        len_v2: 37,
-        target_system: None,
-        target_component: None,
-    };
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+        83,
+        "ATTITUDE_TARGET",
+        22,
+        37,
+    );
 
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_boot_ms", wire::Kind::U32, 0).units("ms"),
@@ -71,41 +69,27 @@ impl wire::Message for AttitudeTarget {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<37>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<37>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 37]) -> Self {
         Self {
-            time_boot_ms: wire::generated::get(p, 0),
-            type_mask: wire::generated::get(p, 36),
-            q: wire::generated::get(p, 4),
-            body_roll_rate: wire::generated::get(p, 20),
-            body_pitch_rate: wire::generated::get(p, 24),
-            body_yaw_rate: wire::generated::get(p, 28),
-            thrust: wire::generated::get(p, 32),
+            time_boot_ms: get(p, 0),
+            type_mask: get(p, 36),
+            q: get(p, 4),
+            body_roll_rate: get(p, 20),
+            body_pitch_rate: get(p, 24),
+            body_yaw_rate: get(p, 28),
+            thrust: get(p, 32),
         }
-    }
-}
-
-impl wire::Encode for AttitudeTarget {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.time_boot_ms);
-        wire::generated::put(p, 4, self.q);
-        wire::generated::put(p, 20, self.body_roll_rate);
-        wire::generated::put(p, 24, self.body_pitch_rate);
-        wire::generated::put(p, 28, self.body_yaw_rate);
-        wire::generated::put(p, 32, self.thrust);
-        wire::generated::put(p, 36, self.type_mask);
+    fn store(&self, p: &mut [u8; 37]) {
+        put(p, 0, self.time_boot_ms);
+        put(p, 4, self.q);
+        put(p, 20, self.body_roll_rate);
+        put(p, 24, self.body_pitch_rate);
+        put(p, 28, self.body_yaw_rate);
+        put(p, 32, self.thrust);
+        put(p, 36, self.type_mask);
     }
 }
 

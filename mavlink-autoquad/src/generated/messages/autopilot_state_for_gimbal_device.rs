@@ -2,6 +2,7 @@
 
 use super::super::enums::{EstimatorStatusFlags, MavLandedState};
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Vehicle state for the stabilisation loop of a gimbal.
 ///
@@ -170,18 +171,17 @@ impl AutopilotStateForGimbalDevice {
 }
 
 impl wire::Message for AutopilotStateForGimbalDevice {
-    const ID: u32 = 286;
+    type Payload = [u8; 57];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 286,
-        name: "AUTOPILOT_STATE_FOR_GIMBAL_DEVICE",
-        crc_extra: 210,
-        len_v1: 53,
-        len_v2: 57,
-        target_system: Some(50),
-        target_component: Some(51),
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            286,
+            "AUTOPILOT_STATE_FOR_GIMBAL_DEVICE",
+            210,
+            57,
+        )
+        .len_v1(53)
+        .target_system(50)
+        .target_component(51);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 50),
         wire::FieldInfo::new("target_component", wire::Kind::U8, 51),
@@ -233,30 +233,39 @@ impl wire::Message for AutopilotStateForGimbalDevice {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<57>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<57>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 57]) -> Self {
         Self {
-            target_system: wire::generated::get(p, 50),
-            target_component: wire::generated::get(p, 51),
-            time_boot_us: wire::generated::get(p, 0),
-            q: wire::generated::get(p, 8),
-            q_estimated_delay_us: wire::generated::get(p, 24),
-            vx: wire::generated::get(p, 28),
-            vy: wire::generated::get(p, 32),
-            vz: wire::generated::get(p, 36),
-            v_estimated_delay_us: wire::generated::get(p, 40),
-            feed_forward_angular_velocity_z: wire::generated::get(p, 44),
-            estimator_status: wire::generated::get(p, 48),
-            landed_state: wire::generated::get(p, 52),
-            angular_velocity_z: wire::generated::get(p, 53),
+            target_system: get(p, 50),
+            target_component: get(p, 51),
+            time_boot_us: get(p, 0),
+            q: get(p, 8),
+            q_estimated_delay_us: get(p, 24),
+            vx: get(p, 28),
+            vy: get(p, 32),
+            vz: get(p, 36),
+            v_estimated_delay_us: get(p, 40),
+            feed_forward_angular_velocity_z: get(p, 44),
+            estimator_status: get(p, 48),
+            landed_state: get(p, 52),
+            angular_velocity_z: get(p, 53),
         }
+    }
+
+    #[inline]
+    fn store(&self, p: &mut [u8; 57]) {
+        put(p, 0, self.time_boot_us);
+        put(p, 8, self.q);
+        put(p, 24, self.q_estimated_delay_us);
+        put(p, 28, self.vx);
+        put(p, 32, self.vy);
+        put(p, 36, self.vz);
+        put(p, 40, self.v_estimated_delay_us);
+        put(p, 44, self.feed_forward_angular_velocity_z);
+        put(p, 48, self.estimator_status);
+        put(p, 50, self.target_system);
+        put(p, 51, self.target_component);
+        put(p, 52, self.landed_state);
+        put(p, 53, self.angular_velocity_z);
     }
 
     #[inline]
@@ -265,35 +274,6 @@ impl wire::Message for AutopilotStateForGimbalDevice {
     }
 }
 
-impl wire::Encode for AutopilotStateForGimbalDevice {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
-    }
-
-    #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.time_boot_us);
-        wire::generated::put(p, 8, self.q);
-        wire::generated::put(p, 24, self.q_estimated_delay_us);
-        wire::generated::put(p, 28, self.vx);
-        wire::generated::put(p, 32, self.vy);
-        wire::generated::put(p, 36, self.vz);
-        wire::generated::put(p, 40, self.v_estimated_delay_us);
-        wire::generated::put(p, 44, self.feed_forward_angular_velocity_z);
-        wire::generated::put(p, 48, self.estimator_status);
-        wire::generated::put(p, 50, self.target_system);
-        wire::generated::put(p, 51, self.target_component);
-        wire::generated::put(p, 52, self.landed_state);
-        wire::generated::put(p, 53, self.angular_velocity_z);
-    }
-}
-
-impl wire::Targeted for AutopilotStateForGimbalDevice {
-    fn to(mut self, system: impl Into<u8>, component: impl Into<u8>) -> Self {
-        self.target_system = system.into();
-        self.target_component = component.into();
-        self
-    }
-}
+impl wire::Targeted for AutopilotStateForGimbalDevice {}
 
 wire::message!(AutopilotStateForGimbalDevice);

@@ -2,6 +2,7 @@
 
 use super::super::enums::MavProtocolCapability;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Software, hardware and capability identification of a component, sent on request.
 ///
@@ -52,18 +53,15 @@ pub struct AutopilotVersion {
 }
 
 impl wire::Message for AutopilotVersion {
-    const ID: u32 = 148;
+    type Payload = [u8; 78];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 148,
-        name: "AUTOPILOT_VERSION",
-        crc_extra: 178,
-        len_v1: 60,
-        len_v2: 78,
-        target_system: None,
-        target_component: None,
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            148,
+            "AUTOPILOT_VERSION",
+            178,
+            78,
+        )
+        .len_v1(60);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("capabilities", wire::Kind::U64, 0)
             .values(<MavProtocolCapability as wire::Enum>::INFO),
@@ -96,51 +94,37 @@ impl wire::Message for AutopilotVersion {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<78>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<78>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 78]) -> Self {
         Self {
-            capabilities: wire::generated::get(p, 0),
-            flight_sw_version: wire::generated::get(p, 16),
-            middleware_sw_version: wire::generated::get(p, 20),
-            os_sw_version: wire::generated::get(p, 24),
-            board_version: wire::generated::get(p, 28),
-            flight_custom_version: wire::generated::get(p, 36),
-            middleware_custom_version: wire::generated::get(p, 44),
-            os_custom_version: wire::generated::get(p, 52),
-            vendor_id: wire::generated::get(p, 32),
-            product_id: wire::generated::get(p, 34),
-            uid: wire::generated::get(p, 8),
-            uid2: wire::generated::get(p, 60),
+            capabilities: get(p, 0),
+            flight_sw_version: get(p, 16),
+            middleware_sw_version: get(p, 20),
+            os_sw_version: get(p, 24),
+            board_version: get(p, 28),
+            flight_custom_version: get(p, 36),
+            middleware_custom_version: get(p, 44),
+            os_custom_version: get(p, 52),
+            vendor_id: get(p, 32),
+            product_id: get(p, 34),
+            uid: get(p, 8),
+            uid2: get(p, 60),
         }
-    }
-}
-
-impl wire::Encode for AutopilotVersion {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.capabilities);
-        wire::generated::put(p, 8, self.uid);
-        wire::generated::put(p, 16, self.flight_sw_version);
-        wire::generated::put(p, 20, self.middleware_sw_version);
-        wire::generated::put(p, 24, self.os_sw_version);
-        wire::generated::put(p, 28, self.board_version);
-        wire::generated::put(p, 32, self.vendor_id);
-        wire::generated::put(p, 34, self.product_id);
-        wire::generated::put(p, 36, self.flight_custom_version);
-        wire::generated::put(p, 44, self.middleware_custom_version);
-        wire::generated::put(p, 52, self.os_custom_version);
-        wire::generated::put(p, 60, self.uid2);
+    fn store(&self, p: &mut [u8; 78]) {
+        put(p, 0, self.capabilities);
+        put(p, 8, self.uid);
+        put(p, 16, self.flight_sw_version);
+        put(p, 20, self.middleware_sw_version);
+        put(p, 24, self.os_sw_version);
+        put(p, 28, self.board_version);
+        put(p, 32, self.vendor_id);
+        put(p, 34, self.product_id);
+        put(p, 36, self.flight_custom_version);
+        put(p, 44, self.middleware_custom_version);
+        put(p, 52, self.os_custom_version);
+        put(p, 60, self.uid2);
     }
 }
 

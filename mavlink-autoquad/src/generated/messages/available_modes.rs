@@ -2,6 +2,7 @@
 
 use super::super::enums::{MavModeProperty, MavStandardMode};
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// One flight mode of a vehicle; sent once per mode.
 ///
@@ -34,17 +35,14 @@ pub struct AvailableModes {
 }
 
 impl wire::Message for AvailableModes {
-    const ID: u32 = 435;
+    type Payload = [u8; 46];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 435,
-        name: "AVAILABLE_MODES",
-        crc_extra: 134,
-        len_v1: 46,
-        len_v2: 46,
-        target_system: None,
-        target_component: None,
-    };
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+        435,
+        "AVAILABLE_MODES",
+        134,
+        46,
+    );
 
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("number_modes", wire::Kind::U8, 8),
@@ -67,39 +65,25 @@ impl wire::Message for AvailableModes {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<46>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<46>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 46]) -> Self {
         Self {
-            number_modes: wire::generated::get(p, 8),
-            mode_index: wire::generated::get(p, 9),
-            standard_mode: wire::generated::get(p, 10),
-            custom_mode: wire::generated::get(p, 0),
-            properties: wire::generated::get(p, 4),
-            mode_name: wire::generated::get(p, 11),
+            number_modes: get(p, 8),
+            mode_index: get(p, 9),
+            standard_mode: get(p, 10),
+            custom_mode: get(p, 0),
+            properties: get(p, 4),
+            mode_name: get(p, 11),
         }
-    }
-}
-
-impl wire::Encode for AvailableModes {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.custom_mode);
-        wire::generated::put(p, 4, self.properties);
-        wire::generated::put(p, 8, self.number_modes);
-        wire::generated::put(p, 9, self.mode_index);
-        wire::generated::put(p, 10, self.standard_mode);
-        wire::generated::put(p, 11, self.mode_name);
+    fn store(&self, p: &mut [u8; 46]) {
+        put(p, 0, self.custom_mode);
+        put(p, 4, self.properties);
+        put(p, 8, self.number_modes);
+        put(p, 9, self.mode_index);
+        put(p, 10, self.standard_mode);
+        put(p, 11, self.mode_name);
     }
 }
 

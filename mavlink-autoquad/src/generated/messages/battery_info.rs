@@ -2,6 +2,7 @@
 
 use super::super::enums::{MavBatteryFunction, MavBatteryType};
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Fixed data of a battery: identity, capacity and limits.
 ///
@@ -280,17 +281,14 @@ impl BatteryInfo {
 }
 
 impl wire::Message for BatteryInfo {
-    const ID: u32 = 372;
+    type Payload = [u8; 140];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 372,
-        name: "BATTERY_INFO",
-        crc_extra: 26,
-        len_v1: 140,
-        len_v2: 140,
-        target_system: None,
-        target_component: None,
-    };
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+        372,
+        "BATTERY_INFO",
+        26,
+        140,
+    );
 
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("id", wire::Kind::U8, 44),
@@ -370,67 +368,53 @@ impl wire::Message for BatteryInfo {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<140>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<140>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 140]) -> Self {
         Self {
-            id: wire::generated::get(p, 44),
-            battery_function: wire::generated::get(p, 45),
-            r#type: wire::generated::get(p, 46),
-            state_of_health: wire::generated::get(p, 47),
-            cells_in_series: wire::generated::get(p, 48),
-            cycle_count: wire::generated::get(p, 40),
-            weight: wire::generated::get(p, 42),
-            discharge_minimum_voltage: wire::generated::get(p, 0),
-            charging_minimum_voltage: wire::generated::get(p, 4),
-            resting_minimum_voltage: wire::generated::get(p, 8),
-            charging_maximum_voltage: wire::generated::get(p, 12),
-            charging_maximum_current: wire::generated::get(p, 16),
-            nominal_voltage: wire::generated::get(p, 20),
-            discharge_maximum_current: wire::generated::get(p, 24),
-            discharge_maximum_burst_current: wire::generated::get(p, 28),
-            design_capacity: wire::generated::get(p, 32),
-            full_charge_capacity: wire::generated::get(p, 36),
-            manufacture_date: wire::generated::get(p, 49),
-            serial_number: wire::generated::get(p, 58),
-            name: wire::generated::get(p, 90),
+            id: get(p, 44),
+            battery_function: get(p, 45),
+            r#type: get(p, 46),
+            state_of_health: get(p, 47),
+            cells_in_series: get(p, 48),
+            cycle_count: get(p, 40),
+            weight: get(p, 42),
+            discharge_minimum_voltage: get(p, 0),
+            charging_minimum_voltage: get(p, 4),
+            resting_minimum_voltage: get(p, 8),
+            charging_maximum_voltage: get(p, 12),
+            charging_maximum_current: get(p, 16),
+            nominal_voltage: get(p, 20),
+            discharge_maximum_current: get(p, 24),
+            discharge_maximum_burst_current: get(p, 28),
+            design_capacity: get(p, 32),
+            full_charge_capacity: get(p, 36),
+            manufacture_date: get(p, 49),
+            serial_number: get(p, 58),
+            name: get(p, 90),
         }
-    }
-}
-
-impl wire::Encode for BatteryInfo {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.discharge_minimum_voltage);
-        wire::generated::put(p, 4, self.charging_minimum_voltage);
-        wire::generated::put(p, 8, self.resting_minimum_voltage);
-        wire::generated::put(p, 12, self.charging_maximum_voltage);
-        wire::generated::put(p, 16, self.charging_maximum_current);
-        wire::generated::put(p, 20, self.nominal_voltage);
-        wire::generated::put(p, 24, self.discharge_maximum_current);
-        wire::generated::put(p, 28, self.discharge_maximum_burst_current);
-        wire::generated::put(p, 32, self.design_capacity);
-        wire::generated::put(p, 36, self.full_charge_capacity);
-        wire::generated::put(p, 40, self.cycle_count);
-        wire::generated::put(p, 42, self.weight);
-        wire::generated::put(p, 44, self.id);
-        wire::generated::put(p, 45, self.battery_function);
-        wire::generated::put(p, 46, self.r#type);
-        wire::generated::put(p, 47, self.state_of_health);
-        wire::generated::put(p, 48, self.cells_in_series);
-        wire::generated::put(p, 49, self.manufacture_date);
-        wire::generated::put(p, 58, self.serial_number);
-        wire::generated::put(p, 90, self.name);
+    fn store(&self, p: &mut [u8; 140]) {
+        put(p, 0, self.discharge_minimum_voltage);
+        put(p, 4, self.charging_minimum_voltage);
+        put(p, 8, self.resting_minimum_voltage);
+        put(p, 12, self.charging_maximum_voltage);
+        put(p, 16, self.charging_maximum_current);
+        put(p, 20, self.nominal_voltage);
+        put(p, 24, self.discharge_maximum_current);
+        put(p, 28, self.discharge_maximum_burst_current);
+        put(p, 32, self.design_capacity);
+        put(p, 36, self.full_charge_capacity);
+        put(p, 40, self.cycle_count);
+        put(p, 42, self.weight);
+        put(p, 44, self.id);
+        put(p, 45, self.battery_function);
+        put(p, 46, self.r#type);
+        put(p, 47, self.state_of_health);
+        put(p, 48, self.cells_in_series);
+        put(p, 49, self.manufacture_date);
+        put(p, 58, self.serial_number);
+        put(p, 90, self.name);
     }
 }
 

@@ -5,6 +5,7 @@ use super::super::enums::{
     MavBatteryType,
 };
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// State of one battery; a vehicle sends one message per battery.
 ///
@@ -173,18 +174,15 @@ impl BatteryStatus {
 }
 
 impl wire::Message for BatteryStatus {
-    const ID: u32 = 147;
+    type Payload = [u8; 54];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 147,
-        name: "BATTERY_STATUS",
-        crc_extra: 154,
-        len_v1: 36,
-        len_v2: 54,
-        target_system: None,
-        target_component: None,
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            147,
+            "BATTERY_STATUS",
+            154,
+            54,
+        )
+        .len_v1(36);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("id", wire::Kind::U8, 32),
         wire::FieldInfo::new("battery_function", wire::Kind::U8, 33)
@@ -246,55 +244,41 @@ impl wire::Message for BatteryStatus {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<54>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<54>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 54]) -> Self {
         Self {
-            id: wire::generated::get(p, 32),
-            battery_function: wire::generated::get(p, 33),
-            r#type: wire::generated::get(p, 34),
-            temperature: wire::generated::get(p, 8),
-            voltages: wire::generated::get(p, 10),
-            current_battery: wire::generated::get(p, 30),
-            current_consumed: wire::generated::get(p, 0),
-            energy_consumed: wire::generated::get(p, 4),
-            battery_remaining: wire::generated::get(p, 35),
-            time_remaining: wire::generated::get(p, 36),
-            charge_state: wire::generated::get(p, 40),
-            voltages_ext: wire::generated::get(p, 41),
-            mode: wire::generated::get(p, 49),
-            fault_bitmask: wire::generated::get(p, 50),
+            id: get(p, 32),
+            battery_function: get(p, 33),
+            r#type: get(p, 34),
+            temperature: get(p, 8),
+            voltages: get(p, 10),
+            current_battery: get(p, 30),
+            current_consumed: get(p, 0),
+            energy_consumed: get(p, 4),
+            battery_remaining: get(p, 35),
+            time_remaining: get(p, 36),
+            charge_state: get(p, 40),
+            voltages_ext: get(p, 41),
+            mode: get(p, 49),
+            fault_bitmask: get(p, 50),
         }
-    }
-}
-
-impl wire::Encode for BatteryStatus {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.current_consumed);
-        wire::generated::put(p, 4, self.energy_consumed);
-        wire::generated::put(p, 8, self.temperature);
-        wire::generated::put(p, 10, self.voltages);
-        wire::generated::put(p, 30, self.current_battery);
-        wire::generated::put(p, 32, self.id);
-        wire::generated::put(p, 33, self.battery_function);
-        wire::generated::put(p, 34, self.r#type);
-        wire::generated::put(p, 35, self.battery_remaining);
-        wire::generated::put(p, 36, self.time_remaining);
-        wire::generated::put(p, 40, self.charge_state);
-        wire::generated::put(p, 41, self.voltages_ext);
-        wire::generated::put(p, 49, self.mode);
-        wire::generated::put(p, 50, self.fault_bitmask);
+    fn store(&self, p: &mut [u8; 54]) {
+        put(p, 0, self.current_consumed);
+        put(p, 4, self.energy_consumed);
+        put(p, 8, self.temperature);
+        put(p, 10, self.voltages);
+        put(p, 30, self.current_battery);
+        put(p, 32, self.id);
+        put(p, 33, self.battery_function);
+        put(p, 34, self.r#type);
+        put(p, 35, self.battery_remaining);
+        put(p, 36, self.time_remaining);
+        put(p, 40, self.charge_state);
+        put(p, 41, self.voltages_ext);
+        put(p, 49, self.mode);
+        put(p, 50, self.fault_bitmask);
     }
 }
 

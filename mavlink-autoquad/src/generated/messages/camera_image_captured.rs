@@ -2,6 +2,7 @@
 
 use super::super::enums::MavBool;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// One image was taken: where, when and with what attitude.
 ///
@@ -80,17 +81,14 @@ impl CameraImageCaptured {
 }
 
 impl wire::Message for CameraImageCaptured {
-    const ID: u32 = 263;
+    type Payload = [u8; 255];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 263,
-        name: "CAMERA_IMAGE_CAPTURED",
-        crc_extra: 133,
-        len_v1: 255,
-        len_v2: 255,
-        target_system: None,
-        target_component: None,
-    };
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+        263,
+        "CAMERA_IMAGE_CAPTURED",
+        133,
+        255,
+    );
 
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_boot_ms", wire::Kind::U32, 8).units("ms"),
@@ -124,49 +122,35 @@ impl wire::Message for CameraImageCaptured {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<255>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<255>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 255]) -> Self {
         Self {
-            time_boot_ms: wire::generated::get(p, 8),
-            time_utc: wire::generated::get(p, 0),
-            camera_id: wire::generated::get(p, 48),
-            lat: wire::generated::get(p, 12),
-            lon: wire::generated::get(p, 16),
-            alt: wire::generated::get(p, 20),
-            relative_alt: wire::generated::get(p, 24),
-            q: wire::generated::get(p, 28),
-            image_index: wire::generated::get(p, 44),
-            capture_result: wire::generated::get(p, 49),
-            file_url: wire::generated::get(p, 50),
+            time_boot_ms: get(p, 8),
+            time_utc: get(p, 0),
+            camera_id: get(p, 48),
+            lat: get(p, 12),
+            lon: get(p, 16),
+            alt: get(p, 20),
+            relative_alt: get(p, 24),
+            q: get(p, 28),
+            image_index: get(p, 44),
+            capture_result: get(p, 49),
+            file_url: get(p, 50),
         }
-    }
-}
-
-impl wire::Encode for CameraImageCaptured {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.time_utc);
-        wire::generated::put(p, 8, self.time_boot_ms);
-        wire::generated::put(p, 12, self.lat);
-        wire::generated::put(p, 16, self.lon);
-        wire::generated::put(p, 20, self.alt);
-        wire::generated::put(p, 24, self.relative_alt);
-        wire::generated::put(p, 28, self.q);
-        wire::generated::put(p, 44, self.image_index);
-        wire::generated::put(p, 48, self.camera_id);
-        wire::generated::put(p, 49, self.capture_result);
-        wire::generated::put(p, 50, self.file_url);
+    fn store(&self, p: &mut [u8; 255]) {
+        put(p, 0, self.time_utc);
+        put(p, 8, self.time_boot_ms);
+        put(p, 12, self.lat);
+        put(p, 16, self.lon);
+        put(p, 20, self.alt);
+        put(p, 24, self.relative_alt);
+        put(p, 28, self.q);
+        put(p, 44, self.image_index);
+        put(p, 48, self.camera_id);
+        put(p, 49, self.capture_result);
+        put(p, 50, self.file_url);
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::super::enums::CameraCapFlags;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Identity, optics and abilities of a camera.
 ///
@@ -161,18 +162,15 @@ impl CameraInformation {
 }
 
 impl wire::Message for CameraInformation {
-    const ID: u32 = 259;
+    type Payload = [u8; 237];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 259,
-        name: "CAMERA_INFORMATION",
-        crc_extra: 92,
-        len_v1: 235,
-        len_v2: 237,
-        target_system: None,
-        target_component: None,
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            259,
+            "CAMERA_INFORMATION",
+            92,
+            237,
+        )
+        .len_v1(235);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_boot_ms", wire::Kind::U32, 0).units("ms"),
         wire::FieldInfo::array("vendor_name", wire::Kind::U8, 32, 30),
@@ -225,57 +223,43 @@ impl wire::Message for CameraInformation {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<237>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<237>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 237]) -> Self {
         Self {
-            time_boot_ms: wire::generated::get(p, 0),
-            vendor_name: wire::generated::get(p, 30),
-            model_name: wire::generated::get(p, 62),
-            firmware_version: wire::generated::get(p, 4),
-            focal_length: wire::generated::get(p, 8),
-            sensor_size_h: wire::generated::get(p, 12),
-            sensor_size_v: wire::generated::get(p, 16),
-            resolution_h: wire::generated::get(p, 24),
-            resolution_v: wire::generated::get(p, 26),
-            lens_id: wire::generated::get(p, 94),
-            flags: wire::generated::get(p, 20),
-            cam_definition_version: wire::generated::get(p, 28),
-            cam_definition_uri: wire::generated::get(p, 95),
-            gimbal_device_id: wire::generated::get(p, 235),
-            camera_device_id: wire::generated::get(p, 236),
+            time_boot_ms: get(p, 0),
+            vendor_name: get(p, 30),
+            model_name: get(p, 62),
+            firmware_version: get(p, 4),
+            focal_length: get(p, 8),
+            sensor_size_h: get(p, 12),
+            sensor_size_v: get(p, 16),
+            resolution_h: get(p, 24),
+            resolution_v: get(p, 26),
+            lens_id: get(p, 94),
+            flags: get(p, 20),
+            cam_definition_version: get(p, 28),
+            cam_definition_uri: get(p, 95),
+            gimbal_device_id: get(p, 235),
+            camera_device_id: get(p, 236),
         }
-    }
-}
-
-impl wire::Encode for CameraInformation {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.time_boot_ms);
-        wire::generated::put(p, 4, self.firmware_version);
-        wire::generated::put(p, 8, self.focal_length);
-        wire::generated::put(p, 12, self.sensor_size_h);
-        wire::generated::put(p, 16, self.sensor_size_v);
-        wire::generated::put(p, 20, self.flags);
-        wire::generated::put(p, 24, self.resolution_h);
-        wire::generated::put(p, 26, self.resolution_v);
-        wire::generated::put(p, 28, self.cam_definition_version);
-        wire::generated::put(p, 30, self.vendor_name);
-        wire::generated::put(p, 62, self.model_name);
-        wire::generated::put(p, 94, self.lens_id);
-        wire::generated::put(p, 95, self.cam_definition_uri);
-        wire::generated::put(p, 235, self.gimbal_device_id);
-        wire::generated::put(p, 236, self.camera_device_id);
+    fn store(&self, p: &mut [u8; 237]) {
+        put(p, 0, self.time_boot_ms);
+        put(p, 4, self.firmware_version);
+        put(p, 8, self.focal_length);
+        put(p, 12, self.sensor_size_h);
+        put(p, 16, self.sensor_size_v);
+        put(p, 20, self.flags);
+        put(p, 24, self.resolution_h);
+        put(p, 26, self.resolution_v);
+        put(p, 28, self.cam_definition_version);
+        put(p, 30, self.vendor_name);
+        put(p, 62, self.model_name);
+        put(p, 94, self.lens_id);
+        put(p, 95, self.cam_definition_uri);
+        put(p, 235, self.gimbal_device_id);
+        put(p, 236, self.camera_device_id);
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::super::enums::CameraMode;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Current mode, zoom and focus of a camera.
 ///
@@ -60,18 +61,15 @@ impl CameraSettings {
 }
 
 impl wire::Message for CameraSettings {
-    const ID: u32 = 260;
+    type Payload = [u8; 14];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 260,
-        name: "CAMERA_SETTINGS",
-        crc_extra: 146,
-        len_v1: 5,
-        len_v2: 14,
-        target_system: None,
-        target_component: None,
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            260,
+            "CAMERA_SETTINGS",
+            146,
+            14,
+        )
+        .len_v1(5);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_boot_ms", wire::Kind::U32, 0).units("ms"),
         wire::FieldInfo::new("mode_id", wire::Kind::U8, 4)
@@ -94,37 +92,23 @@ impl wire::Message for CameraSettings {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<14>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<14>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 14]) -> Self {
         Self {
-            time_boot_ms: wire::generated::get(p, 0),
-            mode_id: wire::generated::get(p, 4),
-            zoom_level: wire::generated::get(p, 5),
-            focus_level: wire::generated::get(p, 9),
-            camera_device_id: wire::generated::get(p, 13),
+            time_boot_ms: get(p, 0),
+            mode_id: get(p, 4),
+            zoom_level: get(p, 5),
+            focus_level: get(p, 9),
+            camera_device_id: get(p, 13),
         }
-    }
-}
-
-impl wire::Encode for CameraSettings {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.time_boot_ms);
-        wire::generated::put(p, 4, self.mode_id);
-        wire::generated::put(p, 5, self.zoom_level);
-        wire::generated::put(p, 9, self.focus_level);
-        wire::generated::put(p, 13, self.camera_device_id);
+    fn store(&self, p: &mut [u8; 14]) {
+        put(p, 0, self.time_boot_ms);
+        put(p, 4, self.mode_id);
+        put(p, 5, self.zoom_level);
+        put(p, 9, self.focus_level);
+        put(p, 13, self.camera_device_id);
     }
 }
 

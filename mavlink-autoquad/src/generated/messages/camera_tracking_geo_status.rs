@@ -2,6 +2,7 @@
 
 use super::super::enums::CameraTrackingStatusFlags;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// State of a tracked target on the globe.
 ///
@@ -169,18 +170,15 @@ impl CameraTrackingGeoStatus {
 }
 
 impl wire::Message for CameraTrackingGeoStatus {
-    const ID: u32 = 276;
+    type Payload = [u8; 50];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 276,
-        name: "CAMERA_TRACKING_GEO_STATUS",
-        crc_extra: 18,
-        len_v1: 49,
-        len_v2: 50,
-        target_system: None,
-        target_component: None,
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            276,
+            "CAMERA_TRACKING_GEO_STATUS",
+            18,
+            50,
+        )
+        .len_v1(49);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("tracking_status", wire::Kind::U8, 48)
             .values(<CameraTrackingStatusFlags as wire::Enum>::INFO),
@@ -235,55 +233,41 @@ impl wire::Message for CameraTrackingGeoStatus {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<50>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<50>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 50]) -> Self {
         Self {
-            tracking_status: wire::generated::get(p, 48),
-            lat: wire::generated::get(p, 0),
-            lon: wire::generated::get(p, 4),
-            alt: wire::generated::get(p, 8),
-            h_acc: wire::generated::get(p, 12),
-            v_acc: wire::generated::get(p, 16),
-            vel_n: wire::generated::get(p, 20),
-            vel_e: wire::generated::get(p, 24),
-            vel_d: wire::generated::get(p, 28),
-            vel_acc: wire::generated::get(p, 32),
-            dist: wire::generated::get(p, 36),
-            hdg: wire::generated::get(p, 40),
-            hdg_acc: wire::generated::get(p, 44),
-            camera_device_id: wire::generated::get(p, 49),
+            tracking_status: get(p, 48),
+            lat: get(p, 0),
+            lon: get(p, 4),
+            alt: get(p, 8),
+            h_acc: get(p, 12),
+            v_acc: get(p, 16),
+            vel_n: get(p, 20),
+            vel_e: get(p, 24),
+            vel_d: get(p, 28),
+            vel_acc: get(p, 32),
+            dist: get(p, 36),
+            hdg: get(p, 40),
+            hdg_acc: get(p, 44),
+            camera_device_id: get(p, 49),
         }
-    }
-}
-
-impl wire::Encode for CameraTrackingGeoStatus {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.lat);
-        wire::generated::put(p, 4, self.lon);
-        wire::generated::put(p, 8, self.alt);
-        wire::generated::put(p, 12, self.h_acc);
-        wire::generated::put(p, 16, self.v_acc);
-        wire::generated::put(p, 20, self.vel_n);
-        wire::generated::put(p, 24, self.vel_e);
-        wire::generated::put(p, 28, self.vel_d);
-        wire::generated::put(p, 32, self.vel_acc);
-        wire::generated::put(p, 36, self.dist);
-        wire::generated::put(p, 40, self.hdg);
-        wire::generated::put(p, 44, self.hdg_acc);
-        wire::generated::put(p, 48, self.tracking_status);
-        wire::generated::put(p, 49, self.camera_device_id);
+    fn store(&self, p: &mut [u8; 50]) {
+        put(p, 0, self.lat);
+        put(p, 4, self.lon);
+        put(p, 8, self.alt);
+        put(p, 12, self.h_acc);
+        put(p, 16, self.v_acc);
+        put(p, 20, self.vel_n);
+        put(p, 24, self.vel_e);
+        put(p, 28, self.vel_d);
+        put(p, 32, self.vel_acc);
+        put(p, 36, self.dist);
+        put(p, 40, self.hdg);
+        put(p, 44, self.hdg_acc);
+        put(p, 48, self.tracking_status);
+        put(p, 49, self.camera_device_id);
     }
 }
 

@@ -4,6 +4,7 @@ use super::super::enums::{
     CameraTrackingMode, CameraTrackingStatusFlags, CameraTrackingTargetData,
 };
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// State of a tracked target in picture coordinates.
 ///
@@ -138,18 +139,15 @@ impl CameraTrackingImageStatus {
 }
 
 impl wire::Message for CameraTrackingImageStatus {
-    const ID: u32 = 275;
+    type Payload = [u8; 32];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 275,
-        name: "CAMERA_TRACKING_IMAGE_STATUS",
-        crc_extra: 126,
-        len_v1: 31,
-        len_v2: 32,
-        target_system: None,
-        target_component: None,
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            275,
+            "CAMERA_TRACKING_IMAGE_STATUS",
+            126,
+            32,
+        )
+        .len_v1(31);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("tracking_status", wire::Kind::U8, 28)
             .values(<CameraTrackingStatusFlags as wire::Enum>::INFO),
@@ -189,49 +187,35 @@ impl wire::Message for CameraTrackingImageStatus {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<32>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<32>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 32]) -> Self {
         Self {
-            tracking_status: wire::generated::get(p, 28),
-            tracking_mode: wire::generated::get(p, 29),
-            target_data: wire::generated::get(p, 30),
-            point_x: wire::generated::get(p, 0),
-            point_y: wire::generated::get(p, 4),
-            radius: wire::generated::get(p, 8),
-            rec_top_x: wire::generated::get(p, 12),
-            rec_top_y: wire::generated::get(p, 16),
-            rec_bottom_x: wire::generated::get(p, 20),
-            rec_bottom_y: wire::generated::get(p, 24),
-            camera_device_id: wire::generated::get(p, 31),
+            tracking_status: get(p, 28),
+            tracking_mode: get(p, 29),
+            target_data: get(p, 30),
+            point_x: get(p, 0),
+            point_y: get(p, 4),
+            radius: get(p, 8),
+            rec_top_x: get(p, 12),
+            rec_top_y: get(p, 16),
+            rec_bottom_x: get(p, 20),
+            rec_bottom_y: get(p, 24),
+            camera_device_id: get(p, 31),
         }
-    }
-}
-
-impl wire::Encode for CameraTrackingImageStatus {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.point_x);
-        wire::generated::put(p, 4, self.point_y);
-        wire::generated::put(p, 8, self.radius);
-        wire::generated::put(p, 12, self.rec_top_x);
-        wire::generated::put(p, 16, self.rec_top_y);
-        wire::generated::put(p, 20, self.rec_bottom_x);
-        wire::generated::put(p, 24, self.rec_bottom_y);
-        wire::generated::put(p, 28, self.tracking_status);
-        wire::generated::put(p, 29, self.tracking_mode);
-        wire::generated::put(p, 30, self.target_data);
-        wire::generated::put(p, 31, self.camera_device_id);
+    fn store(&self, p: &mut [u8; 32]) {
+        put(p, 0, self.point_x);
+        put(p, 4, self.point_y);
+        put(p, 8, self.radius);
+        put(p, 12, self.rec_top_x);
+        put(p, 16, self.rec_top_y);
+        put(p, 20, self.rec_bottom_x);
+        put(p, 24, self.rec_bottom_y);
+        put(p, 28, self.tracking_status);
+        put(p, 29, self.tracking_mode);
+        put(p, 30, self.target_data);
+        put(p, 31, self.camera_device_id);
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::super::enums::CanFilterOp;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Changes which CAN ids are forwarded.
 ///
@@ -34,18 +35,16 @@ pub struct CanFilterModify {
 }
 
 impl wire::Message for CanFilterModify {
-    const ID: u32 = 388;
+    type Payload = [u8; 37];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 388,
-        name: "CAN_FILTER_MODIFY",
-        crc_extra: 8,
-        len_v1: 37,
-        len_v2: 37,
-        target_system: Some(32),
-        target_component: Some(33),
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            388,
+            "CAN_FILTER_MODIFY",
+            8,
+            37,
+        )
+        .target_system(32)
+        .target_component(33);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 32),
         wire::FieldInfo::new("target_component", wire::Kind::U8, 33),
@@ -66,23 +65,25 @@ impl wire::Message for CanFilterModify {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<37>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<37>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 37]) -> Self {
         Self {
-            target_system: wire::generated::get(p, 32),
-            target_component: wire::generated::get(p, 33),
-            bus: wire::generated::get(p, 34),
-            operation: wire::generated::get(p, 35),
-            num_ids: wire::generated::get(p, 36),
-            ids: wire::generated::get(p, 0),
+            target_system: get(p, 32),
+            target_component: get(p, 33),
+            bus: get(p, 34),
+            operation: get(p, 35),
+            num_ids: get(p, 36),
+            ids: get(p, 0),
         }
+    }
+
+    #[inline]
+    fn store(&self, p: &mut [u8; 37]) {
+        put(p, 0, self.ids);
+        put(p, 32, self.target_system);
+        put(p, 33, self.target_component);
+        put(p, 34, self.bus);
+        put(p, 35, self.operation);
+        put(p, 36, self.num_ids);
     }
 
     #[inline]
@@ -91,28 +92,6 @@ impl wire::Message for CanFilterModify {
     }
 }
 
-impl wire::Encode for CanFilterModify {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
-    }
-
-    #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.ids);
-        wire::generated::put(p, 32, self.target_system);
-        wire::generated::put(p, 33, self.target_component);
-        wire::generated::put(p, 34, self.bus);
-        wire::generated::put(p, 35, self.operation);
-        wire::generated::put(p, 36, self.num_ids);
-    }
-}
-
-impl wire::Targeted for CanFilterModify {
-    fn to(mut self, system: impl Into<u8>, component: impl Into<u8>) -> Self {
-        self.target_system = system.into();
-        self.target_component = component.into();
-        self
-    }
-}
+impl wire::Targeted for CanFilterModify {}
 
 wire::message!(CanFilterModify);

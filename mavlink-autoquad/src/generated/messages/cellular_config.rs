@@ -2,6 +2,7 @@
 
 use super::super::enums::CellularConfigResponse;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Sets up a cellular modem; the echo of it carries the result.
 ///
@@ -40,17 +41,14 @@ pub struct CellularConfig {
 }
 
 impl wire::Message for CellularConfig {
-    const ID: u32 = 336;
+    type Payload = [u8; 84];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 336,
-        name: "CELLULAR_CONFIG",
-        crc_extra: 245,
-        len_v1: 84,
-        len_v2: 84,
-        target_system: None,
-        target_component: None,
-    };
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+        336,
+        "CELLULAR_CONFIG",
+        245,
+        84,
+    );
 
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("enable_lte", wire::Kind::U8, 0),
@@ -76,43 +74,29 @@ impl wire::Message for CellularConfig {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<84>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<84>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 84]) -> Self {
         Self {
-            enable_lte: wire::generated::get(p, 0),
-            enable_pin: wire::generated::get(p, 1),
-            pin: wire::generated::get(p, 2),
-            new_pin: wire::generated::get(p, 18),
-            apn: wire::generated::get(p, 34),
-            puk: wire::generated::get(p, 66),
-            roaming: wire::generated::get(p, 82),
-            response: wire::generated::get(p, 83),
+            enable_lte: get(p, 0),
+            enable_pin: get(p, 1),
+            pin: get(p, 2),
+            new_pin: get(p, 18),
+            apn: get(p, 34),
+            puk: get(p, 66),
+            roaming: get(p, 82),
+            response: get(p, 83),
         }
-    }
-}
-
-impl wire::Encode for CellularConfig {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.enable_lte);
-        wire::generated::put(p, 1, self.enable_pin);
-        wire::generated::put(p, 2, self.pin);
-        wire::generated::put(p, 18, self.new_pin);
-        wire::generated::put(p, 34, self.apn);
-        wire::generated::put(p, 66, self.puk);
-        wire::generated::put(p, 82, self.roaming);
-        wire::generated::put(p, 83, self.response);
+    fn store(&self, p: &mut [u8; 84]) {
+        put(p, 0, self.enable_lte);
+        put(p, 1, self.enable_pin);
+        put(p, 2, self.pin);
+        put(p, 18, self.new_pin);
+        put(p, 34, self.apn);
+        put(p, 66, self.puk);
+        put(p, 82, self.roaming);
+        put(p, 83, self.response);
     }
 }
 

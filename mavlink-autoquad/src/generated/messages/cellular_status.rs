@@ -4,6 +4,7 @@ use super::super::enums::{
     CellularNetworkFailedReason, CellularNetworkRadioType, CellularStatusFlag,
 };
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// State of a cellular modem.
 ///
@@ -232,18 +233,15 @@ impl CellularStatus {
 }
 
 impl wire::Message for CellularStatus {
-    const ID: u32 = 334;
+    type Payload = [u8; 53];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 334,
-        name: "CELLULAR_STATUS",
-        crc_extra: 72,
-        len_v1: 10,
-        len_v2: 53,
-        target_system: None,
-        target_component: None,
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            334,
+            "CELLULAR_STATUS",
+            72,
+            53,
+        )
+        .len_v1(10);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("status", wire::Kind::U8, 6)
             .values(<CellularStatusFlag as wire::Enum>::INFO),
@@ -321,63 +319,49 @@ impl wire::Message for CellularStatus {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<53>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<53>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 53]) -> Self {
         Self {
-            status: wire::generated::get(p, 6),
-            failure_reason: wire::generated::get(p, 7),
-            r#type: wire::generated::get(p, 8),
-            quality: wire::generated::get(p, 9),
-            mcc: wire::generated::get(p, 0),
-            mnc: wire::generated::get(p, 2),
-            lac: wire::generated::get(p, 4),
-            id: wire::generated::get(p, 10),
-            link_tx_rate: wire::generated::get(p, 11),
-            link_rx_rate: wire::generated::get(p, 15),
-            cell_tower_id: wire::generated::get(p, 19),
-            band_number: wire::generated::get(p, 28),
-            band_frequency: wire::generated::get(p, 29),
-            channel_number: wire::generated::get(p, 33),
-            rx_level: wire::generated::get(p, 37),
-            tx_level: wire::generated::get(p, 41),
-            rx_quality: wire::generated::get(p, 45),
-            sinr: wire::generated::get(p, 49),
+            status: get(p, 6),
+            failure_reason: get(p, 7),
+            r#type: get(p, 8),
+            quality: get(p, 9),
+            mcc: get(p, 0),
+            mnc: get(p, 2),
+            lac: get(p, 4),
+            id: get(p, 10),
+            link_tx_rate: get(p, 11),
+            link_rx_rate: get(p, 15),
+            cell_tower_id: get(p, 19),
+            band_number: get(p, 28),
+            band_frequency: get(p, 29),
+            channel_number: get(p, 33),
+            rx_level: get(p, 37),
+            tx_level: get(p, 41),
+            rx_quality: get(p, 45),
+            sinr: get(p, 49),
         }
-    }
-}
-
-impl wire::Encode for CellularStatus {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.mcc);
-        wire::generated::put(p, 2, self.mnc);
-        wire::generated::put(p, 4, self.lac);
-        wire::generated::put(p, 6, self.status);
-        wire::generated::put(p, 7, self.failure_reason);
-        wire::generated::put(p, 8, self.r#type);
-        wire::generated::put(p, 9, self.quality);
-        wire::generated::put(p, 10, self.id);
-        wire::generated::put(p, 11, self.link_tx_rate);
-        wire::generated::put(p, 15, self.link_rx_rate);
-        wire::generated::put(p, 19, self.cell_tower_id);
-        wire::generated::put(p, 28, self.band_number);
-        wire::generated::put(p, 29, self.band_frequency);
-        wire::generated::put(p, 33, self.channel_number);
-        wire::generated::put(p, 37, self.rx_level);
-        wire::generated::put(p, 41, self.tx_level);
-        wire::generated::put(p, 45, self.rx_quality);
-        wire::generated::put(p, 49, self.sinr);
+    fn store(&self, p: &mut [u8; 53]) {
+        put(p, 0, self.mcc);
+        put(p, 2, self.mnc);
+        put(p, 4, self.lac);
+        put(p, 6, self.status);
+        put(p, 7, self.failure_reason);
+        put(p, 8, self.r#type);
+        put(p, 9, self.quality);
+        put(p, 10, self.id);
+        put(p, 11, self.link_tx_rate);
+        put(p, 15, self.link_rx_rate);
+        put(p, 19, self.cell_tower_id);
+        put(p, 28, self.band_number);
+        put(p, 29, self.band_frequency);
+        put(p, 33, self.channel_number);
+        put(p, 37, self.rx_level);
+        put(p, 41, self.tx_level);
+        put(p, 45, self.rx_quality);
+        put(p, 49, self.sinr);
     }
 }
 

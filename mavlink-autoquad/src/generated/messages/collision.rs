@@ -2,6 +2,7 @@
 
 use super::super::enums::{MavCollisionAction, MavCollisionSrc, MavCollisionThreatLevel};
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// A predicted conflict with another object.
 ///
@@ -37,17 +38,14 @@ pub struct Collision {
 }
 
 impl wire::Message for Collision {
-    const ID: u32 = 247;
+    type Payload = [u8; 19];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 247,
-        name: "COLLISION",
-        crc_extra: 81,
-        len_v1: 19,
-        len_v2: 19,
-        target_system: None,
-        target_component: None,
-    };
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+        247,
+        "COLLISION",
+        81,
+        19,
+    );
 
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("src", wire::Kind::U8, 16)
@@ -73,41 +71,27 @@ impl wire::Message for Collision {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<19>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<19>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 19]) -> Self {
         Self {
-            src: wire::generated::get(p, 16),
-            id: wire::generated::get(p, 0),
-            action: wire::generated::get(p, 17),
-            threat_level: wire::generated::get(p, 18),
-            time_to_minimum_delta: wire::generated::get(p, 4),
-            altitude_minimum_delta: wire::generated::get(p, 8),
-            horizontal_minimum_delta: wire::generated::get(p, 12),
+            src: get(p, 16),
+            id: get(p, 0),
+            action: get(p, 17),
+            threat_level: get(p, 18),
+            time_to_minimum_delta: get(p, 4),
+            altitude_minimum_delta: get(p, 8),
+            horizontal_minimum_delta: get(p, 12),
         }
-    }
-}
-
-impl wire::Encode for Collision {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.id);
-        wire::generated::put(p, 4, self.time_to_minimum_delta);
-        wire::generated::put(p, 8, self.altitude_minimum_delta);
-        wire::generated::put(p, 12, self.horizontal_minimum_delta);
-        wire::generated::put(p, 16, self.src);
-        wire::generated::put(p, 17, self.action);
-        wire::generated::put(p, 18, self.threat_level);
+    fn store(&self, p: &mut [u8; 19]) {
+        put(p, 0, self.id);
+        put(p, 4, self.time_to_minimum_delta);
+        put(p, 8, self.altitude_minimum_delta);
+        put(p, 12, self.horizontal_minimum_delta);
+        put(p, 16, self.src);
+        put(p, 17, self.action);
+        put(p, 18, self.threat_level);
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::super::enums::{MavCmd, MavResult};
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Result of a command, or its progress while it runs.
 ///
@@ -49,18 +50,17 @@ impl CommandAck {
 }
 
 impl wire::Message for CommandAck {
-    const ID: u32 = 77;
+    type Payload = [u8; 10];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 77,
-        name: "COMMAND_ACK",
-        crc_extra: 143,
-        len_v1: 3,
-        len_v2: 10,
-        target_system: Some(8),
-        target_component: Some(9),
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            77,
+            "COMMAND_ACK",
+            143,
+            10,
+        )
+        .len_v1(3)
+        .target_system(8)
+        .target_component(9);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("command", wire::Kind::U16, 0)
             .values(<MavCmd as wire::Enum>::INFO),
@@ -85,23 +85,25 @@ impl wire::Message for CommandAck {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<10>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<10>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 10]) -> Self {
         Self {
-            command: wire::generated::get(p, 0),
-            result: wire::generated::get(p, 2),
-            progress: wire::generated::get(p, 3),
-            result_param2: wire::generated::get(p, 4),
-            target_system: wire::generated::get(p, 8),
-            target_component: wire::generated::get(p, 9),
+            command: get(p, 0),
+            result: get(p, 2),
+            progress: get(p, 3),
+            result_param2: get(p, 4),
+            target_system: get(p, 8),
+            target_component: get(p, 9),
         }
+    }
+
+    #[inline]
+    fn store(&self, p: &mut [u8; 10]) {
+        put(p, 0, self.command);
+        put(p, 2, self.result);
+        put(p, 3, self.progress);
+        put(p, 4, self.result_param2);
+        put(p, 8, self.target_system);
+        put(p, 9, self.target_component);
     }
 
     #[inline]
@@ -110,28 +112,6 @@ impl wire::Message for CommandAck {
     }
 }
 
-impl wire::Encode for CommandAck {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
-    }
-
-    #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.command);
-        wire::generated::put(p, 2, self.result);
-        wire::generated::put(p, 3, self.progress);
-        wire::generated::put(p, 4, self.result_param2);
-        wire::generated::put(p, 8, self.target_system);
-        wire::generated::put(p, 9, self.target_component);
-    }
-}
-
-impl wire::Targeted for CommandAck {
-    fn to(mut self, system: impl Into<u8>, component: impl Into<u8>) -> Self {
-        self.target_system = system.into();
-        self.target_component = component.into();
-        self
-    }
-}
+impl wire::Targeted for CommandAck {}
 
 wire::message!(CommandAck);

@@ -2,6 +2,7 @@
 
 use super::super::enums::MavCmd;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Asks to stop a command that is still running.
 ///
@@ -27,18 +28,16 @@ pub struct CommandCancel {
 }
 
 impl wire::Message for CommandCancel {
-    const ID: u32 = 80;
+    type Payload = [u8; 4];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 80,
-        name: "COMMAND_CANCEL",
-        crc_extra: 14,
-        len_v1: 4,
-        len_v2: 4,
-        target_system: Some(2),
-        target_component: Some(3),
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            80,
+            "COMMAND_CANCEL",
+            14,
+            4,
+        )
+        .target_system(2)
+        .target_component(3);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 2),
         wire::FieldInfo::new("target_component", wire::Kind::U8, 3),
@@ -53,20 +52,19 @@ impl wire::Message for CommandCancel {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<4>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<4>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 4]) -> Self {
         Self {
-            target_system: wire::generated::get(p, 2),
-            target_component: wire::generated::get(p, 3),
-            command: wire::generated::get(p, 0),
+            target_system: get(p, 2),
+            target_component: get(p, 3),
+            command: get(p, 0),
         }
+    }
+
+    #[inline]
+    fn store(&self, p: &mut [u8; 4]) {
+        put(p, 0, self.command);
+        put(p, 2, self.target_system);
+        put(p, 3, self.target_component);
     }
 
     #[inline]
@@ -75,25 +73,6 @@ impl wire::Message for CommandCancel {
     }
 }
 
-impl wire::Encode for CommandCancel {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
-    }
-
-    #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.command);
-        wire::generated::put(p, 2, self.target_system);
-        wire::generated::put(p, 3, self.target_component);
-    }
-}
-
-impl wire::Targeted for CommandCancel {
-    fn to(mut self, system: impl Into<u8>, component: impl Into<u8>) -> Self {
-        self.target_system = system.into();
-        self.target_component = component.into();
-        self
-    }
-}
+impl wire::Targeted for CommandCancel {}
 
 wire::message!(CommandCancel);

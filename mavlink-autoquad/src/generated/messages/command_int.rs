@@ -2,6 +2,7 @@
 
 use super::super::enums::{MavCmd, MavFrame};
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// A command with a frame and with coordinates as scaled integers; preferred for commands that hold
 /// a position.
@@ -145,18 +146,16 @@ impl CommandInt {
 }
 
 impl wire::Message for CommandInt {
-    const ID: u32 = 75;
+    type Payload = [u8; 35];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 75,
-        name: "COMMAND_INT",
-        crc_extra: 158,
-        len_v1: 35,
-        len_v2: 35,
-        target_system: Some(30),
-        target_component: Some(31),
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            75,
+            "COMMAND_INT",
+            158,
+            35,
+        )
+        .target_system(30)
+        .target_component(31);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 30),
         wire::FieldInfo::new("target_component", wire::Kind::U8, 31),
@@ -199,30 +198,39 @@ impl wire::Message for CommandInt {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<35>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<35>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 35]) -> Self {
         Self {
-            target_system: wire::generated::get(p, 30),
-            target_component: wire::generated::get(p, 31),
-            frame: wire::generated::get(p, 32),
-            command: wire::generated::get(p, 28),
-            current: wire::generated::get(p, 33),
-            autocontinue: wire::generated::get(p, 34),
-            param1: wire::generated::get(p, 0),
-            param2: wire::generated::get(p, 4),
-            param3: wire::generated::get(p, 8),
-            param4: wire::generated::get(p, 12),
-            x: wire::generated::get(p, 16),
-            y: wire::generated::get(p, 20),
-            z: wire::generated::get(p, 24),
+            target_system: get(p, 30),
+            target_component: get(p, 31),
+            frame: get(p, 32),
+            command: get(p, 28),
+            current: get(p, 33),
+            autocontinue: get(p, 34),
+            param1: get(p, 0),
+            param2: get(p, 4),
+            param3: get(p, 8),
+            param4: get(p, 12),
+            x: get(p, 16),
+            y: get(p, 20),
+            z: get(p, 24),
         }
+    }
+
+    #[inline]
+    fn store(&self, p: &mut [u8; 35]) {
+        put(p, 0, self.param1);
+        put(p, 4, self.param2);
+        put(p, 8, self.param3);
+        put(p, 12, self.param4);
+        put(p, 16, self.x);
+        put(p, 20, self.y);
+        put(p, 24, self.z);
+        put(p, 28, self.command);
+        put(p, 30, self.target_system);
+        put(p, 31, self.target_component);
+        put(p, 32, self.frame);
+        put(p, 33, self.current);
+        put(p, 34, self.autocontinue);
     }
 
     #[inline]
@@ -231,35 +239,6 @@ impl wire::Message for CommandInt {
     }
 }
 
-impl wire::Encode for CommandInt {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
-    }
-
-    #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.param1);
-        wire::generated::put(p, 4, self.param2);
-        wire::generated::put(p, 8, self.param3);
-        wire::generated::put(p, 12, self.param4);
-        wire::generated::put(p, 16, self.x);
-        wire::generated::put(p, 20, self.y);
-        wire::generated::put(p, 24, self.z);
-        wire::generated::put(p, 28, self.command);
-        wire::generated::put(p, 30, self.target_system);
-        wire::generated::put(p, 31, self.target_component);
-        wire::generated::put(p, 32, self.frame);
-        wire::generated::put(p, 33, self.current);
-        wire::generated::put(p, 34, self.autocontinue);
-    }
-}
-
-impl wire::Targeted for CommandInt {
-    fn to(mut self, system: impl Into<u8>, component: impl Into<u8>) -> Self {
-        self.target_system = system.into();
-        self.target_component = component.into();
-        self
-    }
-}
+impl wire::Targeted for CommandInt {}
 
 wire::message!(CommandInt);

@@ -2,6 +2,7 @@
 
 use super::super::enums::MavCmd;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// A command with seven float parameters; repeated until `COMMAND_ACK` arrives.
 ///
@@ -135,18 +136,16 @@ impl CommandLong {
 }
 
 impl wire::Message for CommandLong {
-    const ID: u32 = 76;
+    type Payload = [u8; 33];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 76,
-        name: "COMMAND_LONG",
-        crc_extra: 152,
-        len_v1: 33,
-        len_v2: 33,
-        target_system: Some(30),
-        target_component: Some(31),
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            76,
+            "COMMAND_LONG",
+            152,
+            33,
+        )
+        .target_system(30)
+        .target_component(31);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 30),
         wire::FieldInfo::new("target_component", wire::Kind::U8, 31),
@@ -184,28 +183,35 @@ impl wire::Message for CommandLong {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<33>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<33>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 33]) -> Self {
         Self {
-            target_system: wire::generated::get(p, 30),
-            target_component: wire::generated::get(p, 31),
-            command: wire::generated::get(p, 28),
-            confirmation: wire::generated::get(p, 32),
-            param1: wire::generated::get(p, 0),
-            param2: wire::generated::get(p, 4),
-            param3: wire::generated::get(p, 8),
-            param4: wire::generated::get(p, 12),
-            param5: wire::generated::get(p, 16),
-            param6: wire::generated::get(p, 20),
-            param7: wire::generated::get(p, 24),
+            target_system: get(p, 30),
+            target_component: get(p, 31),
+            command: get(p, 28),
+            confirmation: get(p, 32),
+            param1: get(p, 0),
+            param2: get(p, 4),
+            param3: get(p, 8),
+            param4: get(p, 12),
+            param5: get(p, 16),
+            param6: get(p, 20),
+            param7: get(p, 24),
         }
+    }
+
+    #[inline]
+    fn store(&self, p: &mut [u8; 33]) {
+        put(p, 0, self.param1);
+        put(p, 4, self.param2);
+        put(p, 8, self.param3);
+        put(p, 12, self.param4);
+        put(p, 16, self.param5);
+        put(p, 20, self.param6);
+        put(p, 24, self.param7);
+        put(p, 28, self.command);
+        put(p, 30, self.target_system);
+        put(p, 31, self.target_component);
+        put(p, 32, self.confirmation);
     }
 
     #[inline]
@@ -214,33 +220,6 @@ impl wire::Message for CommandLong {
     }
 }
 
-impl wire::Encode for CommandLong {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
-    }
-
-    #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.param1);
-        wire::generated::put(p, 4, self.param2);
-        wire::generated::put(p, 8, self.param3);
-        wire::generated::put(p, 12, self.param4);
-        wire::generated::put(p, 16, self.param5);
-        wire::generated::put(p, 20, self.param6);
-        wire::generated::put(p, 24, self.param7);
-        wire::generated::put(p, 28, self.command);
-        wire::generated::put(p, 30, self.target_system);
-        wire::generated::put(p, 31, self.target_component);
-        wire::generated::put(p, 32, self.confirmation);
-    }
-}
-
-impl wire::Targeted for CommandLong {
-    fn to(mut self, system: impl Into<u8>, component: impl Into<u8>) -> Self {
-        self.target_system = system.into();
-        self.target_component = component.into();
-        self
-    }
-}
+impl wire::Targeted for CommandLong {}
 
 wire::message!(CommandLong);

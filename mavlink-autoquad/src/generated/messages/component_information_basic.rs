@@ -2,6 +2,7 @@
 
 use super::super::enums::MavProtocolCapability;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Identity, versions and capabilities of a component.
 ///
@@ -54,17 +55,14 @@ impl ComponentInformationBasic {
 }
 
 impl wire::Message for ComponentInformationBasic {
-    const ID: u32 = 396;
+    type Payload = [u8; 160];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 396,
-        name: "COMPONENT_INFORMATION_BASIC",
-        crc_extra: 50,
-        len_v1: 160,
-        len_v2: 160,
-        target_system: None,
-        target_component: None,
-    };
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+        396,
+        "COMPONENT_INFORMATION_BASIC",
+        50,
+        160,
+    );
 
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_boot_ms", wire::Kind::U32, 8).units("ms"),
@@ -92,43 +90,29 @@ impl wire::Message for ComponentInformationBasic {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<160>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<160>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 160]) -> Self {
         Self {
-            time_boot_ms: wire::generated::get(p, 8),
-            capabilities: wire::generated::get(p, 0),
-            time_manufacture_s: wire::generated::get(p, 12),
-            vendor_name: wire::generated::get(p, 16),
-            model_name: wire::generated::get(p, 48),
-            software_version: wire::generated::get(p, 80),
-            hardware_version: wire::generated::get(p, 104),
-            serial_number: wire::generated::get(p, 128),
+            time_boot_ms: get(p, 8),
+            capabilities: get(p, 0),
+            time_manufacture_s: get(p, 12),
+            vendor_name: get(p, 16),
+            model_name: get(p, 48),
+            software_version: get(p, 80),
+            hardware_version: get(p, 104),
+            serial_number: get(p, 128),
         }
-    }
-}
-
-impl wire::Encode for ComponentInformationBasic {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.capabilities);
-        wire::generated::put(p, 8, self.time_boot_ms);
-        wire::generated::put(p, 12, self.time_manufacture_s);
-        wire::generated::put(p, 16, self.vendor_name);
-        wire::generated::put(p, 48, self.model_name);
-        wire::generated::put(p, 80, self.software_version);
-        wire::generated::put(p, 104, self.hardware_version);
-        wire::generated::put(p, 128, self.serial_number);
+    fn store(&self, p: &mut [u8; 160]) {
+        put(p, 0, self.capabilities);
+        put(p, 8, self.time_boot_ms);
+        put(p, 12, self.time_manufacture_s);
+        put(p, 16, self.vendor_name);
+        put(p, 48, self.model_name);
+        put(p, 80, self.software_version);
+        put(p, 104, self.hardware_version);
+        put(p, 128, self.serial_number);
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::super::enums::MavEventCurrentSequenceFlags;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Number of the latest event, by which receivers notice missed ones.
 ///
@@ -24,17 +25,14 @@ pub struct CurrentEventSequence {
 }
 
 impl wire::Message for CurrentEventSequence {
-    const ID: u32 = 411;
+    type Payload = [u8; 3];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 411,
-        name: "CURRENT_EVENT_SEQUENCE",
-        crc_extra: 106,
-        len_v1: 3,
-        len_v2: 3,
-        target_system: None,
-        target_component: None,
-    };
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+        411,
+        "CURRENT_EVENT_SEQUENCE",
+        106,
+        3,
+    );
 
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("sequence", wire::Kind::U16, 0),
@@ -48,31 +46,17 @@ impl wire::Message for CurrentEventSequence {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<3>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<3>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 3]) -> Self {
         Self {
-            sequence: wire::generated::get(p, 0),
-            flags: wire::generated::get(p, 2),
+            sequence: get(p, 0),
+            flags: get(p, 2),
         }
-    }
-}
-
-impl wire::Encode for CurrentEventSequence {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.sequence);
-        wire::generated::put(p, 2, self.flags);
+    fn store(&self, p: &mut [u8; 3]) {
+        put(p, 0, self.sequence);
+        put(p, 2, self.flags);
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::super::enums::MavStandardMode;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// The flight mode in use.
 ///
@@ -44,17 +45,14 @@ impl CurrentMode {
 }
 
 impl wire::Message for CurrentMode {
-    const ID: u32 = 436;
+    type Payload = [u8; 9];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 436,
-        name: "CURRENT_MODE",
-        crc_extra: 193,
-        len_v1: 9,
-        len_v2: 9,
-        target_system: None,
-        target_component: None,
-    };
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+        436,
+        "CURRENT_MODE",
+        193,
+        9,
+    );
 
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("standard_mode", wire::Kind::U8, 8)
@@ -71,33 +69,19 @@ impl wire::Message for CurrentMode {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<9>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<9>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 9]) -> Self {
         Self {
-            standard_mode: wire::generated::get(p, 8),
-            custom_mode: wire::generated::get(p, 0),
-            intended_custom_mode: wire::generated::get(p, 4),
+            standard_mode: get(p, 8),
+            custom_mode: get(p, 0),
+            intended_custom_mode: get(p, 4),
         }
-    }
-}
-
-impl wire::Encode for CurrentMode {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.custom_mode);
-        wire::generated::put(p, 4, self.intended_custom_mode);
-        wire::generated::put(p, 8, self.standard_mode);
+    fn store(&self, p: &mut [u8; 9]) {
+        put(p, 0, self.custom_mode);
+        put(p, 4, self.intended_custom_mode);
+        put(p, 8, self.standard_mode);
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::super::enums::MavDataStream;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Reports the rate at which one group of telemetry messages is sent.
 ///
@@ -27,17 +28,14 @@ pub struct DataStream {
 }
 
 impl wire::Message for DataStream {
-    const ID: u32 = 67;
+    type Payload = [u8; 4];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 67,
-        name: "DATA_STREAM",
-        crc_extra: 21,
-        len_v1: 4,
-        len_v2: 4,
-        target_system: None,
-        target_component: None,
-    };
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+        67,
+        "DATA_STREAM",
+        21,
+        4,
+    );
 
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("stream_id", wire::Kind::U8, 2)
@@ -53,33 +51,19 @@ impl wire::Message for DataStream {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<4>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<4>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 4]) -> Self {
         Self {
-            stream_id: wire::generated::get(p, 2),
-            message_rate: wire::generated::get(p, 0),
-            on_off: wire::generated::get(p, 3),
+            stream_id: get(p, 2),
+            message_rate: get(p, 0),
+            on_off: get(p, 3),
         }
-    }
-}
-
-impl wire::Encode for DataStream {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.message_rate);
-        wire::generated::put(p, 2, self.stream_id);
-        wire::generated::put(p, 3, self.on_off);
+    fn store(&self, p: &mut [u8; 4]) {
+        put(p, 0, self.message_rate);
+        put(p, 2, self.stream_id);
+        put(p, 3, self.on_off);
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::super::enums::MavlinkDataStreamType;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Starts, describes or ends the transfer of an image in `ENCAPSULATED_DATA` packets.
 ///
@@ -37,17 +38,14 @@ pub struct DataTransmissionHandshake {
 }
 
 impl wire::Message for DataTransmissionHandshake {
-    const ID: u32 = 130;
+    type Payload = [u8; 13];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 130,
-        name: "DATA_TRANSMISSION_HANDSHAKE",
-        crc_extra: 29,
-        len_v1: 13,
-        len_v2: 13,
-        target_system: None,
-        target_component: None,
-    };
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+        130,
+        "DATA_TRANSMISSION_HANDSHAKE",
+        29,
+        13,
+    );
 
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("type", wire::Kind::U8, 10)
@@ -71,41 +69,27 @@ impl wire::Message for DataTransmissionHandshake {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<13>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<13>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 13]) -> Self {
         Self {
-            r#type: wire::generated::get(p, 10),
-            size: wire::generated::get(p, 0),
-            width: wire::generated::get(p, 4),
-            height: wire::generated::get(p, 6),
-            packets: wire::generated::get(p, 8),
-            payload: wire::generated::get(p, 11),
-            jpg_quality: wire::generated::get(p, 12),
+            r#type: get(p, 10),
+            size: get(p, 0),
+            width: get(p, 4),
+            height: get(p, 6),
+            packets: get(p, 8),
+            payload: get(p, 11),
+            jpg_quality: get(p, 12),
         }
-    }
-}
-
-impl wire::Encode for DataTransmissionHandshake {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.size);
-        wire::generated::put(p, 4, self.width);
-        wire::generated::put(p, 6, self.height);
-        wire::generated::put(p, 8, self.packets);
-        wire::generated::put(p, 10, self.r#type);
-        wire::generated::put(p, 11, self.payload);
-        wire::generated::put(p, 12, self.jpg_quality);
+    fn store(&self, p: &mut [u8; 13]) {
+        put(p, 0, self.size);
+        put(p, 4, self.width);
+        put(p, 6, self.height);
+        put(p, 8, self.packets);
+        put(p, 10, self.r#type);
+        put(p, 11, self.payload);
+        put(p, 12, self.jpg_quality);
     }
 }
 

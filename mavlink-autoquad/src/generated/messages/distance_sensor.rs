@@ -2,6 +2,7 @@
 
 use super::super::enums::{MavDistanceSensor, MavSensorOrientation};
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Range measured by one rangefinder on board.
 ///
@@ -122,18 +123,15 @@ impl DistanceSensor {
 }
 
 impl wire::Message for DistanceSensor {
-    const ID: u32 = 132;
+    type Payload = [u8; 39];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 132,
-        name: "DISTANCE_SENSOR",
-        crc_extra: 85,
-        len_v1: 14,
-        len_v2: 39,
-        target_system: None,
-        target_component: None,
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            132,
+            "DISTANCE_SENSOR",
+            85,
+            39,
+        )
+        .len_v1(14);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_boot_ms", wire::Kind::U32, 0).units("ms"),
         wire::FieldInfo::new("min_distance", wire::Kind::U16, 4).units("cm"),
@@ -180,51 +178,37 @@ impl wire::Message for DistanceSensor {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<39>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<39>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 39]) -> Self {
         Self {
-            time_boot_ms: wire::generated::get(p, 0),
-            min_distance: wire::generated::get(p, 4),
-            max_distance: wire::generated::get(p, 6),
-            current_distance: wire::generated::get(p, 8),
-            r#type: wire::generated::get(p, 10),
-            id: wire::generated::get(p, 11),
-            orientation: wire::generated::get(p, 12),
-            covariance: wire::generated::get(p, 13),
-            horizontal_fov: wire::generated::get(p, 14),
-            vertical_fov: wire::generated::get(p, 18),
-            quaternion: wire::generated::get(p, 22),
-            signal_quality: wire::generated::get(p, 38),
+            time_boot_ms: get(p, 0),
+            min_distance: get(p, 4),
+            max_distance: get(p, 6),
+            current_distance: get(p, 8),
+            r#type: get(p, 10),
+            id: get(p, 11),
+            orientation: get(p, 12),
+            covariance: get(p, 13),
+            horizontal_fov: get(p, 14),
+            vertical_fov: get(p, 18),
+            quaternion: get(p, 22),
+            signal_quality: get(p, 38),
         }
-    }
-}
-
-impl wire::Encode for DistanceSensor {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.time_boot_ms);
-        wire::generated::put(p, 4, self.min_distance);
-        wire::generated::put(p, 6, self.max_distance);
-        wire::generated::put(p, 8, self.current_distance);
-        wire::generated::put(p, 10, self.r#type);
-        wire::generated::put(p, 11, self.id);
-        wire::generated::put(p, 12, self.orientation);
-        wire::generated::put(p, 13, self.covariance);
-        wire::generated::put(p, 14, self.horizontal_fov);
-        wire::generated::put(p, 18, self.vertical_fov);
-        wire::generated::put(p, 22, self.quaternion);
-        wire::generated::put(p, 38, self.signal_quality);
+    fn store(&self, p: &mut [u8; 39]) {
+        put(p, 0, self.time_boot_ms);
+        put(p, 4, self.min_distance);
+        put(p, 6, self.max_distance);
+        put(p, 8, self.current_distance);
+        put(p, 10, self.r#type);
+        put(p, 11, self.id);
+        put(p, 12, self.orientation);
+        put(p, 13, self.covariance);
+        put(p, 14, self.horizontal_fov);
+        put(p, 18, self.vertical_fov);
+        put(p, 22, self.quaternion);
+        put(p, 38, self.signal_quality);
     }
 }
 

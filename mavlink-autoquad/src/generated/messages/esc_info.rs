@@ -2,6 +2,7 @@
 
 use super::super::enums::{EscConnectionType, EscFailureFlags};
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Slowly changing data of up to four motor controllers: failures, errors, temperature.
 ///
@@ -67,17 +68,14 @@ impl EscInfo {
 }
 
 impl wire::Message for EscInfo {
-    const ID: u32 = 290;
+    type Payload = [u8; 46];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 290,
-        name: "ESC_INFO",
-        crc_extra: 251,
-        len_v1: 46,
-        len_v2: 46,
-        target_system: None,
-        target_component: None,
-    };
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+        290,
+        "ESC_INFO",
+        251,
+        46,
+    );
 
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("index", wire::Kind::U8, 42),
@@ -108,45 +106,31 @@ impl wire::Message for EscInfo {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<46>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<46>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 46]) -> Self {
         Self {
-            index: wire::generated::get(p, 42),
-            time_usec: wire::generated::get(p, 0),
-            counter: wire::generated::get(p, 24),
-            count: wire::generated::get(p, 43),
-            connection_type: wire::generated::get(p, 44),
-            info: wire::generated::get(p, 45),
-            failure_flags: wire::generated::get(p, 26),
-            error_count: wire::generated::get(p, 8),
-            temperature: wire::generated::get(p, 34),
+            index: get(p, 42),
+            time_usec: get(p, 0),
+            counter: get(p, 24),
+            count: get(p, 43),
+            connection_type: get(p, 44),
+            info: get(p, 45),
+            failure_flags: get(p, 26),
+            error_count: get(p, 8),
+            temperature: get(p, 34),
         }
-    }
-}
-
-impl wire::Encode for EscInfo {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.time_usec);
-        wire::generated::put(p, 8, self.error_count);
-        wire::generated::put(p, 24, self.counter);
-        wire::generated::put(p, 26, self.failure_flags);
-        wire::generated::put(p, 34, self.temperature);
-        wire::generated::put(p, 42, self.index);
-        wire::generated::put(p, 43, self.count);
-        wire::generated::put(p, 44, self.connection_type);
-        wire::generated::put(p, 45, self.info);
+    fn store(&self, p: &mut [u8; 46]) {
+        put(p, 0, self.time_usec);
+        put(p, 8, self.error_count);
+        put(p, 24, self.counter);
+        put(p, 26, self.failure_flags);
+        put(p, 34, self.temperature);
+        put(p, 42, self.index);
+        put(p, 43, self.count);
+        put(p, 44, self.connection_type);
+        put(p, 45, self.info);
     }
 }
 

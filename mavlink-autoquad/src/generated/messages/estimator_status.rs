@@ -2,6 +2,7 @@
 
 use super::super::enums::EstimatorStatusFlags;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Which estimates of the navigation filter are good, and how well its measurements agree.
 ///
@@ -47,17 +48,14 @@ pub struct EstimatorStatus {
 }
 
 impl wire::Message for EstimatorStatus {
-    const ID: u32 = 230;
+    type Payload = [u8; 42];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 230,
-        name: "ESTIMATOR_STATUS",
-        crc_extra: 163,
-        len_v1: 42,
-        len_v2: 42,
-        target_system: None,
-        target_component: None,
-    };
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+        230,
+        "ESTIMATOR_STATUS",
+        163,
+        42,
+    );
 
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_usec", wire::Kind::U64, 0).units("us"),
@@ -87,47 +85,33 @@ impl wire::Message for EstimatorStatus {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<42>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<42>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 42]) -> Self {
         Self {
-            time_usec: wire::generated::get(p, 0),
-            flags: wire::generated::get(p, 40),
-            vel_ratio: wire::generated::get(p, 8),
-            pos_horiz_ratio: wire::generated::get(p, 12),
-            pos_vert_ratio: wire::generated::get(p, 16),
-            mag_ratio: wire::generated::get(p, 20),
-            hagl_ratio: wire::generated::get(p, 24),
-            tas_ratio: wire::generated::get(p, 28),
-            pos_horiz_accuracy: wire::generated::get(p, 32),
-            pos_vert_accuracy: wire::generated::get(p, 36),
+            time_usec: get(p, 0),
+            flags: get(p, 40),
+            vel_ratio: get(p, 8),
+            pos_horiz_ratio: get(p, 12),
+            pos_vert_ratio: get(p, 16),
+            mag_ratio: get(p, 20),
+            hagl_ratio: get(p, 24),
+            tas_ratio: get(p, 28),
+            pos_horiz_accuracy: get(p, 32),
+            pos_vert_accuracy: get(p, 36),
         }
-    }
-}
-
-impl wire::Encode for EstimatorStatus {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.time_usec);
-        wire::generated::put(p, 8, self.vel_ratio);
-        wire::generated::put(p, 12, self.pos_horiz_ratio);
-        wire::generated::put(p, 16, self.pos_vert_ratio);
-        wire::generated::put(p, 20, self.mag_ratio);
-        wire::generated::put(p, 24, self.hagl_ratio);
-        wire::generated::put(p, 28, self.tas_ratio);
-        wire::generated::put(p, 32, self.pos_horiz_accuracy);
-        wire::generated::put(p, 36, self.pos_vert_accuracy);
-        wire::generated::put(p, 40, self.flags);
+    fn store(&self, p: &mut [u8; 42]) {
+        put(p, 0, self.time_usec);
+        put(p, 8, self.vel_ratio);
+        put(p, 12, self.pos_horiz_ratio);
+        put(p, 16, self.pos_vert_ratio);
+        put(p, 20, self.mag_ratio);
+        put(p, 24, self.hagl_ratio);
+        put(p, 28, self.tas_ratio);
+        put(p, 32, self.pos_horiz_accuracy);
+        put(p, 36, self.pos_vert_accuracy);
+        put(p, 40, self.flags);
     }
 }
 

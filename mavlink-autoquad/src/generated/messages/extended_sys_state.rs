@@ -2,6 +2,7 @@
 
 use super::super::enums::{MavLandedState, MavVtolState};
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Landed state, and the VTOL configuration where there is one.
 ///
@@ -22,17 +23,14 @@ pub struct ExtendedSysState {
 }
 
 impl wire::Message for ExtendedSysState {
-    const ID: u32 = 245;
+    type Payload = [u8; 2];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 245,
-        name: "EXTENDED_SYS_STATE",
-        crc_extra: 130,
-        len_v1: 2,
-        len_v2: 2,
-        target_system: None,
-        target_component: None,
-    };
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+        245,
+        "EXTENDED_SYS_STATE",
+        130,
+        2,
+    );
 
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("vtol_state", wire::Kind::U8, 0)
@@ -47,31 +45,17 @@ impl wire::Message for ExtendedSysState {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<2>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<2>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 2]) -> Self {
         Self {
-            vtol_state: wire::generated::get(p, 0),
-            landed_state: wire::generated::get(p, 1),
+            vtol_state: get(p, 0),
+            landed_state: get(p, 1),
         }
-    }
-}
-
-impl wire::Encode for ExtendedSysState {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.vtol_state);
-        wire::generated::put(p, 1, self.landed_state);
+    fn store(&self, p: &mut [u8; 2]) {
+        put(p, 0, self.vtol_state);
+        put(p, 1, self.landed_state);
     }
 }
 

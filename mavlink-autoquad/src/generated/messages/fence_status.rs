@@ -2,6 +2,7 @@
 
 use super::super::enums::{FenceBreach, FenceMitigate};
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Whether the geofence is breached, and how.
 ///
@@ -31,18 +32,15 @@ pub struct FenceStatus {
 }
 
 impl wire::Message for FenceStatus {
-    const ID: u32 = 162;
+    type Payload = [u8; 9];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 162,
-        name: "FENCE_STATUS",
-        crc_extra: 189,
-        len_v1: 8,
-        len_v2: 9,
-        target_system: None,
-        target_component: None,
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            162,
+            "FENCE_STATUS",
+            189,
+            9,
+        )
+        .len_v1(8);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("breach_status", wire::Kind::U8, 6),
         wire::FieldInfo::new("breach_count", wire::Kind::U16, 4),
@@ -63,37 +61,23 @@ impl wire::Message for FenceStatus {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<9>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<9>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 9]) -> Self {
         Self {
-            breach_status: wire::generated::get(p, 6),
-            breach_count: wire::generated::get(p, 4),
-            breach_type: wire::generated::get(p, 7),
-            breach_time: wire::generated::get(p, 0),
-            breach_mitigation: wire::generated::get(p, 8),
+            breach_status: get(p, 6),
+            breach_count: get(p, 4),
+            breach_type: get(p, 7),
+            breach_time: get(p, 0),
+            breach_mitigation: get(p, 8),
         }
-    }
-}
-
-impl wire::Encode for FenceStatus {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.breach_time);
-        wire::generated::put(p, 4, self.breach_count);
-        wire::generated::put(p, 6, self.breach_status);
-        wire::generated::put(p, 7, self.breach_type);
-        wire::generated::put(p, 8, self.breach_mitigation);
+    fn store(&self, p: &mut [u8; 9]) {
+        put(p, 0, self.breach_time);
+        put(p, 4, self.breach_count);
+        put(p, 6, self.breach_status);
+        put(p, 7, self.breach_type);
+        put(p, 8, self.breach_mitigation);
     }
 }
 

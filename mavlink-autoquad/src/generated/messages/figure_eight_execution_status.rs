@@ -2,6 +2,7 @@
 
 use super::super::enums::MavFrame;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// The figure of eight that a vehicle is flying.
 ///
@@ -41,17 +42,14 @@ pub struct FigureEightExecutionStatus {
 }
 
 impl wire::Message for FigureEightExecutionStatus {
-    const ID: u32 = 361;
+    type Payload = [u8; 33];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 361,
-        name: "FIGURE_EIGHT_EXECUTION_STATUS",
-        crc_extra: 93,
-        len_v1: 33,
-        len_v2: 33,
-        target_system: None,
-        target_component: None,
-    };
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+        361,
+        "FIGURE_EIGHT_EXECUTION_STATUS",
+        93,
+        33,
+    );
 
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_usec", wire::Kind::U64, 0).units("us"),
@@ -77,43 +75,29 @@ impl wire::Message for FigureEightExecutionStatus {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<33>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<33>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 33]) -> Self {
         Self {
-            time_usec: wire::generated::get(p, 0),
-            major_radius: wire::generated::get(p, 8),
-            minor_radius: wire::generated::get(p, 12),
-            orientation: wire::generated::get(p, 16),
-            frame: wire::generated::get(p, 32),
-            x: wire::generated::get(p, 20),
-            y: wire::generated::get(p, 24),
-            z: wire::generated::get(p, 28),
+            time_usec: get(p, 0),
+            major_radius: get(p, 8),
+            minor_radius: get(p, 12),
+            orientation: get(p, 16),
+            frame: get(p, 32),
+            x: get(p, 20),
+            y: get(p, 24),
+            z: get(p, 28),
         }
-    }
-}
-
-impl wire::Encode for FigureEightExecutionStatus {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.time_usec);
-        wire::generated::put(p, 8, self.major_radius);
-        wire::generated::put(p, 12, self.minor_radius);
-        wire::generated::put(p, 16, self.orientation);
-        wire::generated::put(p, 20, self.x);
-        wire::generated::put(p, 24, self.y);
-        wire::generated::put(p, 28, self.z);
-        wire::generated::put(p, 32, self.frame);
+    fn store(&self, p: &mut [u8; 33]) {
+        put(p, 0, self.time_usec);
+        put(p, 8, self.major_radius);
+        put(p, 12, self.minor_radius);
+        put(p, 16, self.orientation);
+        put(p, 20, self.x);
+        put(p, 24, self.y);
+        put(p, 28, self.z);
+        put(p, 32, self.frame);
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::super::enums::MavFuelType;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// State of one fuel tank.
 ///
@@ -102,17 +103,14 @@ impl FuelStatus {
 }
 
 impl wire::Message for FuelStatus {
-    const ID: u32 = 371;
+    type Payload = [u8; 26];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 371,
-        name: "FUEL_STATUS",
-        crc_extra: 10,
-        len_v1: 26,
-        len_v2: 26,
-        target_system: None,
-        target_component: None,
-    };
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+        371,
+        "FUEL_STATUS",
+        10,
+        26,
+    );
 
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("id", wire::Kind::U8, 24),
@@ -145,43 +143,29 @@ impl wire::Message for FuelStatus {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<26>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<26>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 26]) -> Self {
         Self {
-            id: wire::generated::get(p, 24),
-            maximum_fuel: wire::generated::get(p, 0),
-            consumed_fuel: wire::generated::get(p, 4),
-            remaining_fuel: wire::generated::get(p, 8),
-            percent_remaining: wire::generated::get(p, 25),
-            flow_rate: wire::generated::get(p, 12),
-            temperature: wire::generated::get(p, 16),
-            fuel_type: wire::generated::get(p, 20),
+            id: get(p, 24),
+            maximum_fuel: get(p, 0),
+            consumed_fuel: get(p, 4),
+            remaining_fuel: get(p, 8),
+            percent_remaining: get(p, 25),
+            flow_rate: get(p, 12),
+            temperature: get(p, 16),
+            fuel_type: get(p, 20),
         }
-    }
-}
-
-impl wire::Encode for FuelStatus {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.maximum_fuel);
-        wire::generated::put(p, 4, self.consumed_fuel);
-        wire::generated::put(p, 8, self.remaining_fuel);
-        wire::generated::put(p, 12, self.flow_rate);
-        wire::generated::put(p, 16, self.temperature);
-        wire::generated::put(p, 20, self.fuel_type);
-        wire::generated::put(p, 24, self.id);
-        wire::generated::put(p, 25, self.percent_remaining);
+    fn store(&self, p: &mut [u8; 26]) {
+        put(p, 0, self.maximum_fuel);
+        put(p, 4, self.consumed_fuel);
+        put(p, 8, self.remaining_fuel);
+        put(p, 12, self.flow_rate);
+        put(p, 16, self.temperature);
+        put(p, 20, self.fuel_type);
+        put(p, 24, self.id);
+        put(p, 25, self.percent_remaining);
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::super::enums::MavGeneratorStatusFlag;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// State of an on-board generator or hybrid power unit.
 ///
@@ -175,17 +176,14 @@ impl GeneratorStatus {
 }
 
 impl wire::Message for GeneratorStatus {
-    const ID: u32 = 373;
+    type Payload = [u8; 42];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 373,
-        name: "GENERATOR_STATUS",
-        crc_extra: 117,
-        len_v1: 42,
-        len_v2: 42,
-        target_system: None,
-        target_component: None,
-    };
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+        373,
+        "GENERATOR_STATUS",
+        117,
+        42,
+    );
 
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("status", wire::Kind::U64, 0)
@@ -235,49 +233,35 @@ impl wire::Message for GeneratorStatus {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<42>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<42>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 42]) -> Self {
         Self {
-            status: wire::generated::get(p, 0),
-            generator_speed: wire::generated::get(p, 36),
-            battery_current: wire::generated::get(p, 8),
-            load_current: wire::generated::get(p, 12),
-            power_generated: wire::generated::get(p, 16),
-            bus_voltage: wire::generated::get(p, 20),
-            rectifier_temperature: wire::generated::get(p, 38),
-            bat_current_setpoint: wire::generated::get(p, 24),
-            generator_temperature: wire::generated::get(p, 40),
-            runtime: wire::generated::get(p, 28),
-            time_until_maintenance: wire::generated::get(p, 32),
+            status: get(p, 0),
+            generator_speed: get(p, 36),
+            battery_current: get(p, 8),
+            load_current: get(p, 12),
+            power_generated: get(p, 16),
+            bus_voltage: get(p, 20),
+            rectifier_temperature: get(p, 38),
+            bat_current_setpoint: get(p, 24),
+            generator_temperature: get(p, 40),
+            runtime: get(p, 28),
+            time_until_maintenance: get(p, 32),
         }
-    }
-}
-
-impl wire::Encode for GeneratorStatus {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.status);
-        wire::generated::put(p, 8, self.battery_current);
-        wire::generated::put(p, 12, self.load_current);
-        wire::generated::put(p, 16, self.power_generated);
-        wire::generated::put(p, 20, self.bus_voltage);
-        wire::generated::put(p, 24, self.bat_current_setpoint);
-        wire::generated::put(p, 28, self.runtime);
-        wire::generated::put(p, 32, self.time_until_maintenance);
-        wire::generated::put(p, 36, self.generator_speed);
-        wire::generated::put(p, 38, self.rectifier_temperature);
-        wire::generated::put(p, 40, self.generator_temperature);
+    fn store(&self, p: &mut [u8; 42]) {
+        put(p, 0, self.status);
+        put(p, 8, self.battery_current);
+        put(p, 12, self.load_current);
+        put(p, 16, self.power_generated);
+        put(p, 20, self.bus_voltage);
+        put(p, 24, self.bat_current_setpoint);
+        put(p, 28, self.runtime);
+        put(p, 32, self.time_until_maintenance);
+        put(p, 36, self.generator_speed);
+        put(p, 38, self.rectifier_temperature);
+        put(p, 40, self.generator_temperature);
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::super::enums::{GimbalDeviceErrorFlags, GimbalDeviceFlags};
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Attitude and health that a gimbal reports.
 ///
@@ -145,18 +146,17 @@ impl GimbalDeviceAttitudeStatus {
 }
 
 impl wire::Message for GimbalDeviceAttitudeStatus {
-    const ID: u32 = 285;
+    type Payload = [u8; 49];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 285,
-        name: "GIMBAL_DEVICE_ATTITUDE_STATUS",
-        crc_extra: 137,
-        len_v1: 40,
-        len_v2: 49,
-        target_system: Some(38),
-        target_component: Some(39),
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            285,
+            "GIMBAL_DEVICE_ATTITUDE_STATUS",
+            137,
+            49,
+        )
+        .len_v1(40)
+        .target_system(38)
+        .target_component(39);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 38),
         wire::FieldInfo::new("target_component", wire::Kind::U8, 39),
@@ -204,29 +204,37 @@ impl wire::Message for GimbalDeviceAttitudeStatus {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<49>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<49>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 49]) -> Self {
         Self {
-            target_system: wire::generated::get(p, 38),
-            target_component: wire::generated::get(p, 39),
-            time_boot_ms: wire::generated::get(p, 0),
-            flags: wire::generated::get(p, 36),
-            q: wire::generated::get(p, 4),
-            angular_velocity_x: wire::generated::get(p, 20),
-            angular_velocity_y: wire::generated::get(p, 24),
-            angular_velocity_z: wire::generated::get(p, 28),
-            failure_flags: wire::generated::get(p, 32),
-            delta_yaw: wire::generated::get(p, 40),
-            delta_yaw_velocity: wire::generated::get(p, 44),
-            gimbal_device_id: wire::generated::get(p, 48),
+            target_system: get(p, 38),
+            target_component: get(p, 39),
+            time_boot_ms: get(p, 0),
+            flags: get(p, 36),
+            q: get(p, 4),
+            angular_velocity_x: get(p, 20),
+            angular_velocity_y: get(p, 24),
+            angular_velocity_z: get(p, 28),
+            failure_flags: get(p, 32),
+            delta_yaw: get(p, 40),
+            delta_yaw_velocity: get(p, 44),
+            gimbal_device_id: get(p, 48),
         }
+    }
+
+    #[inline]
+    fn store(&self, p: &mut [u8; 49]) {
+        put(p, 0, self.time_boot_ms);
+        put(p, 4, self.q);
+        put(p, 20, self.angular_velocity_x);
+        put(p, 24, self.angular_velocity_y);
+        put(p, 28, self.angular_velocity_z);
+        put(p, 32, self.failure_flags);
+        put(p, 36, self.flags);
+        put(p, 38, self.target_system);
+        put(p, 39, self.target_component);
+        put(p, 40, self.delta_yaw);
+        put(p, 44, self.delta_yaw_velocity);
+        put(p, 48, self.gimbal_device_id);
     }
 
     #[inline]
@@ -235,34 +243,6 @@ impl wire::Message for GimbalDeviceAttitudeStatus {
     }
 }
 
-impl wire::Encode for GimbalDeviceAttitudeStatus {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
-    }
-
-    #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.time_boot_ms);
-        wire::generated::put(p, 4, self.q);
-        wire::generated::put(p, 20, self.angular_velocity_x);
-        wire::generated::put(p, 24, self.angular_velocity_y);
-        wire::generated::put(p, 28, self.angular_velocity_z);
-        wire::generated::put(p, 32, self.failure_flags);
-        wire::generated::put(p, 36, self.flags);
-        wire::generated::put(p, 38, self.target_system);
-        wire::generated::put(p, 39, self.target_component);
-        wire::generated::put(p, 40, self.delta_yaw);
-        wire::generated::put(p, 44, self.delta_yaw_velocity);
-        wire::generated::put(p, 48, self.gimbal_device_id);
-    }
-}
-
-impl wire::Targeted for GimbalDeviceAttitudeStatus {
-    fn to(mut self, system: impl Into<u8>, component: impl Into<u8>) -> Self {
-        self.target_system = system.into();
-        self.target_component = component.into();
-        self
-    }
-}
+impl wire::Targeted for GimbalDeviceAttitudeStatus {}
 
 wire::message!(GimbalDeviceAttitudeStatus);

@@ -2,6 +2,7 @@
 
 use super::super::enums::GimbalDeviceCapFlags;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Identity, abilities and limits of a gimbal.
 ///
@@ -199,18 +200,15 @@ impl GimbalDeviceInformation {
 }
 
 impl wire::Message for GimbalDeviceInformation {
-    const ID: u32 = 283;
+    type Payload = [u8; 149];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 283,
-        name: "GIMBAL_DEVICE_INFORMATION",
-        crc_extra: 74,
-        len_v1: 144,
-        len_v2: 149,
-        target_system: None,
-        target_component: None,
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            283,
+            "GIMBAL_DEVICE_INFORMATION",
+            74,
+            149,
+        )
+        .len_v1(144);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_boot_ms", wire::Kind::U32, 8).units("ms"),
         wire::FieldInfo::array("vendor_name", wire::Kind::Char, 32, 48),
@@ -271,61 +269,47 @@ impl wire::Message for GimbalDeviceInformation {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<149>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<149>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 149]) -> Self {
         Self {
-            time_boot_ms: wire::generated::get(p, 8),
-            vendor_name: wire::generated::get(p, 48),
-            model_name: wire::generated::get(p, 80),
-            custom_name: wire::generated::get(p, 112),
-            firmware_version: wire::generated::get(p, 12),
-            hardware_version: wire::generated::get(p, 16),
-            uid: wire::generated::get(p, 0),
-            cap_flags: wire::generated::get(p, 44),
-            custom_cap_flags: wire::generated::get(p, 46),
-            roll_min: wire::generated::get(p, 20),
-            roll_max: wire::generated::get(p, 24),
-            pitch_min: wire::generated::get(p, 28),
-            pitch_max: wire::generated::get(p, 32),
-            yaw_min: wire::generated::get(p, 36),
-            yaw_max: wire::generated::get(p, 40),
-            gimbal_device_id: wire::generated::get(p, 144),
-            cap_flags2: wire::generated::get(p, 145),
+            time_boot_ms: get(p, 8),
+            vendor_name: get(p, 48),
+            model_name: get(p, 80),
+            custom_name: get(p, 112),
+            firmware_version: get(p, 12),
+            hardware_version: get(p, 16),
+            uid: get(p, 0),
+            cap_flags: get(p, 44),
+            custom_cap_flags: get(p, 46),
+            roll_min: get(p, 20),
+            roll_max: get(p, 24),
+            pitch_min: get(p, 28),
+            pitch_max: get(p, 32),
+            yaw_min: get(p, 36),
+            yaw_max: get(p, 40),
+            gimbal_device_id: get(p, 144),
+            cap_flags2: get(p, 145),
         }
-    }
-}
-
-impl wire::Encode for GimbalDeviceInformation {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.uid);
-        wire::generated::put(p, 8, self.time_boot_ms);
-        wire::generated::put(p, 12, self.firmware_version);
-        wire::generated::put(p, 16, self.hardware_version);
-        wire::generated::put(p, 20, self.roll_min);
-        wire::generated::put(p, 24, self.roll_max);
-        wire::generated::put(p, 28, self.pitch_min);
-        wire::generated::put(p, 32, self.pitch_max);
-        wire::generated::put(p, 36, self.yaw_min);
-        wire::generated::put(p, 40, self.yaw_max);
-        wire::generated::put(p, 44, self.cap_flags);
-        wire::generated::put(p, 46, self.custom_cap_flags);
-        wire::generated::put(p, 48, self.vendor_name);
-        wire::generated::put(p, 80, self.model_name);
-        wire::generated::put(p, 112, self.custom_name);
-        wire::generated::put(p, 144, self.gimbal_device_id);
-        wire::generated::put(p, 145, self.cap_flags2);
+    fn store(&self, p: &mut [u8; 149]) {
+        put(p, 0, self.uid);
+        put(p, 8, self.time_boot_ms);
+        put(p, 12, self.firmware_version);
+        put(p, 16, self.hardware_version);
+        put(p, 20, self.roll_min);
+        put(p, 24, self.roll_max);
+        put(p, 28, self.pitch_min);
+        put(p, 32, self.pitch_max);
+        put(p, 36, self.yaw_min);
+        put(p, 40, self.yaw_max);
+        put(p, 44, self.cap_flags);
+        put(p, 46, self.custom_cap_flags);
+        put(p, 48, self.vendor_name);
+        put(p, 80, self.model_name);
+        put(p, 112, self.custom_name);
+        put(p, 144, self.gimbal_device_id);
+        put(p, 145, self.cap_flags2);
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::super::enums::GimbalDeviceFlags;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// The gimbal manager tells its gimbal which attitude and rates to take.
 ///
@@ -106,18 +107,16 @@ impl GimbalDeviceSetAttitude {
 }
 
 impl wire::Message for GimbalDeviceSetAttitude {
-    const ID: u32 = 284;
+    type Payload = [u8; 32];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 284,
-        name: "GIMBAL_DEVICE_SET_ATTITUDE",
-        crc_extra: 99,
-        len_v1: 32,
-        len_v2: 32,
-        target_system: Some(30),
-        target_component: Some(31),
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            284,
+            "GIMBAL_DEVICE_SET_ATTITUDE",
+            99,
+            32,
+        )
+        .target_system(30)
+        .target_component(31);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 30),
         wire::FieldInfo::new("target_component", wire::Kind::U8, 31),
@@ -147,24 +146,27 @@ impl wire::Message for GimbalDeviceSetAttitude {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<32>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<32>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 32]) -> Self {
         Self {
-            target_system: wire::generated::get(p, 30),
-            target_component: wire::generated::get(p, 31),
-            flags: wire::generated::get(p, 28),
-            q: wire::generated::get(p, 0),
-            angular_velocity_x: wire::generated::get(p, 16),
-            angular_velocity_y: wire::generated::get(p, 20),
-            angular_velocity_z: wire::generated::get(p, 24),
+            target_system: get(p, 30),
+            target_component: get(p, 31),
+            flags: get(p, 28),
+            q: get(p, 0),
+            angular_velocity_x: get(p, 16),
+            angular_velocity_y: get(p, 20),
+            angular_velocity_z: get(p, 24),
         }
+    }
+
+    #[inline]
+    fn store(&self, p: &mut [u8; 32]) {
+        put(p, 0, self.q);
+        put(p, 16, self.angular_velocity_x);
+        put(p, 20, self.angular_velocity_y);
+        put(p, 24, self.angular_velocity_z);
+        put(p, 28, self.flags);
+        put(p, 30, self.target_system);
+        put(p, 31, self.target_component);
     }
 
     #[inline]
@@ -173,29 +175,6 @@ impl wire::Message for GimbalDeviceSetAttitude {
     }
 }
 
-impl wire::Encode for GimbalDeviceSetAttitude {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
-    }
-
-    #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.q);
-        wire::generated::put(p, 16, self.angular_velocity_x);
-        wire::generated::put(p, 20, self.angular_velocity_y);
-        wire::generated::put(p, 24, self.angular_velocity_z);
-        wire::generated::put(p, 28, self.flags);
-        wire::generated::put(p, 30, self.target_system);
-        wire::generated::put(p, 31, self.target_component);
-    }
-}
-
-impl wire::Targeted for GimbalDeviceSetAttitude {
-    fn to(mut self, system: impl Into<u8>, component: impl Into<u8>) -> Self {
-        self.target_system = system.into();
-        self.target_component = component.into();
-        self
-    }
-}
+impl wire::Targeted for GimbalDeviceSetAttitude {}
 
 wire::message!(GimbalDeviceSetAttitude);

@@ -2,6 +2,7 @@
 
 use super::super::enums::GimbalManagerCapFlags;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// What the gimbal behind a gimbal manager can do.
 ///
@@ -44,17 +45,14 @@ pub struct GimbalManagerInformation {
 }
 
 impl wire::Message for GimbalManagerInformation {
-    const ID: u32 = 280;
+    type Payload = [u8; 33];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 280,
-        name: "GIMBAL_MANAGER_INFORMATION",
-        crc_extra: 70,
-        len_v1: 33,
-        len_v2: 33,
-        target_system: None,
-        target_component: None,
-    };
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+        280,
+        "GIMBAL_MANAGER_INFORMATION",
+        70,
+        33,
+    );
 
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_boot_ms", wire::Kind::U32, 0).units("ms"),
@@ -82,45 +80,31 @@ impl wire::Message for GimbalManagerInformation {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<33>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<33>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 33]) -> Self {
         Self {
-            time_boot_ms: wire::generated::get(p, 0),
-            cap_flags: wire::generated::get(p, 4),
-            gimbal_device_id: wire::generated::get(p, 32),
-            roll_min: wire::generated::get(p, 8),
-            roll_max: wire::generated::get(p, 12),
-            pitch_min: wire::generated::get(p, 16),
-            pitch_max: wire::generated::get(p, 20),
-            yaw_min: wire::generated::get(p, 24),
-            yaw_max: wire::generated::get(p, 28),
+            time_boot_ms: get(p, 0),
+            cap_flags: get(p, 4),
+            gimbal_device_id: get(p, 32),
+            roll_min: get(p, 8),
+            roll_max: get(p, 12),
+            pitch_min: get(p, 16),
+            pitch_max: get(p, 20),
+            yaw_min: get(p, 24),
+            yaw_max: get(p, 28),
         }
-    }
-}
-
-impl wire::Encode for GimbalManagerInformation {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.time_boot_ms);
-        wire::generated::put(p, 4, self.cap_flags);
-        wire::generated::put(p, 8, self.roll_min);
-        wire::generated::put(p, 12, self.roll_max);
-        wire::generated::put(p, 16, self.pitch_min);
-        wire::generated::put(p, 20, self.pitch_max);
-        wire::generated::put(p, 24, self.yaw_min);
-        wire::generated::put(p, 28, self.yaw_max);
-        wire::generated::put(p, 32, self.gimbal_device_id);
+    fn store(&self, p: &mut [u8; 33]) {
+        put(p, 0, self.time_boot_ms);
+        put(p, 4, self.cap_flags);
+        put(p, 8, self.roll_min);
+        put(p, 12, self.roll_max);
+        put(p, 16, self.pitch_min);
+        put(p, 20, self.pitch_max);
+        put(p, 24, self.yaw_min);
+        put(p, 28, self.yaw_max);
+        put(p, 32, self.gimbal_device_id);
     }
 }
 

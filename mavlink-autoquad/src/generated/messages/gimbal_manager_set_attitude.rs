@@ -2,6 +2,7 @@
 
 use super::super::enums::GimbalManagerFlags;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Asks a gimbal manager for an attitude and rates; meant for high rates, so it is not
 /// acknowledged.
@@ -92,18 +93,16 @@ impl GimbalManagerSetAttitude {
 }
 
 impl wire::Message for GimbalManagerSetAttitude {
-    const ID: u32 = 282;
+    type Payload = [u8; 35];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 282,
-        name: "GIMBAL_MANAGER_SET_ATTITUDE",
-        crc_extra: 123,
-        len_v1: 35,
-        len_v2: 35,
-        target_system: Some(32),
-        target_component: Some(33),
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            282,
+            "GIMBAL_MANAGER_SET_ATTITUDE",
+            123,
+            35,
+        )
+        .target_system(32)
+        .target_component(33);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 32),
         wire::FieldInfo::new("target_component", wire::Kind::U8, 33),
@@ -134,25 +133,29 @@ impl wire::Message for GimbalManagerSetAttitude {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<35>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<35>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 35]) -> Self {
         Self {
-            target_system: wire::generated::get(p, 32),
-            target_component: wire::generated::get(p, 33),
-            flags: wire::generated::get(p, 0),
-            gimbal_device_id: wire::generated::get(p, 34),
-            q: wire::generated::get(p, 4),
-            angular_velocity_x: wire::generated::get(p, 20),
-            angular_velocity_y: wire::generated::get(p, 24),
-            angular_velocity_z: wire::generated::get(p, 28),
+            target_system: get(p, 32),
+            target_component: get(p, 33),
+            flags: get(p, 0),
+            gimbal_device_id: get(p, 34),
+            q: get(p, 4),
+            angular_velocity_x: get(p, 20),
+            angular_velocity_y: get(p, 24),
+            angular_velocity_z: get(p, 28),
         }
+    }
+
+    #[inline]
+    fn store(&self, p: &mut [u8; 35]) {
+        put(p, 0, self.flags);
+        put(p, 4, self.q);
+        put(p, 20, self.angular_velocity_x);
+        put(p, 24, self.angular_velocity_y);
+        put(p, 28, self.angular_velocity_z);
+        put(p, 32, self.target_system);
+        put(p, 33, self.target_component);
+        put(p, 34, self.gimbal_device_id);
     }
 
     #[inline]
@@ -161,30 +164,6 @@ impl wire::Message for GimbalManagerSetAttitude {
     }
 }
 
-impl wire::Encode for GimbalManagerSetAttitude {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
-    }
-
-    #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.flags);
-        wire::generated::put(p, 4, self.q);
-        wire::generated::put(p, 20, self.angular_velocity_x);
-        wire::generated::put(p, 24, self.angular_velocity_y);
-        wire::generated::put(p, 28, self.angular_velocity_z);
-        wire::generated::put(p, 32, self.target_system);
-        wire::generated::put(p, 33, self.target_component);
-        wire::generated::put(p, 34, self.gimbal_device_id);
-    }
-}
-
-impl wire::Targeted for GimbalManagerSetAttitude {
-    fn to(mut self, system: impl Into<u8>, component: impl Into<u8>) -> Self {
-        self.target_system = system.into();
-        self.target_component = component.into();
-        self
-    }
-}
+impl wire::Targeted for GimbalManagerSetAttitude {}
 
 wire::message!(GimbalManagerSetAttitude);

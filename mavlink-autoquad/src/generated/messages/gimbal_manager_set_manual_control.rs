@@ -2,6 +2,7 @@
 
 use super::super::enums::GimbalManagerFlags;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Stick input for a gimbal, without units; not acknowledged.
 ///
@@ -91,18 +92,16 @@ impl GimbalManagerSetManualControl {
 }
 
 impl wire::Message for GimbalManagerSetManualControl {
-    const ID: u32 = 288;
+    type Payload = [u8; 23];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 288,
-        name: "GIMBAL_MANAGER_SET_MANUAL_CONTROL",
-        crc_extra: 20,
-        len_v1: 23,
-        len_v2: 23,
-        target_system: Some(20),
-        target_component: Some(21),
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            288,
+            "GIMBAL_MANAGER_SET_MANUAL_CONTROL",
+            20,
+            23,
+        )
+        .target_system(20)
+        .target_component(21);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 20),
         wire::FieldInfo::new("target_component", wire::Kind::U8, 21),
@@ -131,25 +130,29 @@ impl wire::Message for GimbalManagerSetManualControl {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<23>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<23>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 23]) -> Self {
         Self {
-            target_system: wire::generated::get(p, 20),
-            target_component: wire::generated::get(p, 21),
-            flags: wire::generated::get(p, 0),
-            gimbal_device_id: wire::generated::get(p, 22),
-            pitch: wire::generated::get(p, 4),
-            yaw: wire::generated::get(p, 8),
-            pitch_rate: wire::generated::get(p, 12),
-            yaw_rate: wire::generated::get(p, 16),
+            target_system: get(p, 20),
+            target_component: get(p, 21),
+            flags: get(p, 0),
+            gimbal_device_id: get(p, 22),
+            pitch: get(p, 4),
+            yaw: get(p, 8),
+            pitch_rate: get(p, 12),
+            yaw_rate: get(p, 16),
         }
+    }
+
+    #[inline]
+    fn store(&self, p: &mut [u8; 23]) {
+        put(p, 0, self.flags);
+        put(p, 4, self.pitch);
+        put(p, 8, self.yaw);
+        put(p, 12, self.pitch_rate);
+        put(p, 16, self.yaw_rate);
+        put(p, 20, self.target_system);
+        put(p, 21, self.target_component);
+        put(p, 22, self.gimbal_device_id);
     }
 
     #[inline]
@@ -158,30 +161,6 @@ impl wire::Message for GimbalManagerSetManualControl {
     }
 }
 
-impl wire::Encode for GimbalManagerSetManualControl {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
-    }
-
-    #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.flags);
-        wire::generated::put(p, 4, self.pitch);
-        wire::generated::put(p, 8, self.yaw);
-        wire::generated::put(p, 12, self.pitch_rate);
-        wire::generated::put(p, 16, self.yaw_rate);
-        wire::generated::put(p, 20, self.target_system);
-        wire::generated::put(p, 21, self.target_component);
-        wire::generated::put(p, 22, self.gimbal_device_id);
-    }
-}
-
-impl wire::Targeted for GimbalManagerSetManualControl {
-    fn to(mut self, system: impl Into<u8>, component: impl Into<u8>) -> Self {
-        self.target_system = system.into();
-        self.target_component = component.into();
-        self
-    }
-}
+impl wire::Targeted for GimbalManagerSetManualControl {}
 
 wire::message!(GimbalManagerSetManualControl);

@@ -2,6 +2,7 @@
 
 use super::super::enums::GimbalManagerFlags;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Asks a gimbal manager for pitch and yaw, as angles or rates; not acknowledged.
 ///
@@ -91,18 +92,16 @@ impl GimbalManagerSetPitchyaw {
 }
 
 impl wire::Message for GimbalManagerSetPitchyaw {
-    const ID: u32 = 287;
+    type Payload = [u8; 23];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 287,
-        name: "GIMBAL_MANAGER_SET_PITCHYAW",
-        crc_extra: 1,
-        len_v1: 23,
-        len_v2: 23,
-        target_system: Some(20),
-        target_component: Some(21),
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            287,
+            "GIMBAL_MANAGER_SET_PITCHYAW",
+            1,
+            23,
+        )
+        .target_system(20)
+        .target_component(21);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 20),
         wire::FieldInfo::new("target_component", wire::Kind::U8, 21),
@@ -135,25 +134,29 @@ impl wire::Message for GimbalManagerSetPitchyaw {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<23>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<23>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 23]) -> Self {
         Self {
-            target_system: wire::generated::get(p, 20),
-            target_component: wire::generated::get(p, 21),
-            flags: wire::generated::get(p, 0),
-            gimbal_device_id: wire::generated::get(p, 22),
-            pitch: wire::generated::get(p, 4),
-            yaw: wire::generated::get(p, 8),
-            pitch_rate: wire::generated::get(p, 12),
-            yaw_rate: wire::generated::get(p, 16),
+            target_system: get(p, 20),
+            target_component: get(p, 21),
+            flags: get(p, 0),
+            gimbal_device_id: get(p, 22),
+            pitch: get(p, 4),
+            yaw: get(p, 8),
+            pitch_rate: get(p, 12),
+            yaw_rate: get(p, 16),
         }
+    }
+
+    #[inline]
+    fn store(&self, p: &mut [u8; 23]) {
+        put(p, 0, self.flags);
+        put(p, 4, self.pitch);
+        put(p, 8, self.yaw);
+        put(p, 12, self.pitch_rate);
+        put(p, 16, self.yaw_rate);
+        put(p, 20, self.target_system);
+        put(p, 21, self.target_component);
+        put(p, 22, self.gimbal_device_id);
     }
 
     #[inline]
@@ -162,30 +165,6 @@ impl wire::Message for GimbalManagerSetPitchyaw {
     }
 }
 
-impl wire::Encode for GimbalManagerSetPitchyaw {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
-    }
-
-    #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.flags);
-        wire::generated::put(p, 4, self.pitch);
-        wire::generated::put(p, 8, self.yaw);
-        wire::generated::put(p, 12, self.pitch_rate);
-        wire::generated::put(p, 16, self.yaw_rate);
-        wire::generated::put(p, 20, self.target_system);
-        wire::generated::put(p, 21, self.target_component);
-        wire::generated::put(p, 22, self.gimbal_device_id);
-    }
-}
-
-impl wire::Targeted for GimbalManagerSetPitchyaw {
-    fn to(mut self, system: impl Into<u8>, component: impl Into<u8>) -> Self {
-        self.target_system = system.into();
-        self.target_component = component.into();
-        self
-    }
-}
+impl wire::Targeted for GimbalManagerSetPitchyaw {}
 
 wire::message!(GimbalManagerSetPitchyaw);

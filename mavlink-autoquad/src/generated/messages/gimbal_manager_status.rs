@@ -2,6 +2,7 @@
 
 use super::super::enums::GimbalManagerFlags;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// State of a gimbal manager and who is in control of it.
 ///
@@ -38,17 +39,14 @@ pub struct GimbalManagerStatus {
 }
 
 impl wire::Message for GimbalManagerStatus {
-    const ID: u32 = 281;
+    type Payload = [u8; 13];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 281,
-        name: "GIMBAL_MANAGER_STATUS",
-        crc_extra: 48,
-        len_v1: 13,
-        len_v2: 13,
-        target_system: None,
-        target_component: None,
-    };
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+        281,
+        "GIMBAL_MANAGER_STATUS",
+        48,
+        13,
+    );
 
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_boot_ms", wire::Kind::U32, 0).units("ms"),
@@ -72,41 +70,27 @@ impl wire::Message for GimbalManagerStatus {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<13>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<13>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 13]) -> Self {
         Self {
-            time_boot_ms: wire::generated::get(p, 0),
-            flags: wire::generated::get(p, 4),
-            gimbal_device_id: wire::generated::get(p, 8),
-            primary_control_sysid: wire::generated::get(p, 9),
-            primary_control_compid: wire::generated::get(p, 10),
-            secondary_control_sysid: wire::generated::get(p, 11),
-            secondary_control_compid: wire::generated::get(p, 12),
+            time_boot_ms: get(p, 0),
+            flags: get(p, 4),
+            gimbal_device_id: get(p, 8),
+            primary_control_sysid: get(p, 9),
+            primary_control_compid: get(p, 10),
+            secondary_control_sysid: get(p, 11),
+            secondary_control_compid: get(p, 12),
         }
-    }
-}
-
-impl wire::Encode for GimbalManagerStatus {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.time_boot_ms);
-        wire::generated::put(p, 4, self.flags);
-        wire::generated::put(p, 8, self.gimbal_device_id);
-        wire::generated::put(p, 9, self.primary_control_sysid);
-        wire::generated::put(p, 10, self.primary_control_compid);
-        wire::generated::put(p, 11, self.secondary_control_sysid);
-        wire::generated::put(p, 12, self.secondary_control_compid);
+    fn store(&self, p: &mut [u8; 13]) {
+        put(p, 0, self.time_boot_ms);
+        put(p, 4, self.flags);
+        put(p, 8, self.gimbal_device_id);
+        put(p, 9, self.primary_control_sysid);
+        put(p, 10, self.primary_control_compid);
+        put(p, 11, self.secondary_control_sysid);
+        put(p, 12, self.secondary_control_compid);
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::super::enums::MavEstimatorType;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Global position and velocity together with their covariance.
 ///
@@ -62,17 +63,14 @@ impl GlobalPositionIntCov {
 }
 
 impl wire::Message for GlobalPositionIntCov {
-    const ID: u32 = 63;
+    type Payload = [u8; 181];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 63,
-        name: "GLOBAL_POSITION_INT_COV",
-        crc_extra: 119,
-        len_v1: 181,
-        len_v2: 181,
-        target_system: None,
-        target_component: None,
-    };
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+        63,
+        "GLOBAL_POSITION_INT_COV",
+        119,
+        181,
+    );
 
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_usec", wire::Kind::U64, 0).units("us"),
@@ -103,47 +101,33 @@ impl wire::Message for GlobalPositionIntCov {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<181>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<181>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 181]) -> Self {
         Self {
-            time_usec: wire::generated::get(p, 0),
-            estimator_type: wire::generated::get(p, 180),
-            lat: wire::generated::get(p, 8),
-            lon: wire::generated::get(p, 12),
-            alt: wire::generated::get(p, 16),
-            relative_alt: wire::generated::get(p, 20),
-            vx: wire::generated::get(p, 24),
-            vy: wire::generated::get(p, 28),
-            vz: wire::generated::get(p, 32),
-            covariance: wire::generated::get(p, 36),
+            time_usec: get(p, 0),
+            estimator_type: get(p, 180),
+            lat: get(p, 8),
+            lon: get(p, 12),
+            alt: get(p, 16),
+            relative_alt: get(p, 20),
+            vx: get(p, 24),
+            vy: get(p, 28),
+            vz: get(p, 32),
+            covariance: get(p, 36),
         }
-    }
-}
-
-impl wire::Encode for GlobalPositionIntCov {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.time_usec);
-        wire::generated::put(p, 8, self.lat);
-        wire::generated::put(p, 12, self.lon);
-        wire::generated::put(p, 16, self.alt);
-        wire::generated::put(p, 20, self.relative_alt);
-        wire::generated::put(p, 24, self.vx);
-        wire::generated::put(p, 28, self.vy);
-        wire::generated::put(p, 32, self.vz);
-        wire::generated::put(p, 36, self.covariance);
-        wire::generated::put(p, 180, self.estimator_type);
+    fn store(&self, p: &mut [u8; 181]) {
+        put(p, 0, self.time_usec);
+        put(p, 8, self.lat);
+        put(p, 12, self.lon);
+        put(p, 16, self.alt);
+        put(p, 20, self.relative_alt);
+        put(p, 24, self.vx);
+        put(p, 28, self.vy);
+        put(p, 32, self.vz);
+        put(p, 36, self.covariance);
+        put(p, 180, self.estimator_type);
     }
 }
 

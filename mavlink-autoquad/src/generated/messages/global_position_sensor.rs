@@ -2,6 +2,7 @@
 
 use super::super::enums::{GlobalPositionFlags, GlobalPositionSrc};
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Position on the globe from one sensor or system, satellite or other.
 ///
@@ -130,18 +131,16 @@ impl GlobalPositionSensor {
 }
 
 impl wire::Message for GlobalPositionSensor {
-    const ID: u32 = 296;
+    type Payload = [u8; 41];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 296,
-        name: "GLOBAL_POSITION_SENSOR",
-        crc_extra: 158,
-        len_v1: 41,
-        len_v2: 41,
-        target_system: Some(36),
-        target_component: Some(37),
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            296,
+            "GLOBAL_POSITION_SENSOR",
+            158,
+            41,
+        )
+        .target_system(36)
+        .target_component(37);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 36),
         wire::FieldInfo::new("target_component", wire::Kind::U8, 37),
@@ -189,30 +188,39 @@ impl wire::Message for GlobalPositionSensor {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<41>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<41>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 41]) -> Self {
         Self {
-            target_system: wire::generated::get(p, 36),
-            target_component: wire::generated::get(p, 37),
-            id: wire::generated::get(p, 38),
-            time_usec: wire::generated::get(p, 0),
-            processing_time: wire::generated::get(p, 8),
-            source: wire::generated::get(p, 39),
-            flags: wire::generated::get(p, 40),
-            lat: wire::generated::get(p, 12),
-            lon: wire::generated::get(p, 16),
-            alt_ellipsoid: wire::generated::get(p, 20),
-            alt: wire::generated::get(p, 24),
-            eph: wire::generated::get(p, 28),
-            epv: wire::generated::get(p, 32),
+            target_system: get(p, 36),
+            target_component: get(p, 37),
+            id: get(p, 38),
+            time_usec: get(p, 0),
+            processing_time: get(p, 8),
+            source: get(p, 39),
+            flags: get(p, 40),
+            lat: get(p, 12),
+            lon: get(p, 16),
+            alt_ellipsoid: get(p, 20),
+            alt: get(p, 24),
+            eph: get(p, 28),
+            epv: get(p, 32),
         }
+    }
+
+    #[inline]
+    fn store(&self, p: &mut [u8; 41]) {
+        put(p, 0, self.time_usec);
+        put(p, 8, self.processing_time);
+        put(p, 12, self.lat);
+        put(p, 16, self.lon);
+        put(p, 20, self.alt_ellipsoid);
+        put(p, 24, self.alt);
+        put(p, 28, self.eph);
+        put(p, 32, self.epv);
+        put(p, 36, self.target_system);
+        put(p, 37, self.target_component);
+        put(p, 38, self.id);
+        put(p, 39, self.source);
+        put(p, 40, self.flags);
     }
 
     #[inline]
@@ -221,35 +229,6 @@ impl wire::Message for GlobalPositionSensor {
     }
 }
 
-impl wire::Encode for GlobalPositionSensor {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
-    }
-
-    #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.time_usec);
-        wire::generated::put(p, 8, self.processing_time);
-        wire::generated::put(p, 12, self.lat);
-        wire::generated::put(p, 16, self.lon);
-        wire::generated::put(p, 20, self.alt_ellipsoid);
-        wire::generated::put(p, 24, self.alt);
-        wire::generated::put(p, 28, self.eph);
-        wire::generated::put(p, 32, self.epv);
-        wire::generated::put(p, 36, self.target_system);
-        wire::generated::put(p, 37, self.target_component);
-        wire::generated::put(p, 38, self.id);
-        wire::generated::put(p, 39, self.source);
-        wire::generated::put(p, 40, self.flags);
-    }
-}
-
-impl wire::Targeted for GlobalPositionSensor {
-    fn to(mut self, system: impl Into<u8>, component: impl Into<u8>) -> Self {
-        self.target_system = system.into();
-        self.target_component = component.into();
-        self
-    }
-}
+impl wire::Targeted for GlobalPositionSensor {}
 
 wire::message!(GlobalPositionSensor);

@@ -2,6 +2,7 @@
 
 use super::super::enums::GpsFixType;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Position as the second satellite receiver reports it.
 ///
@@ -147,18 +148,15 @@ impl Gps2Raw {
 }
 
 impl wire::Message for Gps2Raw {
-    const ID: u32 = 124;
+    type Payload = [u8; 57];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 124,
-        name: "GPS2_RAW",
-        crc_extra: 87,
-        len_v1: 35,
-        len_v2: 57,
-        target_system: None,
-        target_component: None,
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            124,
+            "GPS2_RAW",
+            87,
+            57,
+        )
+        .len_v1(35);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_usec", wire::Kind::U64, 0).units("us"),
         wire::FieldInfo::new("fix_type", wire::Kind::U8, 32)
@@ -215,63 +213,49 @@ impl wire::Message for Gps2Raw {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<57>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<57>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 57]) -> Self {
         Self {
-            time_usec: wire::generated::get(p, 0),
-            fix_type: wire::generated::get(p, 32),
-            lat: wire::generated::get(p, 8),
-            lon: wire::generated::get(p, 12),
-            alt: wire::generated::get(p, 16),
-            eph: wire::generated::get(p, 24),
-            epv: wire::generated::get(p, 26),
-            vel: wire::generated::get(p, 28),
-            cog: wire::generated::get(p, 30),
-            satellites_visible: wire::generated::get(p, 33),
-            dgps_numch: wire::generated::get(p, 34),
-            dgps_age: wire::generated::get(p, 20),
-            yaw: wire::generated::get(p, 35),
-            alt_ellipsoid: wire::generated::get(p, 37),
-            h_acc: wire::generated::get(p, 41),
-            v_acc: wire::generated::get(p, 45),
-            vel_acc: wire::generated::get(p, 49),
-            hdg_acc: wire::generated::get(p, 53),
+            time_usec: get(p, 0),
+            fix_type: get(p, 32),
+            lat: get(p, 8),
+            lon: get(p, 12),
+            alt: get(p, 16),
+            eph: get(p, 24),
+            epv: get(p, 26),
+            vel: get(p, 28),
+            cog: get(p, 30),
+            satellites_visible: get(p, 33),
+            dgps_numch: get(p, 34),
+            dgps_age: get(p, 20),
+            yaw: get(p, 35),
+            alt_ellipsoid: get(p, 37),
+            h_acc: get(p, 41),
+            v_acc: get(p, 45),
+            vel_acc: get(p, 49),
+            hdg_acc: get(p, 53),
         }
-    }
-}
-
-impl wire::Encode for Gps2Raw {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.time_usec);
-        wire::generated::put(p, 8, self.lat);
-        wire::generated::put(p, 12, self.lon);
-        wire::generated::put(p, 16, self.alt);
-        wire::generated::put(p, 20, self.dgps_age);
-        wire::generated::put(p, 24, self.eph);
-        wire::generated::put(p, 26, self.epv);
-        wire::generated::put(p, 28, self.vel);
-        wire::generated::put(p, 30, self.cog);
-        wire::generated::put(p, 32, self.fix_type);
-        wire::generated::put(p, 33, self.satellites_visible);
-        wire::generated::put(p, 34, self.dgps_numch);
-        wire::generated::put(p, 35, self.yaw);
-        wire::generated::put(p, 37, self.alt_ellipsoid);
-        wire::generated::put(p, 41, self.h_acc);
-        wire::generated::put(p, 45, self.v_acc);
-        wire::generated::put(p, 49, self.vel_acc);
-        wire::generated::put(p, 53, self.hdg_acc);
+    fn store(&self, p: &mut [u8; 57]) {
+        put(p, 0, self.time_usec);
+        put(p, 8, self.lat);
+        put(p, 12, self.lon);
+        put(p, 16, self.alt);
+        put(p, 20, self.dgps_age);
+        put(p, 24, self.eph);
+        put(p, 26, self.epv);
+        put(p, 28, self.vel);
+        put(p, 30, self.cog);
+        put(p, 32, self.fix_type);
+        put(p, 33, self.satellites_visible);
+        put(p, 34, self.dgps_numch);
+        put(p, 35, self.yaw);
+        put(p, 37, self.alt_ellipsoid);
+        put(p, 41, self.h_acc);
+        put(p, 45, self.v_acc);
+        put(p, 49, self.vel_acc);
+        put(p, 53, self.hdg_acc);
     }
 }
 

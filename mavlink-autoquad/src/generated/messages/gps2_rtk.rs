@@ -2,6 +2,7 @@
 
 use super::super::enums::RtkBaselineCoordinateSystem;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// RTK state of the second satellite receiver: baseline and solution quality.
 ///
@@ -55,17 +56,14 @@ pub struct Gps2Rtk {
 }
 
 impl wire::Message for Gps2Rtk {
-    const ID: u32 = 128;
+    type Payload = [u8; 35];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 128,
-        name: "GPS2_RTK",
-        crc_extra: 226,
-        len_v1: 35,
-        len_v2: 35,
-        target_system: None,
-        target_component: None,
-    };
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+        128,
+        "GPS2_RTK",
+        226,
+        35,
+    );
 
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_last_baseline_ms", wire::Kind::U32, 0).units("ms"),
@@ -101,53 +99,39 @@ impl wire::Message for Gps2Rtk {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<35>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<35>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 35]) -> Self {
         Self {
-            time_last_baseline_ms: wire::generated::get(p, 0),
-            rtk_receiver_id: wire::generated::get(p, 30),
-            wn: wire::generated::get(p, 28),
-            tow: wire::generated::get(p, 4),
-            rtk_health: wire::generated::get(p, 31),
-            rtk_rate: wire::generated::get(p, 32),
-            nsats: wire::generated::get(p, 33),
-            baseline_coords_type: wire::generated::get(p, 34),
-            baseline_a_mm: wire::generated::get(p, 8),
-            baseline_b_mm: wire::generated::get(p, 12),
-            baseline_c_mm: wire::generated::get(p, 16),
-            accuracy: wire::generated::get(p, 20),
-            iar_num_hypotheses: wire::generated::get(p, 24),
+            time_last_baseline_ms: get(p, 0),
+            rtk_receiver_id: get(p, 30),
+            wn: get(p, 28),
+            tow: get(p, 4),
+            rtk_health: get(p, 31),
+            rtk_rate: get(p, 32),
+            nsats: get(p, 33),
+            baseline_coords_type: get(p, 34),
+            baseline_a_mm: get(p, 8),
+            baseline_b_mm: get(p, 12),
+            baseline_c_mm: get(p, 16),
+            accuracy: get(p, 20),
+            iar_num_hypotheses: get(p, 24),
         }
-    }
-}
-
-impl wire::Encode for Gps2Rtk {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.time_last_baseline_ms);
-        wire::generated::put(p, 4, self.tow);
-        wire::generated::put(p, 8, self.baseline_a_mm);
-        wire::generated::put(p, 12, self.baseline_b_mm);
-        wire::generated::put(p, 16, self.baseline_c_mm);
-        wire::generated::put(p, 20, self.accuracy);
-        wire::generated::put(p, 24, self.iar_num_hypotheses);
-        wire::generated::put(p, 28, self.wn);
-        wire::generated::put(p, 30, self.rtk_receiver_id);
-        wire::generated::put(p, 31, self.rtk_health);
-        wire::generated::put(p, 32, self.rtk_rate);
-        wire::generated::put(p, 33, self.nsats);
-        wire::generated::put(p, 34, self.baseline_coords_type);
+    fn store(&self, p: &mut [u8; 35]) {
+        put(p, 0, self.time_last_baseline_ms);
+        put(p, 4, self.tow);
+        put(p, 8, self.baseline_a_mm);
+        put(p, 12, self.baseline_b_mm);
+        put(p, 16, self.baseline_c_mm);
+        put(p, 20, self.accuracy);
+        put(p, 24, self.iar_num_hypotheses);
+        put(p, 28, self.wn);
+        put(p, 30, self.rtk_receiver_id);
+        put(p, 31, self.rtk_health);
+        put(p, 32, self.rtk_rate);
+        put(p, 33, self.nsats);
+        put(p, 34, self.baseline_coords_type);
     }
 }
 

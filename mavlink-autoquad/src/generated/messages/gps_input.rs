@@ -2,6 +2,7 @@
 
 use super::super::enums::{GpsFixType, GpsInputIgnoreFlags};
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Satellite position from an external source, for use as a receiver of the autopilot.
 ///
@@ -113,18 +114,15 @@ impl GpsInput {
 }
 
 impl wire::Message for GpsInput {
-    const ID: u32 = 232;
+    type Payload = [u8; 65];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 232,
-        name: "GPS_INPUT",
-        crc_extra: 151,
-        len_v1: 63,
-        len_v2: 65,
-        target_system: None,
-        target_component: None,
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            232,
+            "GPS_INPUT",
+            151,
+            65,
+        )
+        .len_v1(63);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_usec", wire::Kind::U64, 0).units("us"),
         wire::FieldInfo::new("gps_id", wire::Kind::U8, 60),
@@ -177,65 +175,51 @@ impl wire::Message for GpsInput {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<65>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<65>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 65]) -> Self {
         Self {
-            time_usec: wire::generated::get(p, 0),
-            gps_id: wire::generated::get(p, 60),
-            ignore_flags: wire::generated::get(p, 56),
-            time_week_ms: wire::generated::get(p, 8),
-            time_week: wire::generated::get(p, 58),
-            fix_type: wire::generated::get(p, 61),
-            lat: wire::generated::get(p, 12),
-            lon: wire::generated::get(p, 16),
-            alt: wire::generated::get(p, 20),
-            hdop: wire::generated::get(p, 24),
-            vdop: wire::generated::get(p, 28),
-            vn: wire::generated::get(p, 32),
-            ve: wire::generated::get(p, 36),
-            vd: wire::generated::get(p, 40),
-            speed_accuracy: wire::generated::get(p, 44),
-            horiz_accuracy: wire::generated::get(p, 48),
-            vert_accuracy: wire::generated::get(p, 52),
-            satellites_visible: wire::generated::get(p, 62),
-            yaw: wire::generated::get(p, 63),
+            time_usec: get(p, 0),
+            gps_id: get(p, 60),
+            ignore_flags: get(p, 56),
+            time_week_ms: get(p, 8),
+            time_week: get(p, 58),
+            fix_type: get(p, 61),
+            lat: get(p, 12),
+            lon: get(p, 16),
+            alt: get(p, 20),
+            hdop: get(p, 24),
+            vdop: get(p, 28),
+            vn: get(p, 32),
+            ve: get(p, 36),
+            vd: get(p, 40),
+            speed_accuracy: get(p, 44),
+            horiz_accuracy: get(p, 48),
+            vert_accuracy: get(p, 52),
+            satellites_visible: get(p, 62),
+            yaw: get(p, 63),
         }
-    }
-}
-
-impl wire::Encode for GpsInput {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.time_usec);
-        wire::generated::put(p, 8, self.time_week_ms);
-        wire::generated::put(p, 12, self.lat);
-        wire::generated::put(p, 16, self.lon);
-        wire::generated::put(p, 20, self.alt);
-        wire::generated::put(p, 24, self.hdop);
-        wire::generated::put(p, 28, self.vdop);
-        wire::generated::put(p, 32, self.vn);
-        wire::generated::put(p, 36, self.ve);
-        wire::generated::put(p, 40, self.vd);
-        wire::generated::put(p, 44, self.speed_accuracy);
-        wire::generated::put(p, 48, self.horiz_accuracy);
-        wire::generated::put(p, 52, self.vert_accuracy);
-        wire::generated::put(p, 56, self.ignore_flags);
-        wire::generated::put(p, 58, self.time_week);
-        wire::generated::put(p, 60, self.gps_id);
-        wire::generated::put(p, 61, self.fix_type);
-        wire::generated::put(p, 62, self.satellites_visible);
-        wire::generated::put(p, 63, self.yaw);
+    fn store(&self, p: &mut [u8; 65]) {
+        put(p, 0, self.time_usec);
+        put(p, 8, self.time_week_ms);
+        put(p, 12, self.lat);
+        put(p, 16, self.lon);
+        put(p, 20, self.alt);
+        put(p, 24, self.hdop);
+        put(p, 28, self.vdop);
+        put(p, 32, self.vn);
+        put(p, 36, self.ve);
+        put(p, 40, self.vd);
+        put(p, 44, self.speed_accuracy);
+        put(p, 48, self.horiz_accuracy);
+        put(p, 52, self.vert_accuracy);
+        put(p, 56, self.ignore_flags);
+        put(p, 58, self.time_week);
+        put(p, 60, self.gps_id);
+        put(p, 61, self.fix_type);
+        put(p, 62, self.satellites_visible);
+        put(p, 63, self.yaw);
     }
 }
 

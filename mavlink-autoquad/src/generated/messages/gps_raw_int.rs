@@ -2,6 +2,7 @@
 
 use super::super::enums::GpsFixType;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Position as the first satellite receiver reports it, before any fusion with other sensors.
 ///
@@ -141,18 +142,15 @@ impl GpsRawInt {
 }
 
 impl wire::Message for GpsRawInt {
-    const ID: u32 = 24;
+    type Payload = [u8; 52];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 24,
-        name: "GPS_RAW_INT",
-        crc_extra: 24,
-        len_v1: 30,
-        len_v2: 52,
-        target_system: None,
-        target_component: None,
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            24,
+            "GPS_RAW_INT",
+            24,
+            52,
+        )
+        .len_v1(30);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_usec", wire::Kind::U64, 0).units("us"),
         wire::FieldInfo::new("fix_type", wire::Kind::U8, 28)
@@ -205,59 +203,45 @@ impl wire::Message for GpsRawInt {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<52>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<52>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 52]) -> Self {
         Self {
-            time_usec: wire::generated::get(p, 0),
-            fix_type: wire::generated::get(p, 28),
-            lat: wire::generated::get(p, 8),
-            lon: wire::generated::get(p, 12),
-            alt: wire::generated::get(p, 16),
-            eph: wire::generated::get(p, 20),
-            epv: wire::generated::get(p, 22),
-            vel: wire::generated::get(p, 24),
-            cog: wire::generated::get(p, 26),
-            satellites_visible: wire::generated::get(p, 29),
-            alt_ellipsoid: wire::generated::get(p, 30),
-            h_acc: wire::generated::get(p, 34),
-            v_acc: wire::generated::get(p, 38),
-            vel_acc: wire::generated::get(p, 42),
-            hdg_acc: wire::generated::get(p, 46),
-            yaw: wire::generated::get(p, 50),
+            time_usec: get(p, 0),
+            fix_type: get(p, 28),
+            lat: get(p, 8),
+            lon: get(p, 12),
+            alt: get(p, 16),
+            eph: get(p, 20),
+            epv: get(p, 22),
+            vel: get(p, 24),
+            cog: get(p, 26),
+            satellites_visible: get(p, 29),
+            alt_ellipsoid: get(p, 30),
+            h_acc: get(p, 34),
+            v_acc: get(p, 38),
+            vel_acc: get(p, 42),
+            hdg_acc: get(p, 46),
+            yaw: get(p, 50),
         }
-    }
-}
-
-impl wire::Encode for GpsRawInt {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.time_usec);
-        wire::generated::put(p, 8, self.lat);
-        wire::generated::put(p, 12, self.lon);
-        wire::generated::put(p, 16, self.alt);
-        wire::generated::put(p, 20, self.eph);
-        wire::generated::put(p, 22, self.epv);
-        wire::generated::put(p, 24, self.vel);
-        wire::generated::put(p, 26, self.cog);
-        wire::generated::put(p, 28, self.fix_type);
-        wire::generated::put(p, 29, self.satellites_visible);
-        wire::generated::put(p, 30, self.alt_ellipsoid);
-        wire::generated::put(p, 34, self.h_acc);
-        wire::generated::put(p, 38, self.v_acc);
-        wire::generated::put(p, 42, self.vel_acc);
-        wire::generated::put(p, 46, self.hdg_acc);
-        wire::generated::put(p, 50, self.yaw);
+    fn store(&self, p: &mut [u8; 52]) {
+        put(p, 0, self.time_usec);
+        put(p, 8, self.lat);
+        put(p, 12, self.lon);
+        put(p, 16, self.alt);
+        put(p, 20, self.eph);
+        put(p, 22, self.epv);
+        put(p, 24, self.vel);
+        put(p, 26, self.cog);
+        put(p, 28, self.fix_type);
+        put(p, 29, self.satellites_visible);
+        put(p, 30, self.alt_ellipsoid);
+        put(p, 34, self.h_acc);
+        put(p, 38, self.v_acc);
+        put(p, 42, self.vel_acc);
+        put(p, 46, self.hdg_acc);
+        put(p, 50, self.yaw);
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::super::enums::{GpsFixType, MavLandedState, MavModeFlag};
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Summary of vehicle state for slow links such as satellite; `HIGH_LATENCY2` has taken its place.
 ///
@@ -105,17 +106,14 @@ impl HighLatency {
 }
 
 impl wire::Message for HighLatency {
-    const ID: u32 = 234;
+    type Payload = [u8; 40];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 234,
-        name: "HIGH_LATENCY",
-        crc_extra: 150,
-        len_v1: 40,
-        len_v2: 40,
-        target_system: None,
-        target_component: None,
-    };
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+        234,
+        "HIGH_LATENCY",
+        150,
+        40,
+    );
 
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("base_mode", wire::Kind::U8, 26)
@@ -176,75 +174,61 @@ impl wire::Message for HighLatency {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<40>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<40>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 40]) -> Self {
         Self {
-            base_mode: wire::generated::get(p, 26),
-            custom_mode: wire::generated::get(p, 0),
-            landed_state: wire::generated::get(p, 27),
-            roll: wire::generated::get(p, 12),
-            pitch: wire::generated::get(p, 14),
-            heading: wire::generated::get(p, 16),
-            throttle: wire::generated::get(p, 28),
-            heading_sp: wire::generated::get(p, 18),
-            latitude: wire::generated::get(p, 4),
-            longitude: wire::generated::get(p, 8),
-            altitude_amsl: wire::generated::get(p, 20),
-            altitude_sp: wire::generated::get(p, 22),
-            airspeed: wire::generated::get(p, 29),
-            airspeed_sp: wire::generated::get(p, 30),
-            groundspeed: wire::generated::get(p, 31),
-            climb_rate: wire::generated::get(p, 32),
-            gps_nsat: wire::generated::get(p, 33),
-            gps_fix_type: wire::generated::get(p, 34),
-            battery_remaining: wire::generated::get(p, 35),
-            temperature: wire::generated::get(p, 36),
-            temperature_air: wire::generated::get(p, 37),
-            failsafe: wire::generated::get(p, 38),
-            wp_num: wire::generated::get(p, 39),
-            wp_distance: wire::generated::get(p, 24),
+            base_mode: get(p, 26),
+            custom_mode: get(p, 0),
+            landed_state: get(p, 27),
+            roll: get(p, 12),
+            pitch: get(p, 14),
+            heading: get(p, 16),
+            throttle: get(p, 28),
+            heading_sp: get(p, 18),
+            latitude: get(p, 4),
+            longitude: get(p, 8),
+            altitude_amsl: get(p, 20),
+            altitude_sp: get(p, 22),
+            airspeed: get(p, 29),
+            airspeed_sp: get(p, 30),
+            groundspeed: get(p, 31),
+            climb_rate: get(p, 32),
+            gps_nsat: get(p, 33),
+            gps_fix_type: get(p, 34),
+            battery_remaining: get(p, 35),
+            temperature: get(p, 36),
+            temperature_air: get(p, 37),
+            failsafe: get(p, 38),
+            wp_num: get(p, 39),
+            wp_distance: get(p, 24),
         }
-    }
-}
-
-impl wire::Encode for HighLatency {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.custom_mode);
-        wire::generated::put(p, 4, self.latitude);
-        wire::generated::put(p, 8, self.longitude);
-        wire::generated::put(p, 12, self.roll);
-        wire::generated::put(p, 14, self.pitch);
-        wire::generated::put(p, 16, self.heading);
-        wire::generated::put(p, 18, self.heading_sp);
-        wire::generated::put(p, 20, self.altitude_amsl);
-        wire::generated::put(p, 22, self.altitude_sp);
-        wire::generated::put(p, 24, self.wp_distance);
-        wire::generated::put(p, 26, self.base_mode);
-        wire::generated::put(p, 27, self.landed_state);
-        wire::generated::put(p, 28, self.throttle);
-        wire::generated::put(p, 29, self.airspeed);
-        wire::generated::put(p, 30, self.airspeed_sp);
-        wire::generated::put(p, 31, self.groundspeed);
-        wire::generated::put(p, 32, self.climb_rate);
-        wire::generated::put(p, 33, self.gps_nsat);
-        wire::generated::put(p, 34, self.gps_fix_type);
-        wire::generated::put(p, 35, self.battery_remaining);
-        wire::generated::put(p, 36, self.temperature);
-        wire::generated::put(p, 37, self.temperature_air);
-        wire::generated::put(p, 38, self.failsafe);
-        wire::generated::put(p, 39, self.wp_num);
+    fn store(&self, p: &mut [u8; 40]) {
+        put(p, 0, self.custom_mode);
+        put(p, 4, self.latitude);
+        put(p, 8, self.longitude);
+        put(p, 12, self.roll);
+        put(p, 14, self.pitch);
+        put(p, 16, self.heading);
+        put(p, 18, self.heading_sp);
+        put(p, 20, self.altitude_amsl);
+        put(p, 22, self.altitude_sp);
+        put(p, 24, self.wp_distance);
+        put(p, 26, self.base_mode);
+        put(p, 27, self.landed_state);
+        put(p, 28, self.throttle);
+        put(p, 29, self.airspeed);
+        put(p, 30, self.airspeed_sp);
+        put(p, 31, self.groundspeed);
+        put(p, 32, self.climb_rate);
+        put(p, 33, self.gps_nsat);
+        put(p, 34, self.gps_fix_type);
+        put(p, 35, self.battery_remaining);
+        put(p, 36, self.temperature);
+        put(p, 37, self.temperature_air);
+        put(p, 38, self.failsafe);
+        put(p, 39, self.wp_num);
     }
 }
 

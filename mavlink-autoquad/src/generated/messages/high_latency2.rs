@@ -2,6 +2,7 @@
 
 use super::super::enums::{HlFailureFlag, MavAutopilot, MavType};
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Summary of vehicle state for slow links such as satellite.
 ///
@@ -111,17 +112,14 @@ impl HighLatency2 {
 }
 
 impl wire::Message for HighLatency2 {
-    const ID: u32 = 235;
+    type Payload = [u8; 42];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 235,
-        name: "HIGH_LATENCY2",
-        crc_extra: 179,
-        len_v1: 42,
-        len_v2: 42,
-        target_system: None,
-        target_component: None,
-    };
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+        235,
+        "HIGH_LATENCY2",
+        179,
+        42,
+    );
 
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("timestamp", wire::Kind::U32, 0).units("ms"),
@@ -189,81 +187,67 @@ impl wire::Message for HighLatency2 {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<42>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<42>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 42]) -> Self {
         Self {
-            timestamp: wire::generated::get(p, 0),
-            r#type: wire::generated::get(p, 24),
-            autopilot: wire::generated::get(p, 25),
-            custom_mode: wire::generated::get(p, 12),
-            latitude: wire::generated::get(p, 4),
-            longitude: wire::generated::get(p, 8),
-            altitude: wire::generated::get(p, 14),
-            target_altitude: wire::generated::get(p, 16),
-            heading: wire::generated::get(p, 26),
-            target_heading: wire::generated::get(p, 27),
-            target_distance: wire::generated::get(p, 18),
-            throttle: wire::generated::get(p, 28),
-            airspeed: wire::generated::get(p, 29),
-            airspeed_sp: wire::generated::get(p, 30),
-            groundspeed: wire::generated::get(p, 31),
-            windspeed: wire::generated::get(p, 32),
-            wind_heading: wire::generated::get(p, 33),
-            eph: wire::generated::get(p, 34),
-            epv: wire::generated::get(p, 35),
-            temperature_air: wire::generated::get(p, 36),
-            climb_rate: wire::generated::get(p, 37),
-            battery: wire::generated::get(p, 38),
-            wp_num: wire::generated::get(p, 20),
-            failure_flags: wire::generated::get(p, 22),
-            custom0: wire::generated::get(p, 39),
-            custom1: wire::generated::get(p, 40),
-            custom2: wire::generated::get(p, 41),
+            timestamp: get(p, 0),
+            r#type: get(p, 24),
+            autopilot: get(p, 25),
+            custom_mode: get(p, 12),
+            latitude: get(p, 4),
+            longitude: get(p, 8),
+            altitude: get(p, 14),
+            target_altitude: get(p, 16),
+            heading: get(p, 26),
+            target_heading: get(p, 27),
+            target_distance: get(p, 18),
+            throttle: get(p, 28),
+            airspeed: get(p, 29),
+            airspeed_sp: get(p, 30),
+            groundspeed: get(p, 31),
+            windspeed: get(p, 32),
+            wind_heading: get(p, 33),
+            eph: get(p, 34),
+            epv: get(p, 35),
+            temperature_air: get(p, 36),
+            climb_rate: get(p, 37),
+            battery: get(p, 38),
+            wp_num: get(p, 20),
+            failure_flags: get(p, 22),
+            custom0: get(p, 39),
+            custom1: get(p, 40),
+            custom2: get(p, 41),
         }
-    }
-}
-
-impl wire::Encode for HighLatency2 {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.timestamp);
-        wire::generated::put(p, 4, self.latitude);
-        wire::generated::put(p, 8, self.longitude);
-        wire::generated::put(p, 12, self.custom_mode);
-        wire::generated::put(p, 14, self.altitude);
-        wire::generated::put(p, 16, self.target_altitude);
-        wire::generated::put(p, 18, self.target_distance);
-        wire::generated::put(p, 20, self.wp_num);
-        wire::generated::put(p, 22, self.failure_flags);
-        wire::generated::put(p, 24, self.r#type);
-        wire::generated::put(p, 25, self.autopilot);
-        wire::generated::put(p, 26, self.heading);
-        wire::generated::put(p, 27, self.target_heading);
-        wire::generated::put(p, 28, self.throttle);
-        wire::generated::put(p, 29, self.airspeed);
-        wire::generated::put(p, 30, self.airspeed_sp);
-        wire::generated::put(p, 31, self.groundspeed);
-        wire::generated::put(p, 32, self.windspeed);
-        wire::generated::put(p, 33, self.wind_heading);
-        wire::generated::put(p, 34, self.eph);
-        wire::generated::put(p, 35, self.epv);
-        wire::generated::put(p, 36, self.temperature_air);
-        wire::generated::put(p, 37, self.climb_rate);
-        wire::generated::put(p, 38, self.battery);
-        wire::generated::put(p, 39, self.custom0);
-        wire::generated::put(p, 40, self.custom1);
-        wire::generated::put(p, 41, self.custom2);
+    fn store(&self, p: &mut [u8; 42]) {
+        put(p, 0, self.timestamp);
+        put(p, 4, self.latitude);
+        put(p, 8, self.longitude);
+        put(p, 12, self.custom_mode);
+        put(p, 14, self.altitude);
+        put(p, 16, self.target_altitude);
+        put(p, 18, self.target_distance);
+        put(p, 20, self.wp_num);
+        put(p, 22, self.failure_flags);
+        put(p, 24, self.r#type);
+        put(p, 25, self.autopilot);
+        put(p, 26, self.heading);
+        put(p, 27, self.target_heading);
+        put(p, 28, self.throttle);
+        put(p, 29, self.airspeed);
+        put(p, 30, self.airspeed_sp);
+        put(p, 31, self.groundspeed);
+        put(p, 32, self.windspeed);
+        put(p, 33, self.wind_heading);
+        put(p, 34, self.eph);
+        put(p, 35, self.epv);
+        put(p, 36, self.temperature_air);
+        put(p, 37, self.climb_rate);
+        put(p, 38, self.battery);
+        put(p, 39, self.custom0);
+        put(p, 40, self.custom1);
+        put(p, 41, self.custom2);
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::super::enums::{HilActuatorControlsFlags, MavModeFlag};
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Normalised actuator outputs for a simulator; an alternative to `HIL_CONTROLS`.
 ///
@@ -29,17 +30,14 @@ pub struct HilActuatorControls {
 }
 
 impl wire::Message for HilActuatorControls {
-    const ID: u32 = 93;
+    type Payload = [u8; 81];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 93,
-        name: "HIL_ACTUATOR_CONTROLS",
-        crc_extra: 47,
-        len_v1: 81,
-        len_v2: 81,
-        target_system: None,
-        target_component: None,
-    };
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+        93,
+        "HIL_ACTUATOR_CONTROLS",
+        47,
+        81,
+    );
 
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_usec", wire::Kind::U64, 0).units("us"),
@@ -58,35 +56,21 @@ impl wire::Message for HilActuatorControls {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<81>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<81>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 81]) -> Self {
         Self {
-            time_usec: wire::generated::get(p, 0),
-            controls: wire::generated::get(p, 16),
-            mode: wire::generated::get(p, 80),
-            flags: wire::generated::get(p, 8),
+            time_usec: get(p, 0),
+            controls: get(p, 16),
+            mode: get(p, 80),
+            flags: get(p, 8),
         }
-    }
-}
-
-impl wire::Encode for HilActuatorControls {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.time_usec);
-        wire::generated::put(p, 8, self.flags);
-        wire::generated::put(p, 16, self.controls);
-        wire::generated::put(p, 80, self.mode);
+    fn store(&self, p: &mut [u8; 81]) {
+        put(p, 0, self.time_usec);
+        put(p, 8, self.flags);
+        put(p, 16, self.controls);
+        put(p, 80, self.mode);
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::super::enums::MavMode;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Control surface and throttle outputs for a simulator.
 ///
@@ -50,17 +51,14 @@ pub struct HilControls {
 }
 
 impl wire::Message for HilControls {
-    const ID: u32 = 91;
+    type Payload = [u8; 42];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 91,
-        name: "HIL_CONTROLS",
-        crc_extra: 63,
-        len_v1: 42,
-        len_v2: 42,
-        target_system: None,
-        target_component: None,
-    };
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+        91,
+        "HIL_CONTROLS",
+        63,
+        42,
+    );
 
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_usec", wire::Kind::U64, 0).units("us"),
@@ -92,49 +90,35 @@ impl wire::Message for HilControls {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<42>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<42>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 42]) -> Self {
         Self {
-            time_usec: wire::generated::get(p, 0),
-            roll_ailerons: wire::generated::get(p, 8),
-            pitch_elevator: wire::generated::get(p, 12),
-            yaw_rudder: wire::generated::get(p, 16),
-            throttle: wire::generated::get(p, 20),
-            aux1: wire::generated::get(p, 24),
-            aux2: wire::generated::get(p, 28),
-            aux3: wire::generated::get(p, 32),
-            aux4: wire::generated::get(p, 36),
-            mode: wire::generated::get(p, 40),
-            nav_mode: wire::generated::get(p, 41),
+            time_usec: get(p, 0),
+            roll_ailerons: get(p, 8),
+            pitch_elevator: get(p, 12),
+            yaw_rudder: get(p, 16),
+            throttle: get(p, 20),
+            aux1: get(p, 24),
+            aux2: get(p, 28),
+            aux3: get(p, 32),
+            aux4: get(p, 36),
+            mode: get(p, 40),
+            nav_mode: get(p, 41),
         }
-    }
-}
-
-impl wire::Encode for HilControls {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.time_usec);
-        wire::generated::put(p, 8, self.roll_ailerons);
-        wire::generated::put(p, 12, self.pitch_elevator);
-        wire::generated::put(p, 16, self.yaw_rudder);
-        wire::generated::put(p, 20, self.throttle);
-        wire::generated::put(p, 24, self.aux1);
-        wire::generated::put(p, 28, self.aux2);
-        wire::generated::put(p, 32, self.aux3);
-        wire::generated::put(p, 36, self.aux4);
-        wire::generated::put(p, 40, self.mode);
-        wire::generated::put(p, 41, self.nav_mode);
+    fn store(&self, p: &mut [u8; 42]) {
+        put(p, 0, self.time_usec);
+        put(p, 8, self.roll_ailerons);
+        put(p, 12, self.pitch_elevator);
+        put(p, 16, self.yaw_rudder);
+        put(p, 20, self.throttle);
+        put(p, 24, self.aux1);
+        put(p, 28, self.aux2);
+        put(p, 32, self.aux3);
+        put(p, 36, self.aux4);
+        put(p, 40, self.mode);
+        put(p, 41, self.nav_mode);
     }
 }
 

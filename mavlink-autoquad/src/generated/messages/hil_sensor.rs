@@ -2,6 +2,7 @@
 
 use super::super::enums::HilSensorUpdatedFlags;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// IMU, magnetometer and pressure readings from a simulator.
 ///
@@ -65,18 +66,15 @@ pub struct HilSensor {
 }
 
 impl wire::Message for HilSensor {
-    const ID: u32 = 107;
+    type Payload = [u8; 65];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 107,
-        name: "HIL_SENSOR",
-        crc_extra: 108,
-        len_v1: 64,
-        len_v2: 65,
-        target_system: None,
-        target_component: None,
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            107,
+            "HIL_SENSOR",
+            108,
+            65,
+        )
+        .len_v1(64);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_usec", wire::Kind::U64, 0).units("us"),
         wire::FieldInfo::new("xacc", wire::Kind::F32, 8).units("m/s/s"),
@@ -117,59 +115,45 @@ impl wire::Message for HilSensor {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<65>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<65>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 65]) -> Self {
         Self {
-            time_usec: wire::generated::get(p, 0),
-            xacc: wire::generated::get(p, 8),
-            yacc: wire::generated::get(p, 12),
-            zacc: wire::generated::get(p, 16),
-            xgyro: wire::generated::get(p, 20),
-            ygyro: wire::generated::get(p, 24),
-            zgyro: wire::generated::get(p, 28),
-            xmag: wire::generated::get(p, 32),
-            ymag: wire::generated::get(p, 36),
-            zmag: wire::generated::get(p, 40),
-            abs_pressure: wire::generated::get(p, 44),
-            diff_pressure: wire::generated::get(p, 48),
-            pressure_alt: wire::generated::get(p, 52),
-            temperature: wire::generated::get(p, 56),
-            fields_updated: wire::generated::get(p, 60),
-            id: wire::generated::get(p, 64),
+            time_usec: get(p, 0),
+            xacc: get(p, 8),
+            yacc: get(p, 12),
+            zacc: get(p, 16),
+            xgyro: get(p, 20),
+            ygyro: get(p, 24),
+            zgyro: get(p, 28),
+            xmag: get(p, 32),
+            ymag: get(p, 36),
+            zmag: get(p, 40),
+            abs_pressure: get(p, 44),
+            diff_pressure: get(p, 48),
+            pressure_alt: get(p, 52),
+            temperature: get(p, 56),
+            fields_updated: get(p, 60),
+            id: get(p, 64),
         }
-    }
-}
-
-impl wire::Encode for HilSensor {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.time_usec);
-        wire::generated::put(p, 8, self.xacc);
-        wire::generated::put(p, 12, self.yacc);
-        wire::generated::put(p, 16, self.zacc);
-        wire::generated::put(p, 20, self.xgyro);
-        wire::generated::put(p, 24, self.ygyro);
-        wire::generated::put(p, 28, self.zgyro);
-        wire::generated::put(p, 32, self.xmag);
-        wire::generated::put(p, 36, self.ymag);
-        wire::generated::put(p, 40, self.zmag);
-        wire::generated::put(p, 44, self.abs_pressure);
-        wire::generated::put(p, 48, self.diff_pressure);
-        wire::generated::put(p, 52, self.pressure_alt);
-        wire::generated::put(p, 56, self.temperature);
-        wire::generated::put(p, 60, self.fields_updated);
-        wire::generated::put(p, 64, self.id);
+    fn store(&self, p: &mut [u8; 65]) {
+        put(p, 0, self.time_usec);
+        put(p, 8, self.xacc);
+        put(p, 12, self.yacc);
+        put(p, 16, self.zacc);
+        put(p, 20, self.xgyro);
+        put(p, 24, self.ygyro);
+        put(p, 28, self.zgyro);
+        put(p, 32, self.xmag);
+        put(p, 36, self.ymag);
+        put(p, 40, self.zmag);
+        put(p, 44, self.abs_pressure);
+        put(p, 48, self.diff_pressure);
+        put(p, 52, self.pressure_alt);
+        put(p, 56, self.temperature);
+        put(p, 60, self.fields_updated);
+        put(p, 64, self.id);
     }
 }
 

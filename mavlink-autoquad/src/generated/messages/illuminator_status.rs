@@ -2,6 +2,7 @@
 
 use super::super::enums::{IlluminatorErrorFlags, IlluminatorMode};
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// State of a light on the vehicle.
 ///
@@ -49,17 +50,14 @@ pub struct IlluminatorStatus {
 }
 
 impl wire::Message for IlluminatorStatus {
-    const ID: u32 = 440;
+    type Payload = [u8; 35];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 440,
-        name: "ILLUMINATOR_STATUS",
-        crc_extra: 66,
-        len_v1: 35,
-        len_v2: 35,
-        target_system: None,
-        target_component: None,
-    };
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+        440,
+        "ILLUMINATOR_STATUS",
+        66,
+        35,
+    );
 
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("uptime_ms", wire::Kind::U32, 0).units("ms"),
@@ -93,49 +91,35 @@ impl wire::Message for IlluminatorStatus {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<35>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<35>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 35]) -> Self {
         Self {
-            uptime_ms: wire::generated::get(p, 0),
-            enable: wire::generated::get(p, 32),
-            mode_bitmask: wire::generated::get(p, 33),
-            error_status: wire::generated::get(p, 4),
-            mode: wire::generated::get(p, 34),
-            brightness: wire::generated::get(p, 8),
-            strobe_period: wire::generated::get(p, 12),
-            strobe_duty_cycle: wire::generated::get(p, 16),
-            temp_c: wire::generated::get(p, 20),
-            min_strobe_period: wire::generated::get(p, 24),
-            max_strobe_period: wire::generated::get(p, 28),
+            uptime_ms: get(p, 0),
+            enable: get(p, 32),
+            mode_bitmask: get(p, 33),
+            error_status: get(p, 4),
+            mode: get(p, 34),
+            brightness: get(p, 8),
+            strobe_period: get(p, 12),
+            strobe_duty_cycle: get(p, 16),
+            temp_c: get(p, 20),
+            min_strobe_period: get(p, 24),
+            max_strobe_period: get(p, 28),
         }
-    }
-}
-
-impl wire::Encode for IlluminatorStatus {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.uptime_ms);
-        wire::generated::put(p, 4, self.error_status);
-        wire::generated::put(p, 8, self.brightness);
-        wire::generated::put(p, 12, self.strobe_period);
-        wire::generated::put(p, 16, self.strobe_duty_cycle);
-        wire::generated::put(p, 20, self.temp_c);
-        wire::generated::put(p, 24, self.min_strobe_period);
-        wire::generated::put(p, 28, self.max_strobe_period);
-        wire::generated::put(p, 32, self.enable);
-        wire::generated::put(p, 33, self.mode_bitmask);
-        wire::generated::put(p, 34, self.mode);
+    fn store(&self, p: &mut [u8; 35]) {
+        put(p, 0, self.uptime_ms);
+        put(p, 4, self.error_status);
+        put(p, 8, self.brightness);
+        put(p, 12, self.strobe_period);
+        put(p, 16, self.strobe_duty_cycle);
+        put(p, 20, self.temp_c);
+        put(p, 24, self.min_strobe_period);
+        put(p, 28, self.max_strobe_period);
+        put(p, 32, self.enable);
+        put(p, 33, self.mode_bitmask);
+        put(p, 34, self.mode);
     }
 }
 

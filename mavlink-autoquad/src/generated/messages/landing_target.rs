@@ -2,6 +2,7 @@
 
 use super::super::enums::{LandingTargetType, MavBool, MavFrame};
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Where a landing target is, seen from the vehicle.
 ///
@@ -59,18 +60,15 @@ pub struct LandingTarget {
 }
 
 impl wire::Message for LandingTarget {
-    const ID: u32 = 149;
+    type Payload = [u8; 60];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 149,
-        name: "LANDING_TARGET",
-        crc_extra: 200,
-        len_v1: 30,
-        len_v2: 60,
-        target_system: None,
-        target_component: None,
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            149,
+            "LANDING_TARGET",
+            200,
+            60,
+        )
+        .len_v1(30);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_usec", wire::Kind::U64, 0).units("us"),
         wire::FieldInfo::new("target_num", wire::Kind::U8, 28),
@@ -111,55 +109,41 @@ impl wire::Message for LandingTarget {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<60>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<60>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 60]) -> Self {
         Self {
-            time_usec: wire::generated::get(p, 0),
-            target_num: wire::generated::get(p, 28),
-            frame: wire::generated::get(p, 29),
-            angle_x: wire::generated::get(p, 8),
-            angle_y: wire::generated::get(p, 12),
-            distance: wire::generated::get(p, 16),
-            size_x: wire::generated::get(p, 20),
-            size_y: wire::generated::get(p, 24),
-            x: wire::generated::get(p, 30),
-            y: wire::generated::get(p, 34),
-            z: wire::generated::get(p, 38),
-            q: wire::generated::get(p, 42),
-            r#type: wire::generated::get(p, 58),
-            position_valid: wire::generated::get(p, 59),
+            time_usec: get(p, 0),
+            target_num: get(p, 28),
+            frame: get(p, 29),
+            angle_x: get(p, 8),
+            angle_y: get(p, 12),
+            distance: get(p, 16),
+            size_x: get(p, 20),
+            size_y: get(p, 24),
+            x: get(p, 30),
+            y: get(p, 34),
+            z: get(p, 38),
+            q: get(p, 42),
+            r#type: get(p, 58),
+            position_valid: get(p, 59),
         }
-    }
-}
-
-impl wire::Encode for LandingTarget {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.time_usec);
-        wire::generated::put(p, 8, self.angle_x);
-        wire::generated::put(p, 12, self.angle_y);
-        wire::generated::put(p, 16, self.distance);
-        wire::generated::put(p, 20, self.size_x);
-        wire::generated::put(p, 24, self.size_y);
-        wire::generated::put(p, 28, self.target_num);
-        wire::generated::put(p, 29, self.frame);
-        wire::generated::put(p, 30, self.x);
-        wire::generated::put(p, 34, self.y);
-        wire::generated::put(p, 38, self.z);
-        wire::generated::put(p, 42, self.q);
-        wire::generated::put(p, 58, self.r#type);
-        wire::generated::put(p, 59, self.position_valid);
+    fn store(&self, p: &mut [u8; 60]) {
+        put(p, 0, self.time_usec);
+        put(p, 8, self.angle_x);
+        put(p, 12, self.angle_y);
+        put(p, 16, self.distance);
+        put(p, 20, self.size_x);
+        put(p, 24, self.size_y);
+        put(p, 28, self.target_num);
+        put(p, 29, self.frame);
+        put(p, 30, self.x);
+        put(p, 34, self.y);
+        put(p, 38, self.z);
+        put(p, 42, self.q);
+        put(p, 58, self.r#type);
+        put(p, 59, self.position_valid);
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::super::enums::MavEstimatorType;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Local position, velocity and acceleration together with their covariance.
 ///
@@ -69,17 +70,14 @@ impl LocalPositionNedCov {
 }
 
 impl wire::Message for LocalPositionNedCov {
-    const ID: u32 = 64;
+    type Payload = [u8; 225];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 64,
-        name: "LOCAL_POSITION_NED_COV",
-        crc_extra: 191,
-        len_v1: 225,
-        len_v2: 225,
-        target_system: None,
-        target_component: None,
-    };
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+        64,
+        "LOCAL_POSITION_NED_COV",
+        191,
+        225,
+    );
 
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_usec", wire::Kind::U64, 0).units("us"),
@@ -114,51 +112,37 @@ impl wire::Message for LocalPositionNedCov {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<225>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<225>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 225]) -> Self {
         Self {
-            time_usec: wire::generated::get(p, 0),
-            estimator_type: wire::generated::get(p, 224),
-            x: wire::generated::get(p, 8),
-            y: wire::generated::get(p, 12),
-            z: wire::generated::get(p, 16),
-            vx: wire::generated::get(p, 20),
-            vy: wire::generated::get(p, 24),
-            vz: wire::generated::get(p, 28),
-            ax: wire::generated::get(p, 32),
-            ay: wire::generated::get(p, 36),
-            az: wire::generated::get(p, 40),
-            covariance: wire::generated::get(p, 44),
+            time_usec: get(p, 0),
+            estimator_type: get(p, 224),
+            x: get(p, 8),
+            y: get(p, 12),
+            z: get(p, 16),
+            vx: get(p, 20),
+            vy: get(p, 24),
+            vz: get(p, 28),
+            ax: get(p, 32),
+            ay: get(p, 36),
+            az: get(p, 40),
+            covariance: get(p, 44),
         }
-    }
-}
-
-impl wire::Encode for LocalPositionNedCov {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.time_usec);
-        wire::generated::put(p, 8, self.x);
-        wire::generated::put(p, 12, self.y);
-        wire::generated::put(p, 16, self.z);
-        wire::generated::put(p, 20, self.vx);
-        wire::generated::put(p, 24, self.vy);
-        wire::generated::put(p, 28, self.vz);
-        wire::generated::put(p, 32, self.ax);
-        wire::generated::put(p, 36, self.ay);
-        wire::generated::put(p, 40, self.az);
-        wire::generated::put(p, 44, self.covariance);
-        wire::generated::put(p, 224, self.estimator_type);
+    fn store(&self, p: &mut [u8; 225]) {
+        put(p, 0, self.time_usec);
+        put(p, 8, self.x);
+        put(p, 12, self.y);
+        put(p, 16, self.z);
+        put(p, 20, self.vx);
+        put(p, 24, self.vy);
+        put(p, 28, self.vz);
+        put(p, 32, self.ax);
+        put(p, 36, self.ay);
+        put(p, 40, self.az);
+        put(p, 44, self.covariance);
+        put(p, 224, self.estimator_type);
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::super::enums::{MagCalStatus, MavSensorOrientation};
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Result of calibrating one compass.
 ///
@@ -70,18 +71,15 @@ pub struct MagCalReport {
 }
 
 impl wire::Message for MagCalReport {
-    const ID: u32 = 192;
+    type Payload = [u8; 54];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 192,
-        name: "MAG_CAL_REPORT",
-        crc_extra: 36,
-        len_v1: 44,
-        len_v2: 54,
-        target_system: None,
-        target_component: None,
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            192,
+            "MAG_CAL_REPORT",
+            36,
+            54,
+        )
+        .len_v1(44);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("compass_id", wire::Kind::U8, 40),
         wire::FieldInfo::new("cal_mask", wire::Kind::U8, 41),
@@ -130,63 +128,49 @@ impl wire::Message for MagCalReport {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<54>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<54>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 54]) -> Self {
         Self {
-            compass_id: wire::generated::get(p, 40),
-            cal_mask: wire::generated::get(p, 41),
-            cal_status: wire::generated::get(p, 42),
-            autosaved: wire::generated::get(p, 43),
-            fitness: wire::generated::get(p, 0),
-            ofs_x: wire::generated::get(p, 4),
-            ofs_y: wire::generated::get(p, 8),
-            ofs_z: wire::generated::get(p, 12),
-            diag_x: wire::generated::get(p, 16),
-            diag_y: wire::generated::get(p, 20),
-            diag_z: wire::generated::get(p, 24),
-            offdiag_x: wire::generated::get(p, 28),
-            offdiag_y: wire::generated::get(p, 32),
-            offdiag_z: wire::generated::get(p, 36),
-            orientation_confidence: wire::generated::get(p, 44),
-            old_orientation: wire::generated::get(p, 48),
-            new_orientation: wire::generated::get(p, 49),
-            scale_factor: wire::generated::get(p, 50),
+            compass_id: get(p, 40),
+            cal_mask: get(p, 41),
+            cal_status: get(p, 42),
+            autosaved: get(p, 43),
+            fitness: get(p, 0),
+            ofs_x: get(p, 4),
+            ofs_y: get(p, 8),
+            ofs_z: get(p, 12),
+            diag_x: get(p, 16),
+            diag_y: get(p, 20),
+            diag_z: get(p, 24),
+            offdiag_x: get(p, 28),
+            offdiag_y: get(p, 32),
+            offdiag_z: get(p, 36),
+            orientation_confidence: get(p, 44),
+            old_orientation: get(p, 48),
+            new_orientation: get(p, 49),
+            scale_factor: get(p, 50),
         }
-    }
-}
-
-impl wire::Encode for MagCalReport {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.fitness);
-        wire::generated::put(p, 4, self.ofs_x);
-        wire::generated::put(p, 8, self.ofs_y);
-        wire::generated::put(p, 12, self.ofs_z);
-        wire::generated::put(p, 16, self.diag_x);
-        wire::generated::put(p, 20, self.diag_y);
-        wire::generated::put(p, 24, self.diag_z);
-        wire::generated::put(p, 28, self.offdiag_x);
-        wire::generated::put(p, 32, self.offdiag_y);
-        wire::generated::put(p, 36, self.offdiag_z);
-        wire::generated::put(p, 40, self.compass_id);
-        wire::generated::put(p, 41, self.cal_mask);
-        wire::generated::put(p, 42, self.cal_status);
-        wire::generated::put(p, 43, self.autosaved);
-        wire::generated::put(p, 44, self.orientation_confidence);
-        wire::generated::put(p, 48, self.old_orientation);
-        wire::generated::put(p, 49, self.new_orientation);
-        wire::generated::put(p, 50, self.scale_factor);
+    fn store(&self, p: &mut [u8; 54]) {
+        put(p, 0, self.fitness);
+        put(p, 4, self.ofs_x);
+        put(p, 8, self.ofs_y);
+        put(p, 12, self.ofs_z);
+        put(p, 16, self.diag_x);
+        put(p, 20, self.diag_y);
+        put(p, 24, self.diag_z);
+        put(p, 28, self.offdiag_x);
+        put(p, 32, self.offdiag_y);
+        put(p, 36, self.offdiag_z);
+        put(p, 40, self.compass_id);
+        put(p, 41, self.cal_mask);
+        put(p, 42, self.cal_status);
+        put(p, 43, self.autosaved);
+        put(p, 44, self.orientation_confidence);
+        put(p, 48, self.old_orientation);
+        put(p, 49, self.new_orientation);
+        put(p, 50, self.scale_factor);
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::super::enums::{MavMissionResult, MavMissionType};
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Closes a plan transfer, with success or with the reason why it failed.
 ///
@@ -45,18 +46,17 @@ impl MissionAck {
 }
 
 impl wire::Message for MissionAck {
-    const ID: u32 = 47;
+    type Payload = [u8; 8];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 47,
-        name: "MISSION_ACK",
-        crc_extra: 153,
-        len_v1: 3,
-        len_v2: 8,
-        target_system: Some(0),
-        target_component: Some(1),
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            47,
+            "MISSION_ACK",
+            153,
+            8,
+        )
+        .len_v1(3)
+        .target_system(0)
+        .target_component(1);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 0),
         wire::FieldInfo::new("target_component", wire::Kind::U8, 1),
@@ -79,22 +79,23 @@ impl wire::Message for MissionAck {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<8>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<8>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 8]) -> Self {
         Self {
-            target_system: wire::generated::get(p, 0),
-            target_component: wire::generated::get(p, 1),
-            r#type: wire::generated::get(p, 2),
-            mission_type: wire::generated::get(p, 3),
-            opaque_id: wire::generated::get(p, 4),
+            target_system: get(p, 0),
+            target_component: get(p, 1),
+            r#type: get(p, 2),
+            mission_type: get(p, 3),
+            opaque_id: get(p, 4),
         }
+    }
+
+    #[inline]
+    fn store(&self, p: &mut [u8; 8]) {
+        put(p, 0, self.target_system);
+        put(p, 1, self.target_component);
+        put(p, 2, self.r#type);
+        put(p, 3, self.mission_type);
+        put(p, 4, self.opaque_id);
     }
 
     #[inline]
@@ -103,27 +104,6 @@ impl wire::Message for MissionAck {
     }
 }
 
-impl wire::Encode for MissionAck {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
-    }
-
-    #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.target_system);
-        wire::generated::put(p, 1, self.target_component);
-        wire::generated::put(p, 2, self.r#type);
-        wire::generated::put(p, 3, self.mission_type);
-        wire::generated::put(p, 4, self.opaque_id);
-    }
-}
-
-impl wire::Targeted for MissionAck {
-    fn to(mut self, system: impl Into<u8>, component: impl Into<u8>) -> Self {
-        self.target_system = system.into();
-        self.target_component = component.into();
-        self
-    }
-}
+impl wire::Targeted for MissionAck {}
 
 wire::message!(MissionAck);

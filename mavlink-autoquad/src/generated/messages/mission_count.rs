@@ -2,6 +2,7 @@
 
 use super::super::enums::MavMissionType;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Number of items of a plan: starts an upload, or answers `MISSION_REQUEST_LIST`.
 ///
@@ -46,18 +47,17 @@ impl MissionCount {
 }
 
 impl wire::Message for MissionCount {
-    const ID: u32 = 44;
+    type Payload = [u8; 9];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 44,
-        name: "MISSION_COUNT",
-        crc_extra: 221,
-        len_v1: 4,
-        len_v2: 9,
-        target_system: Some(2),
-        target_component: Some(3),
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            44,
+            "MISSION_COUNT",
+            221,
+            9,
+        )
+        .len_v1(4)
+        .target_system(2)
+        .target_component(3);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 2),
         wire::FieldInfo::new("target_component", wire::Kind::U8, 3),
@@ -79,22 +79,23 @@ impl wire::Message for MissionCount {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<9>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<9>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 9]) -> Self {
         Self {
-            target_system: wire::generated::get(p, 2),
-            target_component: wire::generated::get(p, 3),
-            count: wire::generated::get(p, 0),
-            mission_type: wire::generated::get(p, 4),
-            opaque_id: wire::generated::get(p, 5),
+            target_system: get(p, 2),
+            target_component: get(p, 3),
+            count: get(p, 0),
+            mission_type: get(p, 4),
+            opaque_id: get(p, 5),
         }
+    }
+
+    #[inline]
+    fn store(&self, p: &mut [u8; 9]) {
+        put(p, 0, self.count);
+        put(p, 2, self.target_system);
+        put(p, 3, self.target_component);
+        put(p, 4, self.mission_type);
+        put(p, 5, self.opaque_id);
     }
 
     #[inline]
@@ -103,27 +104,6 @@ impl wire::Message for MissionCount {
     }
 }
 
-impl wire::Encode for MissionCount {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
-    }
-
-    #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.count);
-        wire::generated::put(p, 2, self.target_system);
-        wire::generated::put(p, 3, self.target_component);
-        wire::generated::put(p, 4, self.mission_type);
-        wire::generated::put(p, 5, self.opaque_id);
-    }
-}
-
-impl wire::Targeted for MissionCount {
-    fn to(mut self, system: impl Into<u8>, component: impl Into<u8>) -> Self {
-        self.target_system = system.into();
-        self.target_component = component.into();
-        self
-    }
-}
+impl wire::Targeted for MissionCount {}
 
 wire::message!(MissionCount);

@@ -2,6 +2,7 @@
 
 use super::super::enums::MissionState;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Tells which mission item is active and how the mission as a whole is doing.
 ///
@@ -120,18 +121,15 @@ impl MissionCurrent {
 }
 
 impl wire::Message for MissionCurrent {
-    const ID: u32 = 42;
+    type Payload = [u8; 18];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 42,
-        name: "MISSION_CURRENT",
-        crc_extra: 28,
-        len_v1: 2,
-        len_v2: 18,
-        target_system: None,
-        target_component: None,
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            42,
+            "MISSION_CURRENT",
+            28,
+            18,
+        )
+        .len_v1(2);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("seq", wire::Kind::U16, 0),
         wire::FieldInfo::new("total", wire::Kind::U16, 2)
@@ -166,41 +164,27 @@ impl wire::Message for MissionCurrent {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<18>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<18>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 18]) -> Self {
         Self {
-            seq: wire::generated::get(p, 0),
-            total: wire::generated::get(p, 2),
-            mission_state: wire::generated::get(p, 4),
-            mission_mode: wire::generated::get(p, 5),
-            mission_id: wire::generated::get(p, 6),
-            fence_id: wire::generated::get(p, 10),
-            rally_points_id: wire::generated::get(p, 14),
+            seq: get(p, 0),
+            total: get(p, 2),
+            mission_state: get(p, 4),
+            mission_mode: get(p, 5),
+            mission_id: get(p, 6),
+            fence_id: get(p, 10),
+            rally_points_id: get(p, 14),
         }
-    }
-}
-
-impl wire::Encode for MissionCurrent {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.seq);
-        wire::generated::put(p, 2, self.total);
-        wire::generated::put(p, 4, self.mission_state);
-        wire::generated::put(p, 5, self.mission_mode);
-        wire::generated::put(p, 6, self.mission_id);
-        wire::generated::put(p, 10, self.fence_id);
-        wire::generated::put(p, 14, self.rally_points_id);
+    fn store(&self, p: &mut [u8; 18]) {
+        put(p, 0, self.seq);
+        put(p, 2, self.total);
+        put(p, 4, self.mission_state);
+        put(p, 5, self.mission_mode);
+        put(p, 6, self.mission_id);
+        put(p, 10, self.fence_id);
+        put(p, 14, self.rally_points_id);
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::super::enums::{MavCmd, MavFrame, MavMissionType};
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// One item of a mission, fence or rally plan, with coordinates as scaled integers.
 ///
@@ -62,18 +63,17 @@ pub struct MissionItemInt {
 }
 
 impl wire::Message for MissionItemInt {
-    const ID: u32 = 73;
+    type Payload = [u8; 38];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 73,
-        name: "MISSION_ITEM_INT",
-        crc_extra: 38,
-        len_v1: 37,
-        len_v2: 38,
-        target_system: Some(32),
-        target_component: Some(33),
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            73,
+            "MISSION_ITEM_INT",
+            38,
+            38,
+        )
+        .len_v1(37)
+        .target_system(32)
+        .target_component(33);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 32),
         wire::FieldInfo::new("target_component", wire::Kind::U8, 33),
@@ -115,32 +115,43 @@ impl wire::Message for MissionItemInt {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<38>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<38>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 38]) -> Self {
         Self {
-            target_system: wire::generated::get(p, 32),
-            target_component: wire::generated::get(p, 33),
-            seq: wire::generated::get(p, 28),
-            frame: wire::generated::get(p, 34),
-            command: wire::generated::get(p, 30),
-            current: wire::generated::get(p, 35),
-            autocontinue: wire::generated::get(p, 36),
-            param1: wire::generated::get(p, 0),
-            param2: wire::generated::get(p, 4),
-            param3: wire::generated::get(p, 8),
-            param4: wire::generated::get(p, 12),
-            x: wire::generated::get(p, 16),
-            y: wire::generated::get(p, 20),
-            z: wire::generated::get(p, 24),
-            mission_type: wire::generated::get(p, 37),
+            target_system: get(p, 32),
+            target_component: get(p, 33),
+            seq: get(p, 28),
+            frame: get(p, 34),
+            command: get(p, 30),
+            current: get(p, 35),
+            autocontinue: get(p, 36),
+            param1: get(p, 0),
+            param2: get(p, 4),
+            param3: get(p, 8),
+            param4: get(p, 12),
+            x: get(p, 16),
+            y: get(p, 20),
+            z: get(p, 24),
+            mission_type: get(p, 37),
         }
+    }
+
+    #[inline]
+    fn store(&self, p: &mut [u8; 38]) {
+        put(p, 0, self.param1);
+        put(p, 4, self.param2);
+        put(p, 8, self.param3);
+        put(p, 12, self.param4);
+        put(p, 16, self.x);
+        put(p, 20, self.y);
+        put(p, 24, self.z);
+        put(p, 28, self.seq);
+        put(p, 30, self.command);
+        put(p, 32, self.target_system);
+        put(p, 33, self.target_component);
+        put(p, 34, self.frame);
+        put(p, 35, self.current);
+        put(p, 36, self.autocontinue);
+        put(p, 37, self.mission_type);
     }
 
     #[inline]
@@ -149,37 +160,6 @@ impl wire::Message for MissionItemInt {
     }
 }
 
-impl wire::Encode for MissionItemInt {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
-    }
-
-    #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.param1);
-        wire::generated::put(p, 4, self.param2);
-        wire::generated::put(p, 8, self.param3);
-        wire::generated::put(p, 12, self.param4);
-        wire::generated::put(p, 16, self.x);
-        wire::generated::put(p, 20, self.y);
-        wire::generated::put(p, 24, self.z);
-        wire::generated::put(p, 28, self.seq);
-        wire::generated::put(p, 30, self.command);
-        wire::generated::put(p, 32, self.target_system);
-        wire::generated::put(p, 33, self.target_component);
-        wire::generated::put(p, 34, self.frame);
-        wire::generated::put(p, 35, self.current);
-        wire::generated::put(p, 36, self.autocontinue);
-        wire::generated::put(p, 37, self.mission_type);
-    }
-}
-
-impl wire::Targeted for MissionItemInt {
-    fn to(mut self, system: impl Into<u8>, component: impl Into<u8>) -> Self {
-        self.target_system = system.into();
-        self.target_component = component.into();
-        self
-    }
-}
+impl wire::Targeted for MissionItemInt {}
 
 wire::message!(MissionItemInt);

@@ -2,6 +2,7 @@
 
 use super::super::enums::MavMissionType;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Asks for one item of a plan during a transfer; the answer is `MISSION_ITEM_INT`.
 ///
@@ -28,18 +29,17 @@ pub struct MissionRequestInt {
 }
 
 impl wire::Message for MissionRequestInt {
-    const ID: u32 = 51;
+    type Payload = [u8; 5];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 51,
-        name: "MISSION_REQUEST_INT",
-        crc_extra: 196,
-        len_v1: 4,
-        len_v2: 5,
-        target_system: Some(2),
-        target_component: Some(3),
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            51,
+            "MISSION_REQUEST_INT",
+            196,
+            5,
+        )
+        .len_v1(4)
+        .target_system(2)
+        .target_component(3);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 2),
         wire::FieldInfo::new("target_component", wire::Kind::U8, 3),
@@ -57,21 +57,21 @@ impl wire::Message for MissionRequestInt {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<5>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<5>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 5]) -> Self {
         Self {
-            target_system: wire::generated::get(p, 2),
-            target_component: wire::generated::get(p, 3),
-            seq: wire::generated::get(p, 0),
-            mission_type: wire::generated::get(p, 4),
+            target_system: get(p, 2),
+            target_component: get(p, 3),
+            seq: get(p, 0),
+            mission_type: get(p, 4),
         }
+    }
+
+    #[inline]
+    fn store(&self, p: &mut [u8; 5]) {
+        put(p, 0, self.seq);
+        put(p, 2, self.target_system);
+        put(p, 3, self.target_component);
+        put(p, 4, self.mission_type);
     }
 
     #[inline]
@@ -80,26 +80,6 @@ impl wire::Message for MissionRequestInt {
     }
 }
 
-impl wire::Encode for MissionRequestInt {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
-    }
-
-    #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.seq);
-        wire::generated::put(p, 2, self.target_system);
-        wire::generated::put(p, 3, self.target_component);
-        wire::generated::put(p, 4, self.mission_type);
-    }
-}
-
-impl wire::Targeted for MissionRequestInt {
-    fn to(mut self, system: impl Into<u8>, component: impl Into<u8>) -> Self {
-        self.target_system = system.into();
-        self.target_component = component.into();
-        self
-    }
-}
+impl wire::Targeted for MissionRequestInt {}
 
 wire::message!(MissionRequestInt);

@@ -2,6 +2,7 @@
 
 use super::super::enums::MavMissionType;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Starts a mission download: the vehicle answers with `MISSION_COUNT`.
 ///
@@ -25,18 +26,17 @@ pub struct MissionRequestList {
 }
 
 impl wire::Message for MissionRequestList {
-    const ID: u32 = 43;
+    type Payload = [u8; 3];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 43,
-        name: "MISSION_REQUEST_LIST",
-        crc_extra: 132,
-        len_v1: 2,
-        len_v2: 3,
-        target_system: Some(0),
-        target_component: Some(1),
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            43,
+            "MISSION_REQUEST_LIST",
+            132,
+            3,
+        )
+        .len_v1(2)
+        .target_system(0)
+        .target_component(1);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 0),
         wire::FieldInfo::new("target_component", wire::Kind::U8, 1),
@@ -52,20 +52,19 @@ impl wire::Message for MissionRequestList {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<3>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<3>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 3]) -> Self {
         Self {
-            target_system: wire::generated::get(p, 0),
-            target_component: wire::generated::get(p, 1),
-            mission_type: wire::generated::get(p, 2),
+            target_system: get(p, 0),
+            target_component: get(p, 1),
+            mission_type: get(p, 2),
         }
+    }
+
+    #[inline]
+    fn store(&self, p: &mut [u8; 3]) {
+        put(p, 0, self.target_system);
+        put(p, 1, self.target_component);
+        put(p, 2, self.mission_type);
     }
 
     #[inline]
@@ -74,25 +73,6 @@ impl wire::Message for MissionRequestList {
     }
 }
 
-impl wire::Encode for MissionRequestList {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
-    }
-
-    #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.target_system);
-        wire::generated::put(p, 1, self.target_component);
-        wire::generated::put(p, 2, self.mission_type);
-    }
-}
-
-impl wire::Targeted for MissionRequestList {
-    fn to(mut self, system: impl Into<u8>, component: impl Into<u8>) -> Self {
-        self.target_system = system.into();
-        self.target_component = component.into();
-        self
-    }
-}
+impl wire::Targeted for MissionRequestList {}
 
 wire::message!(MissionRequestList);

@@ -2,6 +2,7 @@
 
 use super::super::enums::MavMissionType;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Asks for a range of mission items.
 ///
@@ -31,18 +32,17 @@ pub struct MissionRequestPartialList {
 }
 
 impl wire::Message for MissionRequestPartialList {
-    const ID: u32 = 37;
+    type Payload = [u8; 7];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 37,
-        name: "MISSION_REQUEST_PARTIAL_LIST",
-        crc_extra: 212,
-        len_v1: 6,
-        len_v2: 7,
-        target_system: Some(4),
-        target_component: Some(5),
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            37,
+            "MISSION_REQUEST_PARTIAL_LIST",
+            212,
+            7,
+        )
+        .len_v1(6)
+        .target_system(4)
+        .target_component(5);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 4),
         wire::FieldInfo::new("target_component", wire::Kind::U8, 5),
@@ -62,22 +62,23 @@ impl wire::Message for MissionRequestPartialList {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<7>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<7>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 7]) -> Self {
         Self {
-            target_system: wire::generated::get(p, 4),
-            target_component: wire::generated::get(p, 5),
-            start_index: wire::generated::get(p, 0),
-            end_index: wire::generated::get(p, 2),
-            mission_type: wire::generated::get(p, 6),
+            target_system: get(p, 4),
+            target_component: get(p, 5),
+            start_index: get(p, 0),
+            end_index: get(p, 2),
+            mission_type: get(p, 6),
         }
+    }
+
+    #[inline]
+    fn store(&self, p: &mut [u8; 7]) {
+        put(p, 0, self.start_index);
+        put(p, 2, self.end_index);
+        put(p, 4, self.target_system);
+        put(p, 5, self.target_component);
+        put(p, 6, self.mission_type);
     }
 
     #[inline]
@@ -86,27 +87,6 @@ impl wire::Message for MissionRequestPartialList {
     }
 }
 
-impl wire::Encode for MissionRequestPartialList {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
-    }
-
-    #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.start_index);
-        wire::generated::put(p, 2, self.end_index);
-        wire::generated::put(p, 4, self.target_system);
-        wire::generated::put(p, 5, self.target_component);
-        wire::generated::put(p, 6, self.mission_type);
-    }
-}
-
-impl wire::Targeted for MissionRequestPartialList {
-    fn to(mut self, system: impl Into<u8>, component: impl Into<u8>) -> Self {
-        self.target_system = system.into();
-        self.target_component = component.into();
-        self
-    }
-}
+impl wire::Targeted for MissionRequestPartialList {}
 
 wire::message!(MissionRequestPartialList);

@@ -2,6 +2,7 @@
 
 use super::super::enums::{MavDistanceSensor, MavFrame};
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Distances to obstacles around the sensor, in equal steps of angle.
 ///
@@ -68,18 +69,15 @@ impl ObstacleDistance {
 }
 
 impl wire::Message for ObstacleDistance {
-    const ID: u32 = 330;
+    type Payload = [u8; 167];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 330,
-        name: "OBSTACLE_DISTANCE",
-        crc_extra: 23,
-        len_v1: 158,
-        len_v2: 167,
-        target_system: None,
-        target_component: None,
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            330,
+            "OBSTACLE_DISTANCE",
+            23,
+            167,
+        )
+        .len_v1(158);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_usec", wire::Kind::U64, 0).units("us"),
         wire::FieldInfo::new("sensor_type", wire::Kind::U8, 156)
@@ -114,45 +112,31 @@ impl wire::Message for ObstacleDistance {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<167>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<167>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 167]) -> Self {
         Self {
-            time_usec: wire::generated::get(p, 0),
-            sensor_type: wire::generated::get(p, 156),
-            distances: wire::generated::get(p, 8),
-            increment: wire::generated::get(p, 157),
-            min_distance: wire::generated::get(p, 152),
-            max_distance: wire::generated::get(p, 154),
-            increment_f: wire::generated::get(p, 158),
-            angle_offset: wire::generated::get(p, 162),
-            frame: wire::generated::get(p, 166),
+            time_usec: get(p, 0),
+            sensor_type: get(p, 156),
+            distances: get(p, 8),
+            increment: get(p, 157),
+            min_distance: get(p, 152),
+            max_distance: get(p, 154),
+            increment_f: get(p, 158),
+            angle_offset: get(p, 162),
+            frame: get(p, 166),
         }
-    }
-}
-
-impl wire::Encode for ObstacleDistance {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.time_usec);
-        wire::generated::put(p, 8, self.distances);
-        wire::generated::put(p, 152, self.min_distance);
-        wire::generated::put(p, 154, self.max_distance);
-        wire::generated::put(p, 156, self.sensor_type);
-        wire::generated::put(p, 157, self.increment);
-        wire::generated::put(p, 158, self.increment_f);
-        wire::generated::put(p, 162, self.angle_offset);
-        wire::generated::put(p, 166, self.frame);
+    fn store(&self, p: &mut [u8; 167]) {
+        put(p, 0, self.time_usec);
+        put(p, 8, self.distances);
+        put(p, 152, self.min_distance);
+        put(p, 154, self.max_distance);
+        put(p, 156, self.sensor_type);
+        put(p, 157, self.increment);
+        put(p, 158, self.increment_f);
+        put(p, 162, self.angle_offset);
+        put(p, 166, self.frame);
     }
 }
 

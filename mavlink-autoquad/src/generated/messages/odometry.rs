@@ -2,6 +2,7 @@
 
 use super::super::enums::{MavEstimatorType, MavFrame};
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Pose, velocity and covariance from an external estimator such as visual odometry.
 ///
@@ -117,18 +118,15 @@ impl Odometry {
 }
 
 impl wire::Message for Odometry {
-    const ID: u32 = 331;
+    type Payload = [u8; 233];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 331,
-        name: "ODOMETRY",
-        crc_extra: 91,
-        len_v1: 230,
-        len_v2: 233,
-        target_system: None,
-        target_component: None,
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            331,
+            "ODOMETRY",
+            91,
+            233,
+        )
+        .len_v1(230);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_usec", wire::Kind::U64, 0).units("us"),
         wire::FieldInfo::new("frame_id", wire::Kind::U8, 228)
@@ -181,63 +179,49 @@ impl wire::Message for Odometry {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<233>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<233>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 233]) -> Self {
         Self {
-            time_usec: wire::generated::get(p, 0),
-            frame_id: wire::generated::get(p, 228),
-            child_frame_id: wire::generated::get(p, 229),
-            x: wire::generated::get(p, 8),
-            y: wire::generated::get(p, 12),
-            z: wire::generated::get(p, 16),
-            q: wire::generated::get(p, 20),
-            vx: wire::generated::get(p, 36),
-            vy: wire::generated::get(p, 40),
-            vz: wire::generated::get(p, 44),
-            rollspeed: wire::generated::get(p, 48),
-            pitchspeed: wire::generated::get(p, 52),
-            yawspeed: wire::generated::get(p, 56),
-            pose_covariance: wire::generated::get(p, 60),
-            velocity_covariance: wire::generated::get(p, 144),
-            reset_counter: wire::generated::get(p, 230),
-            estimator_type: wire::generated::get(p, 231),
-            quality: wire::generated::get(p, 232),
+            time_usec: get(p, 0),
+            frame_id: get(p, 228),
+            child_frame_id: get(p, 229),
+            x: get(p, 8),
+            y: get(p, 12),
+            z: get(p, 16),
+            q: get(p, 20),
+            vx: get(p, 36),
+            vy: get(p, 40),
+            vz: get(p, 44),
+            rollspeed: get(p, 48),
+            pitchspeed: get(p, 52),
+            yawspeed: get(p, 56),
+            pose_covariance: get(p, 60),
+            velocity_covariance: get(p, 144),
+            reset_counter: get(p, 230),
+            estimator_type: get(p, 231),
+            quality: get(p, 232),
         }
-    }
-}
-
-impl wire::Encode for Odometry {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.time_usec);
-        wire::generated::put(p, 8, self.x);
-        wire::generated::put(p, 12, self.y);
-        wire::generated::put(p, 16, self.z);
-        wire::generated::put(p, 20, self.q);
-        wire::generated::put(p, 36, self.vx);
-        wire::generated::put(p, 40, self.vy);
-        wire::generated::put(p, 44, self.vz);
-        wire::generated::put(p, 48, self.rollspeed);
-        wire::generated::put(p, 52, self.pitchspeed);
-        wire::generated::put(p, 56, self.yawspeed);
-        wire::generated::put(p, 60, self.pose_covariance);
-        wire::generated::put(p, 144, self.velocity_covariance);
-        wire::generated::put(p, 228, self.frame_id);
-        wire::generated::put(p, 229, self.child_frame_id);
-        wire::generated::put(p, 230, self.reset_counter);
-        wire::generated::put(p, 231, self.estimator_type);
-        wire::generated::put(p, 232, self.quality);
+    fn store(&self, p: &mut [u8; 233]) {
+        put(p, 0, self.time_usec);
+        put(p, 8, self.x);
+        put(p, 12, self.y);
+        put(p, 16, self.z);
+        put(p, 20, self.q);
+        put(p, 36, self.vx);
+        put(p, 40, self.vy);
+        put(p, 44, self.vz);
+        put(p, 48, self.rollspeed);
+        put(p, 52, self.pitchspeed);
+        put(p, 56, self.yawspeed);
+        put(p, 60, self.pose_covariance);
+        put(p, 144, self.velocity_covariance);
+        put(p, 228, self.frame_id);
+        put(p, 229, self.child_frame_id);
+        put(p, 230, self.reset_counter);
+        put(p, 231, self.estimator_type);
+        put(p, 232, self.quality);
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::super::enums::ComputerStatusFlags;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Load, memory, storage, temperature and links of a companion computer.
 ///
@@ -356,18 +357,15 @@ impl OnboardComputerStatus {
 }
 
 impl wire::Message for OnboardComputerStatus {
-    const ID: u32 = 390;
+    type Payload = [u8; 240];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 390,
-        name: "ONBOARD_COMPUTER_STATUS",
-        crc_extra: 156,
-        len_v1: 238,
-        len_v2: 240,
-        target_system: None,
-        target_component: None,
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            390,
+            "ONBOARD_COMPUTER_STATUS",
+            156,
+            240,
+        )
+        .len_v1(238);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_usec", wire::Kind::U64, 0).units("us"),
         wire::FieldInfo::new("uptime", wire::Kind::U32, 8).units("ms"),
@@ -446,69 +444,55 @@ impl wire::Message for OnboardComputerStatus {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<240>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<240>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 240]) -> Self {
         Self {
-            time_usec: wire::generated::get(p, 0),
-            uptime: wire::generated::get(p, 8),
-            r#type: wire::generated::get(p, 196),
-            cpu_cores: wire::generated::get(p, 197),
-            cpu_combined: wire::generated::get(p, 205),
-            gpu_cores: wire::generated::get(p, 215),
-            gpu_combined: wire::generated::get(p, 219),
-            temperature_board: wire::generated::get(p, 229),
-            temperature_core: wire::generated::get(p, 230),
-            fan_speed: wire::generated::get(p, 188),
-            ram_usage: wire::generated::get(p, 12),
-            ram_total: wire::generated::get(p, 16),
-            storage_type: wire::generated::get(p, 20),
-            storage_usage: wire::generated::get(p, 36),
-            storage_total: wire::generated::get(p, 52),
-            link_type: wire::generated::get(p, 68),
-            link_tx_rate: wire::generated::get(p, 92),
-            link_rx_rate: wire::generated::get(p, 116),
-            link_tx_max: wire::generated::get(p, 140),
-            link_rx_max: wire::generated::get(p, 164),
-            status_flags: wire::generated::get(p, 238),
+            time_usec: get(p, 0),
+            uptime: get(p, 8),
+            r#type: get(p, 196),
+            cpu_cores: get(p, 197),
+            cpu_combined: get(p, 205),
+            gpu_cores: get(p, 215),
+            gpu_combined: get(p, 219),
+            temperature_board: get(p, 229),
+            temperature_core: get(p, 230),
+            fan_speed: get(p, 188),
+            ram_usage: get(p, 12),
+            ram_total: get(p, 16),
+            storage_type: get(p, 20),
+            storage_usage: get(p, 36),
+            storage_total: get(p, 52),
+            link_type: get(p, 68),
+            link_tx_rate: get(p, 92),
+            link_rx_rate: get(p, 116),
+            link_tx_max: get(p, 140),
+            link_rx_max: get(p, 164),
+            status_flags: get(p, 238),
         }
-    }
-}
-
-impl wire::Encode for OnboardComputerStatus {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.time_usec);
-        wire::generated::put(p, 8, self.uptime);
-        wire::generated::put(p, 12, self.ram_usage);
-        wire::generated::put(p, 16, self.ram_total);
-        wire::generated::put(p, 20, self.storage_type);
-        wire::generated::put(p, 36, self.storage_usage);
-        wire::generated::put(p, 52, self.storage_total);
-        wire::generated::put(p, 68, self.link_type);
-        wire::generated::put(p, 92, self.link_tx_rate);
-        wire::generated::put(p, 116, self.link_rx_rate);
-        wire::generated::put(p, 140, self.link_tx_max);
-        wire::generated::put(p, 164, self.link_rx_max);
-        wire::generated::put(p, 188, self.fan_speed);
-        wire::generated::put(p, 196, self.r#type);
-        wire::generated::put(p, 197, self.cpu_cores);
-        wire::generated::put(p, 205, self.cpu_combined);
-        wire::generated::put(p, 215, self.gpu_cores);
-        wire::generated::put(p, 219, self.gpu_combined);
-        wire::generated::put(p, 229, self.temperature_board);
-        wire::generated::put(p, 230, self.temperature_core);
-        wire::generated::put(p, 238, self.status_flags);
+    fn store(&self, p: &mut [u8; 240]) {
+        put(p, 0, self.time_usec);
+        put(p, 8, self.uptime);
+        put(p, 12, self.ram_usage);
+        put(p, 16, self.ram_total);
+        put(p, 20, self.storage_type);
+        put(p, 36, self.storage_usage);
+        put(p, 52, self.storage_total);
+        put(p, 68, self.link_type);
+        put(p, 92, self.link_tx_rate);
+        put(p, 116, self.link_rx_rate);
+        put(p, 140, self.link_tx_max);
+        put(p, 164, self.link_rx_max);
+        put(p, 188, self.fan_speed);
+        put(p, 196, self.r#type);
+        put(p, 197, self.cpu_cores);
+        put(p, 205, self.cpu_combined);
+        put(p, 215, self.gpu_cores);
+        put(p, 219, self.gpu_combined);
+        put(p, 229, self.temperature_board);
+        put(p, 230, self.temperature_core);
+        put(p, 238, self.status_flags);
     }
 }
 

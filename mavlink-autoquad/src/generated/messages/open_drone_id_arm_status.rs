@@ -2,6 +2,7 @@
 
 use super::super::enums::MavOdidArmStatus;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Says whether a Remote ID transmitter is ready for the vehicle to arm.
 ///
@@ -22,17 +23,14 @@ pub struct OpenDroneIdArmStatus {
 }
 
 impl wire::Message for OpenDroneIdArmStatus {
-    const ID: u32 = 12918;
+    type Payload = [u8; 51];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 12918,
-        name: "OPEN_DRONE_ID_ARM_STATUS",
-        crc_extra: 139,
-        len_v1: 51,
-        len_v2: 51,
-        target_system: None,
-        target_component: None,
-    };
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+        12918,
+        "OPEN_DRONE_ID_ARM_STATUS",
+        139,
+        51,
+    );
 
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("status", wire::Kind::U8, 0)
@@ -46,31 +44,17 @@ impl wire::Message for OpenDroneIdArmStatus {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<51>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<51>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 51]) -> Self {
         Self {
-            status: wire::generated::get(p, 0),
-            error: wire::generated::get(p, 1),
+            status: get(p, 0),
+            error: get(p, 1),
         }
-    }
-}
-
-impl wire::Encode for OpenDroneIdArmStatus {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.status);
-        wire::generated::put(p, 1, self.error);
+    fn store(&self, p: &mut [u8; 51]) {
+        put(p, 0, self.status);
+        put(p, 1, self.error);
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::super::enums::MavOdidAuthType;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Open Drone ID: one page of authentication data.
 ///
@@ -43,18 +44,16 @@ pub struct OpenDroneIdAuthentication {
 }
 
 impl wire::Message for OpenDroneIdAuthentication {
-    const ID: u32 = 12902;
+    type Payload = [u8; 53];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 12902,
-        name: "OPEN_DRONE_ID_AUTHENTICATION",
-        crc_extra: 140,
-        len_v1: 53,
-        len_v2: 53,
-        target_system: Some(4),
-        target_component: Some(5),
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            12902,
+            "OPEN_DRONE_ID_AUTHENTICATION",
+            140,
+            53,
+        )
+        .target_system(4)
+        .target_component(5);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 4),
         wire::FieldInfo::new("target_component", wire::Kind::U8, 5),
@@ -81,26 +80,31 @@ impl wire::Message for OpenDroneIdAuthentication {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<53>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<53>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 53]) -> Self {
         Self {
-            target_system: wire::generated::get(p, 4),
-            target_component: wire::generated::get(p, 5),
-            id_or_mac: wire::generated::get(p, 6),
-            authentication_type: wire::generated::get(p, 26),
-            data_page: wire::generated::get(p, 27),
-            last_page_index: wire::generated::get(p, 28),
-            length: wire::generated::get(p, 29),
-            timestamp: wire::generated::get(p, 0),
-            authentication_data: wire::generated::get(p, 30),
+            target_system: get(p, 4),
+            target_component: get(p, 5),
+            id_or_mac: get(p, 6),
+            authentication_type: get(p, 26),
+            data_page: get(p, 27),
+            last_page_index: get(p, 28),
+            length: get(p, 29),
+            timestamp: get(p, 0),
+            authentication_data: get(p, 30),
         }
+    }
+
+    #[inline]
+    fn store(&self, p: &mut [u8; 53]) {
+        put(p, 0, self.timestamp);
+        put(p, 4, self.target_system);
+        put(p, 5, self.target_component);
+        put(p, 6, self.id_or_mac);
+        put(p, 26, self.authentication_type);
+        put(p, 27, self.data_page);
+        put(p, 28, self.last_page_index);
+        put(p, 29, self.length);
+        put(p, 30, self.authentication_data);
     }
 
     #[inline]
@@ -109,31 +113,6 @@ impl wire::Message for OpenDroneIdAuthentication {
     }
 }
 
-impl wire::Encode for OpenDroneIdAuthentication {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
-    }
-
-    #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.timestamp);
-        wire::generated::put(p, 4, self.target_system);
-        wire::generated::put(p, 5, self.target_component);
-        wire::generated::put(p, 6, self.id_or_mac);
-        wire::generated::put(p, 26, self.authentication_type);
-        wire::generated::put(p, 27, self.data_page);
-        wire::generated::put(p, 28, self.last_page_index);
-        wire::generated::put(p, 29, self.length);
-        wire::generated::put(p, 30, self.authentication_data);
-    }
-}
-
-impl wire::Targeted for OpenDroneIdAuthentication {
-    fn to(mut self, system: impl Into<u8>, component: impl Into<u8>) -> Self {
-        self.target_system = system.into();
-        self.target_component = component.into();
-        self
-    }
-}
+impl wire::Targeted for OpenDroneIdAuthentication {}
 
 wire::message!(OpenDroneIdAuthentication);

@@ -2,6 +2,7 @@
 
 use super::super::enums::{MavOdidIdType, MavOdidUaType};
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Open Drone ID: identity and kind of the aircraft.
 ///
@@ -34,18 +35,16 @@ pub struct OpenDroneIdBasicId {
 }
 
 impl wire::Message for OpenDroneIdBasicId {
-    const ID: u32 = 12900;
+    type Payload = [u8; 44];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 12900,
-        name: "OPEN_DRONE_ID_BASIC_ID",
-        crc_extra: 114,
-        len_v1: 44,
-        len_v2: 44,
-        target_system: Some(0),
-        target_component: Some(1),
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            12900,
+            "OPEN_DRONE_ID_BASIC_ID",
+            114,
+            44,
+        )
+        .target_system(0)
+        .target_component(1);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 0),
         wire::FieldInfo::new("target_component", wire::Kind::U8, 1),
@@ -67,23 +66,25 @@ impl wire::Message for OpenDroneIdBasicId {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<44>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<44>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 44]) -> Self {
         Self {
-            target_system: wire::generated::get(p, 0),
-            target_component: wire::generated::get(p, 1),
-            id_or_mac: wire::generated::get(p, 2),
-            id_type: wire::generated::get(p, 22),
-            ua_type: wire::generated::get(p, 23),
-            uas_id: wire::generated::get(p, 24),
+            target_system: get(p, 0),
+            target_component: get(p, 1),
+            id_or_mac: get(p, 2),
+            id_type: get(p, 22),
+            ua_type: get(p, 23),
+            uas_id: get(p, 24),
         }
+    }
+
+    #[inline]
+    fn store(&self, p: &mut [u8; 44]) {
+        put(p, 0, self.target_system);
+        put(p, 1, self.target_component);
+        put(p, 2, self.id_or_mac);
+        put(p, 22, self.id_type);
+        put(p, 23, self.ua_type);
+        put(p, 24, self.uas_id);
     }
 
     #[inline]
@@ -92,28 +93,6 @@ impl wire::Message for OpenDroneIdBasicId {
     }
 }
 
-impl wire::Encode for OpenDroneIdBasicId {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
-    }
-
-    #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.target_system);
-        wire::generated::put(p, 1, self.target_component);
-        wire::generated::put(p, 2, self.id_or_mac);
-        wire::generated::put(p, 22, self.id_type);
-        wire::generated::put(p, 23, self.ua_type);
-        wire::generated::put(p, 24, self.uas_id);
-    }
-}
-
-impl wire::Targeted for OpenDroneIdBasicId {
-    fn to(mut self, system: impl Into<u8>, component: impl Into<u8>) -> Self {
-        self.target_system = system.into();
-        self.target_component = component.into();
-        self
-    }
-}
+impl wire::Targeted for OpenDroneIdBasicId {}
 
 wire::message!(OpenDroneIdBasicId);

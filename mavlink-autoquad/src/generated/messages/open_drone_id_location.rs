@@ -5,6 +5,7 @@ use super::super::enums::{
     MavOdidVerAcc,
 };
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Open Drone ID: position, speed and heading of the aircraft.
 ///
@@ -170,18 +171,16 @@ impl OpenDroneIdLocation {
 }
 
 impl wire::Message for OpenDroneIdLocation {
-    const ID: u32 = 12901;
+    type Payload = [u8; 59];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 12901,
-        name: "OPEN_DRONE_ID_LOCATION",
-        crc_extra: 254,
-        len_v1: 59,
-        len_v2: 59,
-        target_system: Some(30),
-        target_component: Some(31),
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            12901,
+            "OPEN_DRONE_ID_LOCATION",
+            254,
+            59,
+        )
+        .target_system(30)
+        .target_component(31);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 30),
         wire::FieldInfo::new("target_component", wire::Kind::U8, 31),
@@ -248,36 +247,51 @@ impl wire::Message for OpenDroneIdLocation {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<59>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<59>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 59]) -> Self {
         Self {
-            target_system: wire::generated::get(p, 30),
-            target_component: wire::generated::get(p, 31),
-            id_or_mac: wire::generated::get(p, 32),
-            status: wire::generated::get(p, 52),
-            direction: wire::generated::get(p, 24),
-            speed_horizontal: wire::generated::get(p, 26),
-            speed_vertical: wire::generated::get(p, 28),
-            latitude: wire::generated::get(p, 0),
-            longitude: wire::generated::get(p, 4),
-            altitude_barometric: wire::generated::get(p, 8),
-            altitude_geodetic: wire::generated::get(p, 12),
-            height_reference: wire::generated::get(p, 53),
-            height: wire::generated::get(p, 16),
-            horizontal_accuracy: wire::generated::get(p, 54),
-            vertical_accuracy: wire::generated::get(p, 55),
-            barometer_accuracy: wire::generated::get(p, 56),
-            speed_accuracy: wire::generated::get(p, 57),
-            timestamp: wire::generated::get(p, 20),
-            timestamp_accuracy: wire::generated::get(p, 58),
+            target_system: get(p, 30),
+            target_component: get(p, 31),
+            id_or_mac: get(p, 32),
+            status: get(p, 52),
+            direction: get(p, 24),
+            speed_horizontal: get(p, 26),
+            speed_vertical: get(p, 28),
+            latitude: get(p, 0),
+            longitude: get(p, 4),
+            altitude_barometric: get(p, 8),
+            altitude_geodetic: get(p, 12),
+            height_reference: get(p, 53),
+            height: get(p, 16),
+            horizontal_accuracy: get(p, 54),
+            vertical_accuracy: get(p, 55),
+            barometer_accuracy: get(p, 56),
+            speed_accuracy: get(p, 57),
+            timestamp: get(p, 20),
+            timestamp_accuracy: get(p, 58),
         }
+    }
+
+    #[inline]
+    fn store(&self, p: &mut [u8; 59]) {
+        put(p, 0, self.latitude);
+        put(p, 4, self.longitude);
+        put(p, 8, self.altitude_barometric);
+        put(p, 12, self.altitude_geodetic);
+        put(p, 16, self.height);
+        put(p, 20, self.timestamp);
+        put(p, 24, self.direction);
+        put(p, 26, self.speed_horizontal);
+        put(p, 28, self.speed_vertical);
+        put(p, 30, self.target_system);
+        put(p, 31, self.target_component);
+        put(p, 32, self.id_or_mac);
+        put(p, 52, self.status);
+        put(p, 53, self.height_reference);
+        put(p, 54, self.horizontal_accuracy);
+        put(p, 55, self.vertical_accuracy);
+        put(p, 56, self.barometer_accuracy);
+        put(p, 57, self.speed_accuracy);
+        put(p, 58, self.timestamp_accuracy);
     }
 
     #[inline]
@@ -286,41 +300,6 @@ impl wire::Message for OpenDroneIdLocation {
     }
 }
 
-impl wire::Encode for OpenDroneIdLocation {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
-    }
-
-    #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.latitude);
-        wire::generated::put(p, 4, self.longitude);
-        wire::generated::put(p, 8, self.altitude_barometric);
-        wire::generated::put(p, 12, self.altitude_geodetic);
-        wire::generated::put(p, 16, self.height);
-        wire::generated::put(p, 20, self.timestamp);
-        wire::generated::put(p, 24, self.direction);
-        wire::generated::put(p, 26, self.speed_horizontal);
-        wire::generated::put(p, 28, self.speed_vertical);
-        wire::generated::put(p, 30, self.target_system);
-        wire::generated::put(p, 31, self.target_component);
-        wire::generated::put(p, 32, self.id_or_mac);
-        wire::generated::put(p, 52, self.status);
-        wire::generated::put(p, 53, self.height_reference);
-        wire::generated::put(p, 54, self.horizontal_accuracy);
-        wire::generated::put(p, 55, self.vertical_accuracy);
-        wire::generated::put(p, 56, self.barometer_accuracy);
-        wire::generated::put(p, 57, self.speed_accuracy);
-        wire::generated::put(p, 58, self.timestamp_accuracy);
-    }
-}
-
-impl wire::Targeted for OpenDroneIdLocation {
-    fn to(mut self, system: impl Into<u8>, component: impl Into<u8>) -> Self {
-        self.target_system = system.into();
-        self.target_component = component.into();
-        self
-    }
-}
+impl wire::Targeted for OpenDroneIdLocation {}
 
 wire::message!(OpenDroneIdLocation);

@@ -2,6 +2,7 @@
 
 use super::super::enums::MavOdidOperatorIdType;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Open Drone ID: identity of the operator.
 ///
@@ -31,18 +32,16 @@ pub struct OpenDroneIdOperatorId {
 }
 
 impl wire::Message for OpenDroneIdOperatorId {
-    const ID: u32 = 12905;
+    type Payload = [u8; 43];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 12905,
-        name: "OPEN_DRONE_ID_OPERATOR_ID",
-        crc_extra: 49,
-        len_v1: 43,
-        len_v2: 43,
-        target_system: Some(0),
-        target_component: Some(1),
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            12905,
+            "OPEN_DRONE_ID_OPERATOR_ID",
+            49,
+            43,
+        )
+        .target_system(0)
+        .target_component(1);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 0),
         wire::FieldInfo::new("target_component", wire::Kind::U8, 1),
@@ -61,22 +60,23 @@ impl wire::Message for OpenDroneIdOperatorId {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<43>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<43>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 43]) -> Self {
         Self {
-            target_system: wire::generated::get(p, 0),
-            target_component: wire::generated::get(p, 1),
-            id_or_mac: wire::generated::get(p, 2),
-            operator_id_type: wire::generated::get(p, 22),
-            operator_id: wire::generated::get(p, 23),
+            target_system: get(p, 0),
+            target_component: get(p, 1),
+            id_or_mac: get(p, 2),
+            operator_id_type: get(p, 22),
+            operator_id: get(p, 23),
         }
+    }
+
+    #[inline]
+    fn store(&self, p: &mut [u8; 43]) {
+        put(p, 0, self.target_system);
+        put(p, 1, self.target_component);
+        put(p, 2, self.id_or_mac);
+        put(p, 22, self.operator_id_type);
+        put(p, 23, self.operator_id);
     }
 
     #[inline]
@@ -85,27 +85,6 @@ impl wire::Message for OpenDroneIdOperatorId {
     }
 }
 
-impl wire::Encode for OpenDroneIdOperatorId {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
-    }
-
-    #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.target_system);
-        wire::generated::put(p, 1, self.target_component);
-        wire::generated::put(p, 2, self.id_or_mac);
-        wire::generated::put(p, 22, self.operator_id_type);
-        wire::generated::put(p, 23, self.operator_id);
-    }
-}
-
-impl wire::Targeted for OpenDroneIdOperatorId {
-    fn to(mut self, system: impl Into<u8>, component: impl Into<u8>) -> Self {
-        self.target_system = system.into();
-        self.target_component = component.into();
-        self
-    }
-}
+impl wire::Targeted for OpenDroneIdOperatorId {}
 
 wire::message!(OpenDroneIdOperatorId);

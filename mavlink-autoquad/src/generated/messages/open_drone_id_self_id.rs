@@ -2,6 +2,7 @@
 
 use super::super::enums::MavOdidDescType;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Open Drone ID: free text about the purpose of the flight.
 ///
@@ -31,18 +32,16 @@ pub struct OpenDroneIdSelfId {
 }
 
 impl wire::Message for OpenDroneIdSelfId {
-    const ID: u32 = 12903;
+    type Payload = [u8; 46];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 12903,
-        name: "OPEN_DRONE_ID_SELF_ID",
-        crc_extra: 249,
-        len_v1: 46,
-        len_v2: 46,
-        target_system: Some(0),
-        target_component: Some(1),
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            12903,
+            "OPEN_DRONE_ID_SELF_ID",
+            249,
+            46,
+        )
+        .target_system(0)
+        .target_component(1);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 0),
         wire::FieldInfo::new("target_component", wire::Kind::U8, 1),
@@ -61,22 +60,23 @@ impl wire::Message for OpenDroneIdSelfId {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<46>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<46>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 46]) -> Self {
         Self {
-            target_system: wire::generated::get(p, 0),
-            target_component: wire::generated::get(p, 1),
-            id_or_mac: wire::generated::get(p, 2),
-            description_type: wire::generated::get(p, 22),
-            description: wire::generated::get(p, 23),
+            target_system: get(p, 0),
+            target_component: get(p, 1),
+            id_or_mac: get(p, 2),
+            description_type: get(p, 22),
+            description: get(p, 23),
         }
+    }
+
+    #[inline]
+    fn store(&self, p: &mut [u8; 46]) {
+        put(p, 0, self.target_system);
+        put(p, 1, self.target_component);
+        put(p, 2, self.id_or_mac);
+        put(p, 22, self.description_type);
+        put(p, 23, self.description);
     }
 
     #[inline]
@@ -85,27 +85,6 @@ impl wire::Message for OpenDroneIdSelfId {
     }
 }
 
-impl wire::Encode for OpenDroneIdSelfId {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
-    }
-
-    #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.target_system);
-        wire::generated::put(p, 1, self.target_component);
-        wire::generated::put(p, 2, self.id_or_mac);
-        wire::generated::put(p, 22, self.description_type);
-        wire::generated::put(p, 23, self.description);
-    }
-}
-
-impl wire::Targeted for OpenDroneIdSelfId {
-    fn to(mut self, system: impl Into<u8>, component: impl Into<u8>) -> Self {
-        self.target_system = system.into();
-        self.target_component = component.into();
-        self
-    }
-}
+impl wire::Targeted for OpenDroneIdSelfId {}
 
 wire::message!(OpenDroneIdSelfId);

@@ -5,6 +5,7 @@ use super::super::enums::{
     MavOdidOperatorLocationType,
 };
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Open Drone ID: where the operator is, and the area and class of operation.
 ///
@@ -130,18 +131,16 @@ impl OpenDroneIdSystem {
 }
 
 impl wire::Message for OpenDroneIdSystem {
-    const ID: u32 = 12904;
+    type Payload = [u8; 54];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 12904,
-        name: "OPEN_DRONE_ID_SYSTEM",
-        crc_extra: 77,
-        len_v1: 54,
-        len_v2: 54,
-        target_system: Some(28),
-        target_component: Some(29),
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            12904,
+            "OPEN_DRONE_ID_SYSTEM",
+            77,
+            54,
+        )
+        .target_system(28)
+        .target_component(29);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 28),
         wire::FieldInfo::new("target_component", wire::Kind::U8, 29),
@@ -193,32 +192,43 @@ impl wire::Message for OpenDroneIdSystem {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<54>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<54>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 54]) -> Self {
         Self {
-            target_system: wire::generated::get(p, 28),
-            target_component: wire::generated::get(p, 29),
-            id_or_mac: wire::generated::get(p, 30),
-            operator_location_type: wire::generated::get(p, 50),
-            classification_type: wire::generated::get(p, 51),
-            operator_latitude: wire::generated::get(p, 0),
-            operator_longitude: wire::generated::get(p, 4),
-            area_count: wire::generated::get(p, 24),
-            area_radius: wire::generated::get(p, 26),
-            area_ceiling: wire::generated::get(p, 8),
-            area_floor: wire::generated::get(p, 12),
-            category_eu: wire::generated::get(p, 52),
-            class_eu: wire::generated::get(p, 53),
-            operator_altitude_geo: wire::generated::get(p, 16),
-            timestamp: wire::generated::get(p, 20),
+            target_system: get(p, 28),
+            target_component: get(p, 29),
+            id_or_mac: get(p, 30),
+            operator_location_type: get(p, 50),
+            classification_type: get(p, 51),
+            operator_latitude: get(p, 0),
+            operator_longitude: get(p, 4),
+            area_count: get(p, 24),
+            area_radius: get(p, 26),
+            area_ceiling: get(p, 8),
+            area_floor: get(p, 12),
+            category_eu: get(p, 52),
+            class_eu: get(p, 53),
+            operator_altitude_geo: get(p, 16),
+            timestamp: get(p, 20),
         }
+    }
+
+    #[inline]
+    fn store(&self, p: &mut [u8; 54]) {
+        put(p, 0, self.operator_latitude);
+        put(p, 4, self.operator_longitude);
+        put(p, 8, self.area_ceiling);
+        put(p, 12, self.area_floor);
+        put(p, 16, self.operator_altitude_geo);
+        put(p, 20, self.timestamp);
+        put(p, 24, self.area_count);
+        put(p, 26, self.area_radius);
+        put(p, 28, self.target_system);
+        put(p, 29, self.target_component);
+        put(p, 30, self.id_or_mac);
+        put(p, 50, self.operator_location_type);
+        put(p, 51, self.classification_type);
+        put(p, 52, self.category_eu);
+        put(p, 53, self.class_eu);
     }
 
     #[inline]
@@ -227,37 +237,6 @@ impl wire::Message for OpenDroneIdSystem {
     }
 }
 
-impl wire::Encode for OpenDroneIdSystem {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
-    }
-
-    #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.operator_latitude);
-        wire::generated::put(p, 4, self.operator_longitude);
-        wire::generated::put(p, 8, self.area_ceiling);
-        wire::generated::put(p, 12, self.area_floor);
-        wire::generated::put(p, 16, self.operator_altitude_geo);
-        wire::generated::put(p, 20, self.timestamp);
-        wire::generated::put(p, 24, self.area_count);
-        wire::generated::put(p, 26, self.area_radius);
-        wire::generated::put(p, 28, self.target_system);
-        wire::generated::put(p, 29, self.target_component);
-        wire::generated::put(p, 30, self.id_or_mac);
-        wire::generated::put(p, 50, self.operator_location_type);
-        wire::generated::put(p, 51, self.classification_type);
-        wire::generated::put(p, 52, self.category_eu);
-        wire::generated::put(p, 53, self.class_eu);
-    }
-}
-
-impl wire::Targeted for OpenDroneIdSystem {
-    fn to(mut self, system: impl Into<u8>, component: impl Into<u8>) -> Self {
-        self.target_system = system.into();
-        self.target_component = component.into();
-        self
-    }
-}
+impl wire::Targeted for OpenDroneIdSystem {}
 
 wire::message!(OpenDroneIdSystem);

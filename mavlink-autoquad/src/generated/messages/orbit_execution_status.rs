@@ -2,6 +2,7 @@
 
 use super::super::enums::MavFrame;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// The circle that a vehicle in orbit is flying.
 ///
@@ -35,17 +36,14 @@ pub struct OrbitExecutionStatus {
 }
 
 impl wire::Message for OrbitExecutionStatus {
-    const ID: u32 = 360;
+    type Payload = [u8; 25];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 360,
-        name: "ORBIT_EXECUTION_STATUS",
-        crc_extra: 11,
-        len_v1: 25,
-        len_v2: 25,
-        target_system: None,
-        target_component: None,
-    };
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+        360,
+        "ORBIT_EXECUTION_STATUS",
+        11,
+        25,
+    );
 
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_usec", wire::Kind::U64, 0).units("us"),
@@ -67,39 +65,25 @@ impl wire::Message for OrbitExecutionStatus {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<25>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<25>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 25]) -> Self {
         Self {
-            time_usec: wire::generated::get(p, 0),
-            radius: wire::generated::get(p, 8),
-            frame: wire::generated::get(p, 24),
-            x: wire::generated::get(p, 12),
-            y: wire::generated::get(p, 16),
-            z: wire::generated::get(p, 20),
+            time_usec: get(p, 0),
+            radius: get(p, 8),
+            frame: get(p, 24),
+            x: get(p, 12),
+            y: get(p, 16),
+            z: get(p, 20),
         }
-    }
-}
-
-impl wire::Encode for OrbitExecutionStatus {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.time_usec);
-        wire::generated::put(p, 8, self.radius);
-        wire::generated::put(p, 12, self.x);
-        wire::generated::put(p, 16, self.y);
-        wire::generated::put(p, 20, self.z);
-        wire::generated::put(p, 24, self.frame);
+    fn store(&self, p: &mut [u8; 25]) {
+        put(p, 0, self.time_usec);
+        put(p, 8, self.radius);
+        put(p, 12, self.x);
+        put(p, 16, self.y);
+        put(p, 20, self.z);
+        put(p, 24, self.frame);
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::super::enums::MavParamError;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Says why a parameter could not be read or written.
 ///
@@ -33,18 +34,16 @@ pub struct ParamError {
 }
 
 impl wire::Message for ParamError {
-    const ID: u32 = 345;
+    type Payload = [u8; 21];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 345,
-        name: "PARAM_ERROR",
-        crc_extra: 209,
-        len_v1: 21,
-        len_v2: 21,
-        target_system: Some(2),
-        target_component: Some(3),
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            345,
+            "PARAM_ERROR",
+            209,
+            21,
+        )
+        .target_system(2)
+        .target_component(3);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 2),
         wire::FieldInfo::new("target_component", wire::Kind::U8, 3),
@@ -63,22 +62,23 @@ impl wire::Message for ParamError {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<21>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<21>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 21]) -> Self {
         Self {
-            target_system: wire::generated::get(p, 2),
-            target_component: wire::generated::get(p, 3),
-            param_id: wire::generated::get(p, 4),
-            param_index: wire::generated::get(p, 0),
-            error: wire::generated::get(p, 20),
+            target_system: get(p, 2),
+            target_component: get(p, 3),
+            param_id: get(p, 4),
+            param_index: get(p, 0),
+            error: get(p, 20),
         }
+    }
+
+    #[inline]
+    fn store(&self, p: &mut [u8; 21]) {
+        put(p, 0, self.param_index);
+        put(p, 2, self.target_system);
+        put(p, 3, self.target_component);
+        put(p, 4, self.param_id);
+        put(p, 20, self.error);
     }
 
     #[inline]
@@ -87,27 +87,6 @@ impl wire::Message for ParamError {
     }
 }
 
-impl wire::Encode for ParamError {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
-    }
-
-    #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.param_index);
-        wire::generated::put(p, 2, self.target_system);
-        wire::generated::put(p, 3, self.target_component);
-        wire::generated::put(p, 4, self.param_id);
-        wire::generated::put(p, 20, self.error);
-    }
-}
-
-impl wire::Targeted for ParamError {
-    fn to(mut self, system: impl Into<u8>, component: impl Into<u8>) -> Self {
-        self.target_system = system.into();
-        self.target_component = component.into();
-        self
-    }
-}
+impl wire::Targeted for ParamError {}
 
 wire::message!(ParamError);

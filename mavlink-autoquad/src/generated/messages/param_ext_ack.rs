@@ -2,6 +2,7 @@
 
 use super::super::enums::{MavParamExtType, ParamAck};
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Result of `PARAM_EXT_SET`.
 ///
@@ -28,17 +29,14 @@ pub struct ParamExtAck {
 }
 
 impl wire::Message for ParamExtAck {
-    const ID: u32 = 324;
+    type Payload = [u8; 146];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 324,
-        name: "PARAM_EXT_ACK",
-        crc_extra: 132,
-        len_v1: 146,
-        len_v2: 146,
-        target_system: None,
-        target_component: None,
-    };
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+        324,
+        "PARAM_EXT_ACK",
+        132,
+        146,
+    );
 
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::array("param_id", wire::Kind::Char, 16, 0),
@@ -57,35 +55,21 @@ impl wire::Message for ParamExtAck {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<146>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<146>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 146]) -> Self {
         Self {
-            param_id: wire::generated::get(p, 0),
-            param_value: wire::generated::get(p, 16),
-            param_type: wire::generated::get(p, 144),
-            param_result: wire::generated::get(p, 145),
+            param_id: get(p, 0),
+            param_value: get(p, 16),
+            param_type: get(p, 144),
+            param_result: get(p, 145),
         }
-    }
-}
-
-impl wire::Encode for ParamExtAck {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.param_id);
-        wire::generated::put(p, 16, self.param_value);
-        wire::generated::put(p, 144, self.param_type);
-        wire::generated::put(p, 145, self.param_result);
+    fn store(&self, p: &mut [u8; 146]) {
+        put(p, 0, self.param_id);
+        put(p, 16, self.param_value);
+        put(p, 144, self.param_type);
+        put(p, 145, self.param_result);
     }
 }
 

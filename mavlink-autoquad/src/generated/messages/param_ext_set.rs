@@ -2,6 +2,7 @@
 
 use super::super::enums::MavParamExtType;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Writes one extended parameter; the answer is `PARAM_EXT_ACK`.
 ///
@@ -31,18 +32,16 @@ pub struct ParamExtSet {
 }
 
 impl wire::Message for ParamExtSet {
-    const ID: u32 = 323;
+    type Payload = [u8; 147];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 323,
-        name: "PARAM_EXT_SET",
-        crc_extra: 78,
-        len_v1: 147,
-        len_v2: 147,
-        target_system: Some(0),
-        target_component: Some(1),
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            323,
+            "PARAM_EXT_SET",
+            78,
+            147,
+        )
+        .target_system(0)
+        .target_component(1);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 0),
         wire::FieldInfo::new("target_component", wire::Kind::U8, 1),
@@ -61,22 +60,23 @@ impl wire::Message for ParamExtSet {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<147>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<147>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 147]) -> Self {
         Self {
-            target_system: wire::generated::get(p, 0),
-            target_component: wire::generated::get(p, 1),
-            param_id: wire::generated::get(p, 2),
-            param_value: wire::generated::get(p, 18),
-            param_type: wire::generated::get(p, 146),
+            target_system: get(p, 0),
+            target_component: get(p, 1),
+            param_id: get(p, 2),
+            param_value: get(p, 18),
+            param_type: get(p, 146),
         }
+    }
+
+    #[inline]
+    fn store(&self, p: &mut [u8; 147]) {
+        put(p, 0, self.target_system);
+        put(p, 1, self.target_component);
+        put(p, 2, self.param_id);
+        put(p, 18, self.param_value);
+        put(p, 146, self.param_type);
     }
 
     #[inline]
@@ -85,27 +85,6 @@ impl wire::Message for ParamExtSet {
     }
 }
 
-impl wire::Encode for ParamExtSet {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
-    }
-
-    #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.target_system);
-        wire::generated::put(p, 1, self.target_component);
-        wire::generated::put(p, 2, self.param_id);
-        wire::generated::put(p, 18, self.param_value);
-        wire::generated::put(p, 146, self.param_type);
-    }
-}
-
-impl wire::Targeted for ParamExtSet {
-    fn to(mut self, system: impl Into<u8>, component: impl Into<u8>) -> Self {
-        self.target_system = system.into();
-        self.target_component = component.into();
-        self
-    }
-}
+impl wire::Targeted for ParamExtSet {}
 
 wire::message!(ParamExtSet);

@@ -2,6 +2,7 @@
 
 use super::super::enums::MavParamExtType;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// One extended parameter; unlike `PARAM_VALUE` it can hold text and 64-bit numbers.
 ///
@@ -31,17 +32,14 @@ pub struct ParamExtValue {
 }
 
 impl wire::Message for ParamExtValue {
-    const ID: u32 = 322;
+    type Payload = [u8; 149];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 322,
-        name: "PARAM_EXT_VALUE",
-        crc_extra: 243,
-        len_v1: 149,
-        len_v2: 149,
-        target_system: None,
-        target_component: None,
-    };
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+        322,
+        "PARAM_EXT_VALUE",
+        243,
+        149,
+    );
 
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::array("param_id", wire::Kind::Char, 16, 4),
@@ -61,37 +59,23 @@ impl wire::Message for ParamExtValue {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<149>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<149>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 149]) -> Self {
         Self {
-            param_id: wire::generated::get(p, 4),
-            param_value: wire::generated::get(p, 20),
-            param_type: wire::generated::get(p, 148),
-            param_count: wire::generated::get(p, 0),
-            param_index: wire::generated::get(p, 2),
+            param_id: get(p, 4),
+            param_value: get(p, 20),
+            param_type: get(p, 148),
+            param_count: get(p, 0),
+            param_index: get(p, 2),
         }
-    }
-}
-
-impl wire::Encode for ParamExtValue {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.param_count);
-        wire::generated::put(p, 2, self.param_index);
-        wire::generated::put(p, 4, self.param_id);
-        wire::generated::put(p, 20, self.param_value);
-        wire::generated::put(p, 148, self.param_type);
+    fn store(&self, p: &mut [u8; 149]) {
+        put(p, 0, self.param_count);
+        put(p, 2, self.param_index);
+        put(p, 4, self.param_id);
+        put(p, 20, self.param_value);
+        put(p, 148, self.param_type);
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::super::enums::MavParamType;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Writes one parameter; the component confirms with a `PARAM_VALUE` that holds the value now in
 /// effect.
@@ -33,18 +34,16 @@ pub struct ParamSet {
 }
 
 impl wire::Message for ParamSet {
-    const ID: u32 = 23;
+    type Payload = [u8; 23];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 23,
-        name: "PARAM_SET",
-        crc_extra: 168,
-        len_v1: 23,
-        len_v2: 23,
-        target_system: Some(4),
-        target_component: Some(5),
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            23,
+            "PARAM_SET",
+            168,
+            23,
+        )
+        .target_system(4)
+        .target_component(5);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 4),
         wire::FieldInfo::new("target_component", wire::Kind::U8, 5),
@@ -63,22 +62,23 @@ impl wire::Message for ParamSet {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<23>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<23>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 23]) -> Self {
         Self {
-            target_system: wire::generated::get(p, 4),
-            target_component: wire::generated::get(p, 5),
-            param_id: wire::generated::get(p, 6),
-            param_value: wire::generated::get(p, 0),
-            param_type: wire::generated::get(p, 22),
+            target_system: get(p, 4),
+            target_component: get(p, 5),
+            param_id: get(p, 6),
+            param_value: get(p, 0),
+            param_type: get(p, 22),
         }
+    }
+
+    #[inline]
+    fn store(&self, p: &mut [u8; 23]) {
+        put(p, 0, self.param_value);
+        put(p, 4, self.target_system);
+        put(p, 5, self.target_component);
+        put(p, 6, self.param_id);
+        put(p, 22, self.param_type);
     }
 
     #[inline]
@@ -87,27 +87,6 @@ impl wire::Message for ParamSet {
     }
 }
 
-impl wire::Encode for ParamSet {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
-    }
-
-    #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.param_value);
-        wire::generated::put(p, 4, self.target_system);
-        wire::generated::put(p, 5, self.target_component);
-        wire::generated::put(p, 6, self.param_id);
-        wire::generated::put(p, 22, self.param_type);
-    }
-}
-
-impl wire::Targeted for ParamSet {
-    fn to(mut self, system: impl Into<u8>, component: impl Into<u8>) -> Self {
-        self.target_system = system.into();
-        self.target_component = component.into();
-        self
-    }
-}
+impl wire::Targeted for ParamSet {}
 
 wire::message!(ParamSet);

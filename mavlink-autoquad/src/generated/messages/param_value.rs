@@ -2,6 +2,7 @@
 
 use super::super::enums::MavParamType;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// One parameter of a component; the answer to reads, list requests and writes, and an announcement
 /// after any other change.
@@ -33,17 +34,14 @@ pub struct ParamValue {
 }
 
 impl wire::Message for ParamValue {
-    const ID: u32 = 22;
+    type Payload = [u8; 25];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 22,
-        name: "PARAM_VALUE",
-        crc_extra: 220,
-        len_v1: 25,
-        len_v2: 25,
-        target_system: None,
-        target_component: None,
-    };
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+        22,
+        "PARAM_VALUE",
+        220,
+        25,
+    );
 
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::array("param_id", wire::Kind::Char, 16, 8),
@@ -63,37 +61,23 @@ impl wire::Message for ParamValue {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<25>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<25>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 25]) -> Self {
         Self {
-            param_id: wire::generated::get(p, 8),
-            param_value: wire::generated::get(p, 0),
-            param_type: wire::generated::get(p, 24),
-            param_count: wire::generated::get(p, 4),
-            param_index: wire::generated::get(p, 6),
+            param_id: get(p, 8),
+            param_value: get(p, 0),
+            param_type: get(p, 24),
+            param_count: get(p, 4),
+            param_index: get(p, 6),
         }
-    }
-}
-
-impl wire::Encode for ParamValue {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.param_value);
-        wire::generated::put(p, 4, self.param_count);
-        wire::generated::put(p, 6, self.param_index);
-        wire::generated::put(p, 8, self.param_id);
-        wire::generated::put(p, 24, self.param_type);
+    fn store(&self, p: &mut [u8; 25]) {
+        put(p, 0, self.param_value);
+        put(p, 4, self.param_count);
+        put(p, 6, self.param_index);
+        put(p, 8, self.param_id);
+        put(p, 24, self.param_type);
     }
 }
 

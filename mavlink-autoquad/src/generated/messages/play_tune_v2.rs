@@ -2,6 +2,7 @@
 
 use super::super::enums::TuneFormat;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Plays a tune in a given notation.
 ///
@@ -28,18 +29,16 @@ pub struct PlayTuneV2 {
 }
 
 impl wire::Message for PlayTuneV2 {
-    const ID: u32 = 400;
+    type Payload = [u8; 254];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 400,
-        name: "PLAY_TUNE_V2",
-        crc_extra: 110,
-        len_v1: 254,
-        len_v2: 254,
-        target_system: Some(4),
-        target_component: Some(5),
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            400,
+            "PLAY_TUNE_V2",
+            110,
+            254,
+        )
+        .target_system(4)
+        .target_component(5);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 4),
         wire::FieldInfo::new("target_component", wire::Kind::U8, 5),
@@ -56,21 +55,21 @@ impl wire::Message for PlayTuneV2 {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<254>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<254>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 254]) -> Self {
         Self {
-            target_system: wire::generated::get(p, 4),
-            target_component: wire::generated::get(p, 5),
-            format: wire::generated::get(p, 0),
-            tune: wire::generated::get(p, 6),
+            target_system: get(p, 4),
+            target_component: get(p, 5),
+            format: get(p, 0),
+            tune: get(p, 6),
         }
+    }
+
+    #[inline]
+    fn store(&self, p: &mut [u8; 254]) {
+        put(p, 0, self.format);
+        put(p, 4, self.target_system);
+        put(p, 5, self.target_component);
+        put(p, 6, self.tune);
     }
 
     #[inline]
@@ -79,26 +78,6 @@ impl wire::Message for PlayTuneV2 {
     }
 }
 
-impl wire::Encode for PlayTuneV2 {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
-    }
-
-    #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.format);
-        wire::generated::put(p, 4, self.target_system);
-        wire::generated::put(p, 5, self.target_component);
-        wire::generated::put(p, 6, self.tune);
-    }
-}
-
-impl wire::Targeted for PlayTuneV2 {
-    fn to(mut self, system: impl Into<u8>, component: impl Into<u8>) -> Self {
-        self.target_system = system.into();
-        self.target_component = component.into();
-        self
-    }
-}
+impl wire::Targeted for PlayTuneV2 {}
 
 wire::message!(PlayTuneV2);

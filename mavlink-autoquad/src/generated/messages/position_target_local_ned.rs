@@ -2,6 +2,7 @@
 
 use super::super::enums::{MavFrame, PositionTargetTypemask};
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// The local-frame setpoint the controller is following now.
 ///
@@ -58,17 +59,14 @@ pub struct PositionTargetLocalNed {
 }
 
 impl wire::Message for PositionTargetLocalNed {
-    const ID: u32 = 85;
+    type Payload = [u8; 51];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 85,
-        name: "POSITION_TARGET_LOCAL_NED",
-        crc_extra: 140,
-        len_v1: 51,
-        len_v2: 51,
-        target_system: None,
-        target_component: None,
-    };
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+        85,
+        "POSITION_TARGET_LOCAL_NED",
+        140,
+        51,
+    );
 
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_boot_ms", wire::Kind::U32, 0).units("ms"),
@@ -107,55 +105,41 @@ impl wire::Message for PositionTargetLocalNed {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<51>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<51>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 51]) -> Self {
         Self {
-            time_boot_ms: wire::generated::get(p, 0),
-            coordinate_frame: wire::generated::get(p, 50),
-            type_mask: wire::generated::get(p, 48),
-            x: wire::generated::get(p, 4),
-            y: wire::generated::get(p, 8),
-            z: wire::generated::get(p, 12),
-            vx: wire::generated::get(p, 16),
-            vy: wire::generated::get(p, 20),
-            vz: wire::generated::get(p, 24),
-            afx: wire::generated::get(p, 28),
-            afy: wire::generated::get(p, 32),
-            afz: wire::generated::get(p, 36),
-            yaw: wire::generated::get(p, 40),
-            yaw_rate: wire::generated::get(p, 44),
+            time_boot_ms: get(p, 0),
+            coordinate_frame: get(p, 50),
+            type_mask: get(p, 48),
+            x: get(p, 4),
+            y: get(p, 8),
+            z: get(p, 12),
+            vx: get(p, 16),
+            vy: get(p, 20),
+            vz: get(p, 24),
+            afx: get(p, 28),
+            afy: get(p, 32),
+            afz: get(p, 36),
+            yaw: get(p, 40),
+            yaw_rate: get(p, 44),
         }
-    }
-}
-
-impl wire::Encode for PositionTargetLocalNed {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.time_boot_ms);
-        wire::generated::put(p, 4, self.x);
-        wire::generated::put(p, 8, self.y);
-        wire::generated::put(p, 12, self.z);
-        wire::generated::put(p, 16, self.vx);
-        wire::generated::put(p, 20, self.vy);
-        wire::generated::put(p, 24, self.vz);
-        wire::generated::put(p, 28, self.afx);
-        wire::generated::put(p, 32, self.afy);
-        wire::generated::put(p, 36, self.afz);
-        wire::generated::put(p, 40, self.yaw);
-        wire::generated::put(p, 44, self.yaw_rate);
-        wire::generated::put(p, 48, self.type_mask);
-        wire::generated::put(p, 50, self.coordinate_frame);
+    fn store(&self, p: &mut [u8; 51]) {
+        put(p, 0, self.time_boot_ms);
+        put(p, 4, self.x);
+        put(p, 8, self.y);
+        put(p, 12, self.z);
+        put(p, 16, self.vx);
+        put(p, 20, self.vy);
+        put(p, 24, self.vz);
+        put(p, 28, self.afx);
+        put(p, 32, self.afy);
+        put(p, 36, self.afz);
+        put(p, 40, self.yaw);
+        put(p, 44, self.yaw_rate);
+        put(p, 48, self.type_mask);
+        put(p, 50, self.coordinate_frame);
     }
 }
 

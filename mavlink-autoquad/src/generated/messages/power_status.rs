@@ -2,6 +2,7 @@
 
 use super::super::enums::MavPowerStatus;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Voltages of the flight controller's supply rails.
 ///
@@ -25,17 +26,14 @@ pub struct PowerStatus {
 }
 
 impl wire::Message for PowerStatus {
-    const ID: u32 = 125;
+    type Payload = [u8; 6];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 125,
-        name: "POWER_STATUS",
-        crc_extra: 203,
-        len_v1: 6,
-        len_v2: 6,
-        target_system: None,
-        target_component: None,
-    };
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+        125,
+        "POWER_STATUS",
+        203,
+        6,
+    );
 
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("Vcc", wire::Kind::U16, 0).units("mV"),
@@ -51,33 +49,19 @@ impl wire::Message for PowerStatus {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<6>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<6>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 6]) -> Self {
         Self {
-            vcc: wire::generated::get(p, 0),
-            vservo: wire::generated::get(p, 2),
-            flags: wire::generated::get(p, 4),
+            vcc: get(p, 0),
+            vservo: get(p, 2),
+            flags: get(p, 4),
         }
-    }
-}
-
-impl wire::Encode for PowerStatus {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.vcc);
-        wire::generated::put(p, 2, self.vservo);
-        wire::generated::put(p, 4, self.flags);
+    fn store(&self, p: &mut [u8; 6]) {
+        put(p, 0, self.vcc);
+        put(p, 2, self.vservo);
+        put(p, 4, self.flags);
     }
 }
 

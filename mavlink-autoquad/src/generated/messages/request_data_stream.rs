@@ -2,6 +2,7 @@
 
 use super::super::enums::MavDataStream;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Starts or stops one group of telemetry messages at a given rate.
 ///
@@ -33,18 +34,16 @@ pub struct RequestDataStream {
 }
 
 impl wire::Message for RequestDataStream {
-    const ID: u32 = 66;
+    type Payload = [u8; 6];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 66,
-        name: "REQUEST_DATA_STREAM",
-        crc_extra: 148,
-        len_v1: 6,
-        len_v2: 6,
-        target_system: Some(2),
-        target_component: Some(3),
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            66,
+            "REQUEST_DATA_STREAM",
+            148,
+            6,
+        )
+        .target_system(2)
+        .target_component(3);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 2),
         wire::FieldInfo::new("target_component", wire::Kind::U8, 3),
@@ -63,22 +62,23 @@ impl wire::Message for RequestDataStream {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<6>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<6>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 6]) -> Self {
         Self {
-            target_system: wire::generated::get(p, 2),
-            target_component: wire::generated::get(p, 3),
-            req_stream_id: wire::generated::get(p, 4),
-            req_message_rate: wire::generated::get(p, 0),
-            start_stop: wire::generated::get(p, 5),
+            target_system: get(p, 2),
+            target_component: get(p, 3),
+            req_stream_id: get(p, 4),
+            req_message_rate: get(p, 0),
+            start_stop: get(p, 5),
         }
+    }
+
+    #[inline]
+    fn store(&self, p: &mut [u8; 6]) {
+        put(p, 0, self.req_message_rate);
+        put(p, 2, self.target_system);
+        put(p, 3, self.target_component);
+        put(p, 4, self.req_stream_id);
+        put(p, 5, self.start_stop);
     }
 
     #[inline]
@@ -87,27 +87,6 @@ impl wire::Message for RequestDataStream {
     }
 }
 
-impl wire::Encode for RequestDataStream {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
-    }
-
-    #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.req_message_rate);
-        wire::generated::put(p, 2, self.target_system);
-        wire::generated::put(p, 3, self.target_component);
-        wire::generated::put(p, 4, self.req_stream_id);
-        wire::generated::put(p, 5, self.start_stop);
-    }
-}
-
-impl wire::Targeted for RequestDataStream {
-    fn to(mut self, system: impl Into<u8>, component: impl Into<u8>) -> Self {
-        self.target_system = system.into();
-        self.target_component = component.into();
-        self
-    }
-}
+impl wire::Targeted for RequestDataStream {}
 
 wire::message!(RequestDataStream);

@@ -2,6 +2,7 @@
 
 use super::super::enums::MavEventErrorReason;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Says that a requested event can no longer be had.
 ///
@@ -33,18 +34,16 @@ pub struct ResponseEventError {
 }
 
 impl wire::Message for ResponseEventError {
-    const ID: u32 = 413;
+    type Payload = [u8; 7];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 413,
-        name: "RESPONSE_EVENT_ERROR",
-        crc_extra: 77,
-        len_v1: 7,
-        len_v2: 7,
-        target_system: Some(4),
-        target_component: Some(5),
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            413,
+            "RESPONSE_EVENT_ERROR",
+            77,
+            7,
+        )
+        .target_system(4)
+        .target_component(5);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 4),
         wire::FieldInfo::new("target_component", wire::Kind::U8, 5),
@@ -63,22 +62,23 @@ impl wire::Message for ResponseEventError {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<7>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<7>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 7]) -> Self {
         Self {
-            target_system: wire::generated::get(p, 4),
-            target_component: wire::generated::get(p, 5),
-            sequence: wire::generated::get(p, 0),
-            sequence_oldest_available: wire::generated::get(p, 2),
-            reason: wire::generated::get(p, 6),
+            target_system: get(p, 4),
+            target_component: get(p, 5),
+            sequence: get(p, 0),
+            sequence_oldest_available: get(p, 2),
+            reason: get(p, 6),
         }
+    }
+
+    #[inline]
+    fn store(&self, p: &mut [u8; 7]) {
+        put(p, 0, self.sequence);
+        put(p, 2, self.sequence_oldest_available);
+        put(p, 4, self.target_system);
+        put(p, 5, self.target_component);
+        put(p, 6, self.reason);
     }
 
     #[inline]
@@ -87,27 +87,6 @@ impl wire::Message for ResponseEventError {
     }
 }
 
-impl wire::Encode for ResponseEventError {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
-    }
-
-    #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.sequence);
-        wire::generated::put(p, 2, self.sequence_oldest_available);
-        wire::generated::put(p, 4, self.target_system);
-        wire::generated::put(p, 5, self.target_component);
-        wire::generated::put(p, 6, self.reason);
-    }
-}
-
-impl wire::Targeted for ResponseEventError {
-    fn to(mut self, system: impl Into<u8>, component: impl Into<u8>) -> Self {
-        self.target_system = system.into();
-        self.target_component = component.into();
-        self
-    }
-}
+impl wire::Targeted for ResponseEventError {}
 
 wire::message!(ResponseEventError);

@@ -2,6 +2,7 @@
 
 use super::super::enums::MavFrame;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Reports the box the vehicle is currently meant to stay within.
 ///
@@ -37,17 +38,14 @@ pub struct SafetyAllowedArea {
 }
 
 impl wire::Message for SafetyAllowedArea {
-    const ID: u32 = 55;
+    type Payload = [u8; 25];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 55,
-        name: "SAFETY_ALLOWED_AREA",
-        crc_extra: 3,
-        len_v1: 25,
-        len_v2: 25,
-        target_system: None,
-        target_component: None,
-    };
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+        55,
+        "SAFETY_ALLOWED_AREA",
+        3,
+        25,
+    );
 
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("frame", wire::Kind::U8, 24)
@@ -71,41 +69,27 @@ impl wire::Message for SafetyAllowedArea {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<25>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<25>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 25]) -> Self {
         Self {
-            frame: wire::generated::get(p, 24),
-            p1x: wire::generated::get(p, 0),
-            p1y: wire::generated::get(p, 4),
-            p1z: wire::generated::get(p, 8),
-            p2x: wire::generated::get(p, 12),
-            p2y: wire::generated::get(p, 16),
-            p2z: wire::generated::get(p, 20),
+            frame: get(p, 24),
+            p1x: get(p, 0),
+            p1y: get(p, 4),
+            p1z: get(p, 8),
+            p2x: get(p, 12),
+            p2y: get(p, 16),
+            p2z: get(p, 20),
         }
-    }
-}
-
-impl wire::Encode for SafetyAllowedArea {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.p1x);
-        wire::generated::put(p, 4, self.p1y);
-        wire::generated::put(p, 8, self.p1z);
-        wire::generated::put(p, 12, self.p2x);
-        wire::generated::put(p, 16, self.p2y);
-        wire::generated::put(p, 20, self.p2z);
-        wire::generated::put(p, 24, self.frame);
+    fn store(&self, p: &mut [u8; 25]) {
+        put(p, 0, self.p1x);
+        put(p, 4, self.p1y);
+        put(p, 8, self.p1z);
+        put(p, 12, self.p2x);
+        put(p, 16, self.p2y);
+        put(p, 20, self.p2z);
+        put(p, 24, self.frame);
     }
 }
 

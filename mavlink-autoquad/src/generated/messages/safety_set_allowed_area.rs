@@ -2,6 +2,7 @@
 
 use super::super::enums::MavFrame;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Sets a box, given by two opposite corners, that the vehicle should stay within.
 ///
@@ -43,18 +44,16 @@ pub struct SafetySetAllowedArea {
 }
 
 impl wire::Message for SafetySetAllowedArea {
-    const ID: u32 = 54;
+    type Payload = [u8; 27];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 54,
-        name: "SAFETY_SET_ALLOWED_AREA",
-        crc_extra: 15,
-        len_v1: 27,
-        len_v2: 27,
-        target_system: Some(24),
-        target_component: Some(25),
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            54,
+            "SAFETY_SET_ALLOWED_AREA",
+            15,
+            27,
+        )
+        .target_system(24)
+        .target_component(25);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 24),
         wire::FieldInfo::new("target_component", wire::Kind::U8, 25),
@@ -81,26 +80,31 @@ impl wire::Message for SafetySetAllowedArea {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<27>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<27>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 27]) -> Self {
         Self {
-            target_system: wire::generated::get(p, 24),
-            target_component: wire::generated::get(p, 25),
-            frame: wire::generated::get(p, 26),
-            p1x: wire::generated::get(p, 0),
-            p1y: wire::generated::get(p, 4),
-            p1z: wire::generated::get(p, 8),
-            p2x: wire::generated::get(p, 12),
-            p2y: wire::generated::get(p, 16),
-            p2z: wire::generated::get(p, 20),
+            target_system: get(p, 24),
+            target_component: get(p, 25),
+            frame: get(p, 26),
+            p1x: get(p, 0),
+            p1y: get(p, 4),
+            p1z: get(p, 8),
+            p2x: get(p, 12),
+            p2y: get(p, 16),
+            p2z: get(p, 20),
         }
+    }
+
+    #[inline]
+    fn store(&self, p: &mut [u8; 27]) {
+        put(p, 0, self.p1x);
+        put(p, 4, self.p1y);
+        put(p, 8, self.p1z);
+        put(p, 12, self.p2x);
+        put(p, 16, self.p2y);
+        put(p, 20, self.p2z);
+        put(p, 24, self.target_system);
+        put(p, 25, self.target_component);
+        put(p, 26, self.frame);
     }
 
     #[inline]
@@ -109,31 +113,6 @@ impl wire::Message for SafetySetAllowedArea {
     }
 }
 
-impl wire::Encode for SafetySetAllowedArea {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
-    }
-
-    #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.p1x);
-        wire::generated::put(p, 4, self.p1y);
-        wire::generated::put(p, 8, self.p1z);
-        wire::generated::put(p, 12, self.p2x);
-        wire::generated::put(p, 16, self.p2y);
-        wire::generated::put(p, 20, self.p2z);
-        wire::generated::put(p, 24, self.target_system);
-        wire::generated::put(p, 25, self.target_component);
-        wire::generated::put(p, 26, self.frame);
-    }
-}
-
-impl wire::Targeted for SafetySetAllowedArea {
-    fn to(mut self, system: impl Into<u8>, component: impl Into<u8>) -> Self {
-        self.target_system = system.into();
-        self.target_component = component.into();
-        self
-    }
-}
+impl wire::Targeted for SafetySetAllowedArea {}
 
 wire::message!(SafetySetAllowedArea);

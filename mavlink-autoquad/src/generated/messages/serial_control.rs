@@ -2,6 +2,7 @@
 
 use super::super::enums::{SerialControlDev, SerialControlFlag};
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Opens a serial port or a shell of the vehicle over the link and passes bytes both ways.
 ///
@@ -41,18 +42,17 @@ pub struct SerialControl {
 }
 
 impl wire::Message for SerialControl {
-    const ID: u32 = 126;
+    type Payload = [u8; 81];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 126,
-        name: "SERIAL_CONTROL",
-        crc_extra: 220,
-        len_v1: 79,
-        len_v2: 81,
-        target_system: Some(79),
-        target_component: Some(80),
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            126,
+            "SERIAL_CONTROL",
+            220,
+            81,
+        )
+        .len_v1(79)
+        .target_system(79)
+        .target_component(80);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("device", wire::Kind::U8, 6)
             .values(<SerialControlDev as wire::Enum>::INFO),
@@ -78,25 +78,29 @@ impl wire::Message for SerialControl {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<81>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<81>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 81]) -> Self {
         Self {
-            device: wire::generated::get(p, 6),
-            flags: wire::generated::get(p, 7),
-            timeout: wire::generated::get(p, 4),
-            baudrate: wire::generated::get(p, 0),
-            count: wire::generated::get(p, 8),
-            data: wire::generated::get(p, 9),
-            target_system: wire::generated::get(p, 79),
-            target_component: wire::generated::get(p, 80),
+            device: get(p, 6),
+            flags: get(p, 7),
+            timeout: get(p, 4),
+            baudrate: get(p, 0),
+            count: get(p, 8),
+            data: get(p, 9),
+            target_system: get(p, 79),
+            target_component: get(p, 80),
         }
+    }
+
+    #[inline]
+    fn store(&self, p: &mut [u8; 81]) {
+        put(p, 0, self.baudrate);
+        put(p, 4, self.timeout);
+        put(p, 6, self.device);
+        put(p, 7, self.flags);
+        put(p, 8, self.count);
+        put(p, 9, self.data);
+        put(p, 79, self.target_system);
+        put(p, 80, self.target_component);
     }
 
     #[inline]
@@ -105,30 +109,6 @@ impl wire::Message for SerialControl {
     }
 }
 
-impl wire::Encode for SerialControl {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
-    }
-
-    #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.baudrate);
-        wire::generated::put(p, 4, self.timeout);
-        wire::generated::put(p, 6, self.device);
-        wire::generated::put(p, 7, self.flags);
-        wire::generated::put(p, 8, self.count);
-        wire::generated::put(p, 9, self.data);
-        wire::generated::put(p, 79, self.target_system);
-        wire::generated::put(p, 80, self.target_component);
-    }
-}
-
-impl wire::Targeted for SerialControl {
-    fn to(mut self, system: impl Into<u8>, component: impl Into<u8>) -> Self {
-        self.target_system = system.into();
-        self.target_component = component.into();
-        self
-    }
-}
+impl wire::Targeted for SerialControl {}
 
 wire::message!(SerialControl);

@@ -2,6 +2,7 @@
 
 use super::super::enums::AttitudeTargetTypemask;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Attitude, body rate and thrust setpoint from an external controller.
 ///
@@ -47,18 +48,17 @@ pub struct SetAttitudeTarget {
 }
 
 impl wire::Message for SetAttitudeTarget {
-    const ID: u32 = 82;
+    type Payload = [u8; 51];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 82,
-        name: "SET_ATTITUDE_TARGET",
-        crc_extra: 49,
-        len_v1: 39,
-        len_v2: 51,
-        target_system: Some(36),
-        target_component: Some(37),
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            82,
+            "SET_ATTITUDE_TARGET",
+            49,
+            51,
+        )
+        .len_v1(39)
+        .target_system(36)
+        .target_component(37);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_boot_ms", wire::Kind::U32, 0).units("ms"),
         wire::FieldInfo::new("target_system", wire::Kind::U8, 36),
@@ -87,27 +87,33 @@ impl wire::Message for SetAttitudeTarget {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<51>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<51>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 51]) -> Self {
         Self {
-            time_boot_ms: wire::generated::get(p, 0),
-            target_system: wire::generated::get(p, 36),
-            target_component: wire::generated::get(p, 37),
-            type_mask: wire::generated::get(p, 38),
-            q: wire::generated::get(p, 4),
-            body_roll_rate: wire::generated::get(p, 20),
-            body_pitch_rate: wire::generated::get(p, 24),
-            body_yaw_rate: wire::generated::get(p, 28),
-            thrust: wire::generated::get(p, 32),
-            thrust_body: wire::generated::get(p, 39),
+            time_boot_ms: get(p, 0),
+            target_system: get(p, 36),
+            target_component: get(p, 37),
+            type_mask: get(p, 38),
+            q: get(p, 4),
+            body_roll_rate: get(p, 20),
+            body_pitch_rate: get(p, 24),
+            body_yaw_rate: get(p, 28),
+            thrust: get(p, 32),
+            thrust_body: get(p, 39),
         }
+    }
+
+    #[inline]
+    fn store(&self, p: &mut [u8; 51]) {
+        put(p, 0, self.time_boot_ms);
+        put(p, 4, self.q);
+        put(p, 20, self.body_roll_rate);
+        put(p, 24, self.body_pitch_rate);
+        put(p, 28, self.body_yaw_rate);
+        put(p, 32, self.thrust);
+        put(p, 36, self.target_system);
+        put(p, 37, self.target_component);
+        put(p, 38, self.type_mask);
+        put(p, 39, self.thrust_body);
     }
 
     #[inline]
@@ -116,32 +122,6 @@ impl wire::Message for SetAttitudeTarget {
     }
 }
 
-impl wire::Encode for SetAttitudeTarget {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
-    }
-
-    #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.time_boot_ms);
-        wire::generated::put(p, 4, self.q);
-        wire::generated::put(p, 20, self.body_roll_rate);
-        wire::generated::put(p, 24, self.body_pitch_rate);
-        wire::generated::put(p, 28, self.body_yaw_rate);
-        wire::generated::put(p, 32, self.thrust);
-        wire::generated::put(p, 36, self.target_system);
-        wire::generated::put(p, 37, self.target_component);
-        wire::generated::put(p, 38, self.type_mask);
-        wire::generated::put(p, 39, self.thrust_body);
-    }
-}
-
-impl wire::Targeted for SetAttitudeTarget {
-    fn to(mut self, system: impl Into<u8>, component: impl Into<u8>) -> Self {
-        self.target_system = system.into();
-        self.target_component = component.into();
-        self
-    }
-}
+impl wire::Targeted for SetAttitudeTarget {}
 
 wire::message!(SetAttitudeTarget);

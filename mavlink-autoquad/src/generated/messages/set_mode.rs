@@ -2,6 +2,7 @@
 
 use super::super::enums::MavModeFlag;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Sets the base mode and custom mode of a vehicle.
 ///
@@ -27,18 +28,15 @@ pub struct SetMode {
 }
 
 impl wire::Message for SetMode {
-    const ID: u32 = 11;
+    type Payload = [u8; 6];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 11,
-        name: "SET_MODE",
-        crc_extra: 89,
-        len_v1: 6,
-        len_v2: 6,
-        target_system: Some(4),
-        target_component: None,
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            11,
+            "SET_MODE",
+            89,
+            6,
+        )
+        .target_system(4);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 4),
         wire::FieldInfo::new("base_mode", wire::Kind::U8, 5)
@@ -53,38 +51,24 @@ impl wire::Message for SetMode {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<6>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<6>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 6]) -> Self {
         Self {
-            target_system: wire::generated::get(p, 4),
-            base_mode: wire::generated::get(p, 5),
-            custom_mode: wire::generated::get(p, 0),
+            target_system: get(p, 4),
+            base_mode: get(p, 5),
+            custom_mode: get(p, 0),
         }
+    }
+
+    #[inline]
+    fn store(&self, p: &mut [u8; 6]) {
+        put(p, 0, self.custom_mode);
+        put(p, 4, self.target_system);
+        put(p, 5, self.base_mode);
     }
 
     #[inline]
     fn target_mut(&mut self) -> (Option<&mut u8>, Option<&mut u8>) {
         (Some(&mut self.target_system), None)
-    }
-}
-
-impl wire::Encode for SetMode {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
-    }
-
-    #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.custom_mode);
-        wire::generated::put(p, 4, self.target_system);
-        wire::generated::put(p, 5, self.base_mode);
     }
 }
 

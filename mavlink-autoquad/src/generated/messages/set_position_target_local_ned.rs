@@ -2,6 +2,7 @@
 
 use super::super::enums::{MavFrame, PositionTargetTypemask};
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Position, velocity and acceleration setpoint in a local frame from an external controller.
 ///
@@ -64,18 +65,16 @@ pub struct SetPositionTargetLocalNed {
 }
 
 impl wire::Message for SetPositionTargetLocalNed {
-    const ID: u32 = 84;
+    type Payload = [u8; 53];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 84,
-        name: "SET_POSITION_TARGET_LOCAL_NED",
-        crc_extra: 143,
-        len_v1: 53,
-        len_v2: 53,
-        target_system: Some(50),
-        target_component: Some(51),
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            84,
+            "SET_POSITION_TARGET_LOCAL_NED",
+            143,
+            53,
+        )
+        .target_system(50)
+        .target_component(51);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_boot_ms", wire::Kind::U32, 0).units("ms"),
         wire::FieldInfo::new("target_system", wire::Kind::U8, 50),
@@ -117,33 +116,45 @@ impl wire::Message for SetPositionTargetLocalNed {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<53>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<53>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 53]) -> Self {
         Self {
-            time_boot_ms: wire::generated::get(p, 0),
-            target_system: wire::generated::get(p, 50),
-            target_component: wire::generated::get(p, 51),
-            coordinate_frame: wire::generated::get(p, 52),
-            type_mask: wire::generated::get(p, 48),
-            x: wire::generated::get(p, 4),
-            y: wire::generated::get(p, 8),
-            z: wire::generated::get(p, 12),
-            vx: wire::generated::get(p, 16),
-            vy: wire::generated::get(p, 20),
-            vz: wire::generated::get(p, 24),
-            afx: wire::generated::get(p, 28),
-            afy: wire::generated::get(p, 32),
-            afz: wire::generated::get(p, 36),
-            yaw: wire::generated::get(p, 40),
-            yaw_rate: wire::generated::get(p, 44),
+            time_boot_ms: get(p, 0),
+            target_system: get(p, 50),
+            target_component: get(p, 51),
+            coordinate_frame: get(p, 52),
+            type_mask: get(p, 48),
+            x: get(p, 4),
+            y: get(p, 8),
+            z: get(p, 12),
+            vx: get(p, 16),
+            vy: get(p, 20),
+            vz: get(p, 24),
+            afx: get(p, 28),
+            afy: get(p, 32),
+            afz: get(p, 36),
+            yaw: get(p, 40),
+            yaw_rate: get(p, 44),
         }
+    }
+
+    #[inline]
+    fn store(&self, p: &mut [u8; 53]) {
+        put(p, 0, self.time_boot_ms);
+        put(p, 4, self.x);
+        put(p, 8, self.y);
+        put(p, 12, self.z);
+        put(p, 16, self.vx);
+        put(p, 20, self.vy);
+        put(p, 24, self.vz);
+        put(p, 28, self.afx);
+        put(p, 32, self.afy);
+        put(p, 36, self.afz);
+        put(p, 40, self.yaw);
+        put(p, 44, self.yaw_rate);
+        put(p, 48, self.type_mask);
+        put(p, 50, self.target_system);
+        put(p, 51, self.target_component);
+        put(p, 52, self.coordinate_frame);
     }
 
     #[inline]
@@ -152,38 +163,6 @@ impl wire::Message for SetPositionTargetLocalNed {
     }
 }
 
-impl wire::Encode for SetPositionTargetLocalNed {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
-    }
-
-    #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.time_boot_ms);
-        wire::generated::put(p, 4, self.x);
-        wire::generated::put(p, 8, self.y);
-        wire::generated::put(p, 12, self.z);
-        wire::generated::put(p, 16, self.vx);
-        wire::generated::put(p, 20, self.vy);
-        wire::generated::put(p, 24, self.vz);
-        wire::generated::put(p, 28, self.afx);
-        wire::generated::put(p, 32, self.afy);
-        wire::generated::put(p, 36, self.afz);
-        wire::generated::put(p, 40, self.yaw);
-        wire::generated::put(p, 44, self.yaw_rate);
-        wire::generated::put(p, 48, self.type_mask);
-        wire::generated::put(p, 50, self.target_system);
-        wire::generated::put(p, 51, self.target_component);
-        wire::generated::put(p, 52, self.coordinate_frame);
-    }
-}
-
-impl wire::Targeted for SetPositionTargetLocalNed {
-    fn to(mut self, system: impl Into<u8>, component: impl Into<u8>) -> Self {
-        self.target_system = system.into();
-        self.target_component = component.into();
-        self
-    }
-}
+impl wire::Targeted for SetPositionTargetLocalNed {}
 
 wire::message!(SetPositionTargetLocalNed);

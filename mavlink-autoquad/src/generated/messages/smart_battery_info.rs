@@ -2,6 +2,7 @@
 
 use super::super::enums::{MavBatteryFunction, MavBatteryType};
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Fixed data of a smart battery; `BATTERY_INFO` has taken its place.
 ///
@@ -233,18 +234,15 @@ impl SmartBatteryInfo {
 }
 
 impl wire::Message for SmartBatteryInfo {
-    const ID: u32 = 370;
+    type Payload = [u8; 109];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 370,
-        name: "SMART_BATTERY_INFO",
-        crc_extra: 75,
-        len_v1: 87,
-        len_v2: 109,
-        target_system: None,
-        target_component: None,
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            370,
+            "SMART_BATTERY_INFO",
+            75,
+            109,
+        )
+        .len_v1(87);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("id", wire::Kind::U8, 18),
         wire::FieldInfo::new("battery_function", wire::Kind::U8, 19)
@@ -316,61 +314,47 @@ impl wire::Message for SmartBatteryInfo {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<109>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<109>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 109]) -> Self {
         Self {
-            id: wire::generated::get(p, 18),
-            battery_function: wire::generated::get(p, 19),
-            r#type: wire::generated::get(p, 20),
-            capacity_full_specification: wire::generated::get(p, 0),
-            capacity_full: wire::generated::get(p, 4),
-            cycle_count: wire::generated::get(p, 8),
-            serial_number: wire::generated::get(p, 21),
-            device_name: wire::generated::get(p, 37),
-            weight: wire::generated::get(p, 10),
-            discharge_minimum_voltage: wire::generated::get(p, 12),
-            charging_minimum_voltage: wire::generated::get(p, 14),
-            resting_minimum_voltage: wire::generated::get(p, 16),
-            charging_maximum_voltage: wire::generated::get(p, 87),
-            cells_in_series: wire::generated::get(p, 89),
-            discharge_maximum_current: wire::generated::get(p, 90),
-            discharge_maximum_burst_current: wire::generated::get(p, 94),
-            manufacture_date: wire::generated::get(p, 98),
+            id: get(p, 18),
+            battery_function: get(p, 19),
+            r#type: get(p, 20),
+            capacity_full_specification: get(p, 0),
+            capacity_full: get(p, 4),
+            cycle_count: get(p, 8),
+            serial_number: get(p, 21),
+            device_name: get(p, 37),
+            weight: get(p, 10),
+            discharge_minimum_voltage: get(p, 12),
+            charging_minimum_voltage: get(p, 14),
+            resting_minimum_voltage: get(p, 16),
+            charging_maximum_voltage: get(p, 87),
+            cells_in_series: get(p, 89),
+            discharge_maximum_current: get(p, 90),
+            discharge_maximum_burst_current: get(p, 94),
+            manufacture_date: get(p, 98),
         }
-    }
-}
-
-impl wire::Encode for SmartBatteryInfo {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.capacity_full_specification);
-        wire::generated::put(p, 4, self.capacity_full);
-        wire::generated::put(p, 8, self.cycle_count);
-        wire::generated::put(p, 10, self.weight);
-        wire::generated::put(p, 12, self.discharge_minimum_voltage);
-        wire::generated::put(p, 14, self.charging_minimum_voltage);
-        wire::generated::put(p, 16, self.resting_minimum_voltage);
-        wire::generated::put(p, 18, self.id);
-        wire::generated::put(p, 19, self.battery_function);
-        wire::generated::put(p, 20, self.r#type);
-        wire::generated::put(p, 21, self.serial_number);
-        wire::generated::put(p, 37, self.device_name);
-        wire::generated::put(p, 87, self.charging_maximum_voltage);
-        wire::generated::put(p, 89, self.cells_in_series);
-        wire::generated::put(p, 90, self.discharge_maximum_current);
-        wire::generated::put(p, 94, self.discharge_maximum_burst_current);
-        wire::generated::put(p, 98, self.manufacture_date);
+    fn store(&self, p: &mut [u8; 109]) {
+        put(p, 0, self.capacity_full_specification);
+        put(p, 4, self.capacity_full);
+        put(p, 8, self.cycle_count);
+        put(p, 10, self.weight);
+        put(p, 12, self.discharge_minimum_voltage);
+        put(p, 14, self.charging_minimum_voltage);
+        put(p, 16, self.resting_minimum_voltage);
+        put(p, 18, self.id);
+        put(p, 19, self.battery_function);
+        put(p, 20, self.r#type);
+        put(p, 21, self.serial_number);
+        put(p, 37, self.device_name);
+        put(p, 87, self.charging_maximum_voltage);
+        put(p, 89, self.cells_in_series);
+        put(p, 90, self.discharge_maximum_current);
+        put(p, 94, self.discharge_maximum_burst_current);
+        put(p, 98, self.manufacture_date);
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::super::enums::MavSeverity;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Text for the operator, with a severity; long text goes out in several chunks.
 ///
@@ -30,18 +31,15 @@ pub struct Statustext {
 }
 
 impl wire::Message for Statustext {
-    const ID: u32 = 253;
+    type Payload = [u8; 54];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 253,
-        name: "STATUSTEXT",
-        crc_extra: 83,
-        len_v1: 51,
-        len_v2: 54,
-        target_system: None,
-        target_component: None,
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            253,
+            "STATUSTEXT",
+            83,
+            54,
+        )
+        .len_v1(51);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("severity", wire::Kind::U8, 0)
             .values(<MavSeverity as wire::Enum>::INFO),
@@ -58,35 +56,21 @@ impl wire::Message for Statustext {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<54>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<54>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 54]) -> Self {
         Self {
-            severity: wire::generated::get(p, 0),
-            text: wire::generated::get(p, 1),
-            id: wire::generated::get(p, 51),
-            chunk_seq: wire::generated::get(p, 53),
+            severity: get(p, 0),
+            text: get(p, 1),
+            id: get(p, 51),
+            chunk_seq: get(p, 53),
         }
-    }
-}
-
-impl wire::Encode for Statustext {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.severity);
-        wire::generated::put(p, 1, self.text);
-        wire::generated::put(p, 51, self.id);
-        wire::generated::put(p, 53, self.chunk_seq);
+    fn store(&self, p: &mut [u8; 54]) {
+        put(p, 0, self.severity);
+        put(p, 1, self.text);
+        put(p, 51, self.id);
+        put(p, 53, self.chunk_seq);
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::super::enums::{StorageStatus, StorageType, StorageUsageFlag};
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Size, free space and state of one storage medium.
 ///
@@ -52,18 +53,15 @@ pub struct StorageInformation {
 }
 
 impl wire::Message for StorageInformation {
-    const ID: u32 = 261;
+    type Payload = [u8; 61];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 261,
-        name: "STORAGE_INFORMATION",
-        crc_extra: 179,
-        len_v1: 27,
-        len_v2: 61,
-        target_system: None,
-        target_component: None,
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            261,
+            "STORAGE_INFORMATION",
+            179,
+            61,
+        )
+        .len_v1(27);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_boot_ms", wire::Kind::U32, 0).units("ms"),
         wire::FieldInfo::new("storage_id", wire::Kind::U8, 24),
@@ -100,51 +98,37 @@ impl wire::Message for StorageInformation {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<61>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<61>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 61]) -> Self {
         Self {
-            time_boot_ms: wire::generated::get(p, 0),
-            storage_id: wire::generated::get(p, 24),
-            storage_count: wire::generated::get(p, 25),
-            status: wire::generated::get(p, 26),
-            total_capacity: wire::generated::get(p, 4),
-            used_capacity: wire::generated::get(p, 8),
-            available_capacity: wire::generated::get(p, 12),
-            read_speed: wire::generated::get(p, 16),
-            write_speed: wire::generated::get(p, 20),
-            r#type: wire::generated::get(p, 27),
-            name: wire::generated::get(p, 28),
-            storage_usage: wire::generated::get(p, 60),
+            time_boot_ms: get(p, 0),
+            storage_id: get(p, 24),
+            storage_count: get(p, 25),
+            status: get(p, 26),
+            total_capacity: get(p, 4),
+            used_capacity: get(p, 8),
+            available_capacity: get(p, 12),
+            read_speed: get(p, 16),
+            write_speed: get(p, 20),
+            r#type: get(p, 27),
+            name: get(p, 28),
+            storage_usage: get(p, 60),
         }
-    }
-}
-
-impl wire::Encode for StorageInformation {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.time_boot_ms);
-        wire::generated::put(p, 4, self.total_capacity);
-        wire::generated::put(p, 8, self.used_capacity);
-        wire::generated::put(p, 12, self.available_capacity);
-        wire::generated::put(p, 16, self.read_speed);
-        wire::generated::put(p, 20, self.write_speed);
-        wire::generated::put(p, 24, self.storage_id);
-        wire::generated::put(p, 25, self.storage_count);
-        wire::generated::put(p, 26, self.status);
-        wire::generated::put(p, 27, self.r#type);
-        wire::generated::put(p, 28, self.name);
-        wire::generated::put(p, 60, self.storage_usage);
+    fn store(&self, p: &mut [u8; 61]) {
+        put(p, 0, self.time_boot_ms);
+        put(p, 4, self.total_capacity);
+        put(p, 8, self.used_capacity);
+        put(p, 12, self.available_capacity);
+        put(p, 16, self.read_speed);
+        put(p, 20, self.write_speed);
+        put(p, 24, self.storage_id);
+        put(p, 25, self.storage_count);
+        put(p, 26, self.status);
+        put(p, 27, self.r#type);
+        put(p, 28, self.name);
+        put(p, 60, self.storage_usage);
     }
 }
 

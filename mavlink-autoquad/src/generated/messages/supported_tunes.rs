@@ -2,6 +2,7 @@
 
 use super::super::enums::TuneFormat;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Tune notations that a component can play.
 ///
@@ -25,18 +26,16 @@ pub struct SupportedTunes {
 }
 
 impl wire::Message for SupportedTunes {
-    const ID: u32 = 401;
+    type Payload = [u8; 6];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 401,
-        name: "SUPPORTED_TUNES",
-        crc_extra: 183,
-        len_v1: 6,
-        len_v2: 6,
-        target_system: Some(4),
-        target_component: Some(5),
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            401,
+            "SUPPORTED_TUNES",
+            183,
+            6,
+        )
+        .target_system(4)
+        .target_component(5);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 4),
         wire::FieldInfo::new("target_component", wire::Kind::U8, 5),
@@ -51,20 +50,19 @@ impl wire::Message for SupportedTunes {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<6>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<6>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 6]) -> Self {
         Self {
-            target_system: wire::generated::get(p, 4),
-            target_component: wire::generated::get(p, 5),
-            format: wire::generated::get(p, 0),
+            target_system: get(p, 4),
+            target_component: get(p, 5),
+            format: get(p, 0),
         }
+    }
+
+    #[inline]
+    fn store(&self, p: &mut [u8; 6]) {
+        put(p, 0, self.format);
+        put(p, 4, self.target_system);
+        put(p, 5, self.target_component);
     }
 
     #[inline]
@@ -73,25 +71,6 @@ impl wire::Message for SupportedTunes {
     }
 }
 
-impl wire::Encode for SupportedTunes {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
-    }
-
-    #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.format);
-        wire::generated::put(p, 4, self.target_system);
-        wire::generated::put(p, 5, self.target_component);
-    }
-}
-
-impl wire::Targeted for SupportedTunes {
-    fn to(mut self, system: impl Into<u8>, component: impl Into<u8>) -> Self {
-        self.target_system = system.into();
-        self.target_component = component.into();
-        self
-    }
-}
+impl wire::Targeted for SupportedTunes {}
 
 wire::message!(SupportedTunes);

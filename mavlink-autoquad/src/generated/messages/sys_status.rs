@@ -2,6 +2,7 @@
 
 use super::super::enums::{MavSysStatusSensor, MavSysStatusSensorExtended};
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Overall health of a vehicle: its sensors and subsystems, processor load, main battery and link
 /// errors.
@@ -104,18 +105,15 @@ impl SysStatus {
 }
 
 impl wire::Message for SysStatus {
-    const ID: u32 = 1;
+    type Payload = [u8; 43];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 1,
-        name: "SYS_STATUS",
-        crc_extra: 124,
-        len_v1: 31,
-        len_v2: 43,
-        target_system: None,
-        target_component: None,
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            1,
+            "SYS_STATUS",
+            124,
+            43,
+        )
+        .len_v1(31);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("onboard_control_sensors_present", wire::Kind::U32, 0)
             .values(<MavSysStatusSensor as wire::Enum>::INFO),
@@ -182,59 +180,45 @@ impl wire::Message for SysStatus {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<43>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<43>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 43]) -> Self {
         Self {
-            onboard_control_sensors_present: wire::generated::get(p, 0),
-            onboard_control_sensors_enabled: wire::generated::get(p, 4),
-            onboard_control_sensors_health: wire::generated::get(p, 8),
-            load: wire::generated::get(p, 12),
-            voltage_battery: wire::generated::get(p, 14),
-            current_battery: wire::generated::get(p, 16),
-            battery_remaining: wire::generated::get(p, 30),
-            drop_rate_comm: wire::generated::get(p, 18),
-            errors_comm: wire::generated::get(p, 20),
-            errors_count1: wire::generated::get(p, 22),
-            errors_count2: wire::generated::get(p, 24),
-            errors_count3: wire::generated::get(p, 26),
-            errors_count4: wire::generated::get(p, 28),
-            onboard_control_sensors_present_extended: wire::generated::get(p, 31),
-            onboard_control_sensors_enabled_extended: wire::generated::get(p, 35),
-            onboard_control_sensors_health_extended: wire::generated::get(p, 39),
+            onboard_control_sensors_present: get(p, 0),
+            onboard_control_sensors_enabled: get(p, 4),
+            onboard_control_sensors_health: get(p, 8),
+            load: get(p, 12),
+            voltage_battery: get(p, 14),
+            current_battery: get(p, 16),
+            battery_remaining: get(p, 30),
+            drop_rate_comm: get(p, 18),
+            errors_comm: get(p, 20),
+            errors_count1: get(p, 22),
+            errors_count2: get(p, 24),
+            errors_count3: get(p, 26),
+            errors_count4: get(p, 28),
+            onboard_control_sensors_present_extended: get(p, 31),
+            onboard_control_sensors_enabled_extended: get(p, 35),
+            onboard_control_sensors_health_extended: get(p, 39),
         }
-    }
-}
-
-impl wire::Encode for SysStatus {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.onboard_control_sensors_present);
-        wire::generated::put(p, 4, self.onboard_control_sensors_enabled);
-        wire::generated::put(p, 8, self.onboard_control_sensors_health);
-        wire::generated::put(p, 12, self.load);
-        wire::generated::put(p, 14, self.voltage_battery);
-        wire::generated::put(p, 16, self.current_battery);
-        wire::generated::put(p, 18, self.drop_rate_comm);
-        wire::generated::put(p, 20, self.errors_comm);
-        wire::generated::put(p, 22, self.errors_count1);
-        wire::generated::put(p, 24, self.errors_count2);
-        wire::generated::put(p, 26, self.errors_count3);
-        wire::generated::put(p, 28, self.errors_count4);
-        wire::generated::put(p, 30, self.battery_remaining);
-        wire::generated::put(p, 31, self.onboard_control_sensors_present_extended);
-        wire::generated::put(p, 35, self.onboard_control_sensors_enabled_extended);
-        wire::generated::put(p, 39, self.onboard_control_sensors_health_extended);
+    fn store(&self, p: &mut [u8; 43]) {
+        put(p, 0, self.onboard_control_sensors_present);
+        put(p, 4, self.onboard_control_sensors_enabled);
+        put(p, 8, self.onboard_control_sensors_health);
+        put(p, 12, self.load);
+        put(p, 14, self.voltage_battery);
+        put(p, 16, self.current_battery);
+        put(p, 18, self.drop_rate_comm);
+        put(p, 20, self.errors_comm);
+        put(p, 22, self.errors_count1);
+        put(p, 24, self.errors_count2);
+        put(p, 26, self.errors_count3);
+        put(p, 28, self.errors_count4);
+        put(p, 30, self.battery_remaining);
+        put(p, 31, self.onboard_control_sensors_present_extended);
+        put(p, 35, self.onboard_control_sensors_enabled_extended);
+        put(p, 39, self.onboard_control_sensors_health_extended);
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::super::enums::MavCmd;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// A trajectory of up to five waypoints.
 ///
@@ -280,17 +281,14 @@ impl TrajectoryRepresentationWaypoints {
 }
 
 impl wire::Message for TrajectoryRepresentationWaypoints {
-    const ID: u32 = 332;
+    type Payload = [u8; 239];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 332,
-        name: "TRAJECTORY_REPRESENTATION_WAYPOINTS",
-        crc_extra: 236,
-        len_v1: 239,
-        len_v2: 239,
-        target_system: None,
-        target_component: None,
-    };
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+        332,
+        "TRAJECTORY_REPRESENTATION_WAYPOINTS",
+        236,
+        239,
+    );
 
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_usec", wire::Kind::U64, 0).units("us"),
@@ -351,55 +349,41 @@ impl wire::Message for TrajectoryRepresentationWaypoints {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<239>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<239>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 239]) -> Self {
         Self {
-            time_usec: wire::generated::get(p, 0),
-            valid_points: wire::generated::get(p, 238),
-            pos_x: wire::generated::get(p, 8),
-            pos_y: wire::generated::get(p, 28),
-            pos_z: wire::generated::get(p, 48),
-            vel_x: wire::generated::get(p, 68),
-            vel_y: wire::generated::get(p, 88),
-            vel_z: wire::generated::get(p, 108),
-            acc_x: wire::generated::get(p, 128),
-            acc_y: wire::generated::get(p, 148),
-            acc_z: wire::generated::get(p, 168),
-            pos_yaw: wire::generated::get(p, 188),
-            vel_yaw: wire::generated::get(p, 208),
-            command: wire::generated::get(p, 228),
+            time_usec: get(p, 0),
+            valid_points: get(p, 238),
+            pos_x: get(p, 8),
+            pos_y: get(p, 28),
+            pos_z: get(p, 48),
+            vel_x: get(p, 68),
+            vel_y: get(p, 88),
+            vel_z: get(p, 108),
+            acc_x: get(p, 128),
+            acc_y: get(p, 148),
+            acc_z: get(p, 168),
+            pos_yaw: get(p, 188),
+            vel_yaw: get(p, 208),
+            command: get(p, 228),
         }
-    }
-}
-
-impl wire::Encode for TrajectoryRepresentationWaypoints {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.time_usec);
-        wire::generated::put(p, 8, self.pos_x);
-        wire::generated::put(p, 28, self.pos_y);
-        wire::generated::put(p, 48, self.pos_z);
-        wire::generated::put(p, 68, self.vel_x);
-        wire::generated::put(p, 88, self.vel_y);
-        wire::generated::put(p, 108, self.vel_z);
-        wire::generated::put(p, 128, self.acc_x);
-        wire::generated::put(p, 148, self.acc_y);
-        wire::generated::put(p, 168, self.acc_z);
-        wire::generated::put(p, 188, self.pos_yaw);
-        wire::generated::put(p, 208, self.vel_yaw);
-        wire::generated::put(p, 228, self.command);
-        wire::generated::put(p, 238, self.valid_points);
+    fn store(&self, p: &mut [u8; 239]) {
+        put(p, 0, self.time_usec);
+        put(p, 8, self.pos_x);
+        put(p, 28, self.pos_y);
+        put(p, 48, self.pos_z);
+        put(p, 68, self.vel_x);
+        put(p, 88, self.vel_y);
+        put(p, 108, self.vel_z);
+        put(p, 128, self.acc_x);
+        put(p, 148, self.acc_y);
+        put(p, 168, self.acc_z);
+        put(p, 188, self.pos_yaw);
+        put(p, 208, self.vel_yaw);
+        put(p, 228, self.command);
+        put(p, 238, self.valid_points);
     }
 }
 

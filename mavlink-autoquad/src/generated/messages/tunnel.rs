@@ -2,6 +2,7 @@
 
 use super::super::enums::MavTunnelPayloadType;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Carries bytes of some other protocol from one component to another.
 ///
@@ -31,18 +32,16 @@ pub struct Tunnel {
 }
 
 impl wire::Message for Tunnel {
-    const ID: u32 = 385;
+    type Payload = [u8; 133];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 385,
-        name: "TUNNEL",
-        crc_extra: 147,
-        len_v1: 133,
-        len_v2: 133,
-        target_system: Some(2),
-        target_component: Some(3),
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            385,
+            "TUNNEL",
+            147,
+            133,
+        )
+        .target_system(2)
+        .target_component(3);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 2),
         wire::FieldInfo::new("target_component", wire::Kind::U8, 3),
@@ -61,22 +60,23 @@ impl wire::Message for Tunnel {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<133>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<133>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 133]) -> Self {
         Self {
-            target_system: wire::generated::get(p, 2),
-            target_component: wire::generated::get(p, 3),
-            payload_type: wire::generated::get(p, 0),
-            payload_length: wire::generated::get(p, 4),
-            payload: wire::generated::get(p, 5),
+            target_system: get(p, 2),
+            target_component: get(p, 3),
+            payload_type: get(p, 0),
+            payload_length: get(p, 4),
+            payload: get(p, 5),
         }
+    }
+
+    #[inline]
+    fn store(&self, p: &mut [u8; 133]) {
+        put(p, 0, self.payload_type);
+        put(p, 2, self.target_system);
+        put(p, 3, self.target_component);
+        put(p, 4, self.payload_length);
+        put(p, 5, self.payload);
     }
 
     #[inline]
@@ -85,27 +85,6 @@ impl wire::Message for Tunnel {
     }
 }
 
-impl wire::Encode for Tunnel {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
-    }
-
-    #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.payload_type);
-        wire::generated::put(p, 2, self.target_system);
-        wire::generated::put(p, 3, self.target_component);
-        wire::generated::put(p, 4, self.payload_length);
-        wire::generated::put(p, 5, self.payload);
-    }
-}
-
-impl wire::Targeted for Tunnel {
-    fn to(mut self, system: impl Into<u8>, component: impl Into<u8>) -> Self {
-        self.target_system = system.into();
-        self.target_component = component.into();
-        self
-    }
-}
+impl wire::Targeted for Tunnel {}
 
 wire::message!(Tunnel);

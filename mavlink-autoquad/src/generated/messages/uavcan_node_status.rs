@@ -2,6 +2,7 @@
 
 use super::super::enums::{UavcanNodeHealth, UavcanNodeMode};
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Health of one CAN node, taken from its UAVCAN status.
 ///
@@ -35,17 +36,14 @@ pub struct UavcanNodeStatus {
 }
 
 impl wire::Message for UavcanNodeStatus {
-    const ID: u32 = 310;
+    type Payload = [u8; 17];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 310,
-        name: "UAVCAN_NODE_STATUS",
-        crc_extra: 28,
-        len_v1: 17,
-        len_v2: 17,
-        target_system: None,
-        target_component: None,
-    };
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+        310,
+        "UAVCAN_NODE_STATUS",
+        28,
+        17,
+    );
 
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_usec", wire::Kind::U64, 0).units("us"),
@@ -68,39 +66,25 @@ impl wire::Message for UavcanNodeStatus {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<17>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<17>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 17]) -> Self {
         Self {
-            time_usec: wire::generated::get(p, 0),
-            uptime_sec: wire::generated::get(p, 8),
-            health: wire::generated::get(p, 14),
-            mode: wire::generated::get(p, 15),
-            sub_mode: wire::generated::get(p, 16),
-            vendor_specific_status_code: wire::generated::get(p, 12),
+            time_usec: get(p, 0),
+            uptime_sec: get(p, 8),
+            health: get(p, 14),
+            mode: get(p, 15),
+            sub_mode: get(p, 16),
+            vendor_specific_status_code: get(p, 12),
         }
-    }
-}
-
-impl wire::Encode for UavcanNodeStatus {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.time_usec);
-        wire::generated::put(p, 8, self.uptime_sec);
-        wire::generated::put(p, 12, self.vendor_specific_status_code);
-        wire::generated::put(p, 14, self.health);
-        wire::generated::put(p, 15, self.mode);
-        wire::generated::put(p, 16, self.sub_mode);
+    fn store(&self, p: &mut [u8; 17]) {
+        put(p, 0, self.time_usec);
+        put(p, 8, self.uptime_sec);
+        put(p, 12, self.vendor_specific_status_code);
+        put(p, 14, self.health);
+        put(p, 15, self.mode);
+        put(p, 16, self.sub_mode);
     }
 }
 

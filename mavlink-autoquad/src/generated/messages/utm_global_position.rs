@@ -2,6 +2,7 @@
 
 use super::super::enums::{UtmDataAvailFlags, UtmFlightState};
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Position of an unmanned aircraft for traffic management.
 ///
@@ -84,17 +85,14 @@ impl UtmGlobalPosition {
 }
 
 impl wire::Message for UtmGlobalPosition {
-    const ID: u32 = 340;
+    type Payload = [u8; 70];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 340,
-        name: "UTM_GLOBAL_POSITION",
-        crc_extra: 99,
-        len_v1: 70,
-        len_v2: 70,
-        target_system: None,
-        target_component: None,
-    };
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+        340,
+        "UTM_GLOBAL_POSITION",
+        99,
+        70,
+    );
 
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time", wire::Kind::U64, 0).units("us"),
@@ -143,63 +141,49 @@ impl wire::Message for UtmGlobalPosition {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<70>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<70>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 70]) -> Self {
         Self {
-            time: wire::generated::get(p, 0),
-            uas_id: wire::generated::get(p, 50),
-            lat: wire::generated::get(p, 8),
-            lon: wire::generated::get(p, 12),
-            alt: wire::generated::get(p, 16),
-            relative_alt: wire::generated::get(p, 20),
-            vx: wire::generated::get(p, 36),
-            vy: wire::generated::get(p, 38),
-            vz: wire::generated::get(p, 40),
-            h_acc: wire::generated::get(p, 42),
-            v_acc: wire::generated::get(p, 44),
-            vel_acc: wire::generated::get(p, 46),
-            next_lat: wire::generated::get(p, 24),
-            next_lon: wire::generated::get(p, 28),
-            next_alt: wire::generated::get(p, 32),
-            update_rate: wire::generated::get(p, 48),
-            flight_state: wire::generated::get(p, 68),
-            flags: wire::generated::get(p, 69),
+            time: get(p, 0),
+            uas_id: get(p, 50),
+            lat: get(p, 8),
+            lon: get(p, 12),
+            alt: get(p, 16),
+            relative_alt: get(p, 20),
+            vx: get(p, 36),
+            vy: get(p, 38),
+            vz: get(p, 40),
+            h_acc: get(p, 42),
+            v_acc: get(p, 44),
+            vel_acc: get(p, 46),
+            next_lat: get(p, 24),
+            next_lon: get(p, 28),
+            next_alt: get(p, 32),
+            update_rate: get(p, 48),
+            flight_state: get(p, 68),
+            flags: get(p, 69),
         }
-    }
-}
-
-impl wire::Encode for UtmGlobalPosition {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.time);
-        wire::generated::put(p, 8, self.lat);
-        wire::generated::put(p, 12, self.lon);
-        wire::generated::put(p, 16, self.alt);
-        wire::generated::put(p, 20, self.relative_alt);
-        wire::generated::put(p, 24, self.next_lat);
-        wire::generated::put(p, 28, self.next_lon);
-        wire::generated::put(p, 32, self.next_alt);
-        wire::generated::put(p, 36, self.vx);
-        wire::generated::put(p, 38, self.vy);
-        wire::generated::put(p, 40, self.vz);
-        wire::generated::put(p, 42, self.h_acc);
-        wire::generated::put(p, 44, self.v_acc);
-        wire::generated::put(p, 46, self.vel_acc);
-        wire::generated::put(p, 48, self.update_rate);
-        wire::generated::put(p, 50, self.uas_id);
-        wire::generated::put(p, 68, self.flight_state);
-        wire::generated::put(p, 69, self.flags);
+    fn store(&self, p: &mut [u8; 70]) {
+        put(p, 0, self.time);
+        put(p, 8, self.lat);
+        put(p, 12, self.lon);
+        put(p, 16, self.alt);
+        put(p, 20, self.relative_alt);
+        put(p, 24, self.next_lat);
+        put(p, 28, self.next_lon);
+        put(p, 32, self.next_alt);
+        put(p, 36, self.vx);
+        put(p, 38, self.vy);
+        put(p, 40, self.vz);
+        put(p, 42, self.h_acc);
+        put(p, 44, self.v_acc);
+        put(p, 46, self.vel_acc);
+        put(p, 48, self.update_rate);
+        put(p, 50, self.uas_id);
+        put(p, 68, self.flight_state);
+        put(p, 69, self.flags);
     }
 }
 

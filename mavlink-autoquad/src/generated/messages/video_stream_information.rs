@@ -2,6 +2,7 @@
 
 use super::super::enums::{VideoStreamEncoding, VideoStreamStatusFlags, VideoStreamType};
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Where a video stream can be had and in what format.
 ///
@@ -59,18 +60,15 @@ pub struct VideoStreamInformation {
 }
 
 impl wire::Message for VideoStreamInformation {
-    const ID: u32 = 269;
+    type Payload = [u8; 215];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 269,
-        name: "VIDEO_STREAM_INFORMATION",
-        crc_extra: 109,
-        len_v1: 213,
-        len_v2: 215,
-        target_system: None,
-        target_component: None,
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            269,
+            "VIDEO_STREAM_INFORMATION",
+            109,
+            215,
+        )
+        .len_v1(213);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("stream_id", wire::Kind::U8, 18),
         wire::FieldInfo::new("count", wire::Kind::U8, 19),
@@ -110,55 +108,41 @@ impl wire::Message for VideoStreamInformation {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<215>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<215>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 215]) -> Self {
         Self {
-            stream_id: wire::generated::get(p, 18),
-            count: wire::generated::get(p, 19),
-            r#type: wire::generated::get(p, 20),
-            flags: wire::generated::get(p, 8),
-            framerate: wire::generated::get(p, 0),
-            resolution_h: wire::generated::get(p, 10),
-            resolution_v: wire::generated::get(p, 12),
-            bitrate: wire::generated::get(p, 4),
-            rotation: wire::generated::get(p, 14),
-            hfov: wire::generated::get(p, 16),
-            name: wire::generated::get(p, 21),
-            uri: wire::generated::get(p, 53),
-            encoding: wire::generated::get(p, 213),
-            camera_device_id: wire::generated::get(p, 214),
+            stream_id: get(p, 18),
+            count: get(p, 19),
+            r#type: get(p, 20),
+            flags: get(p, 8),
+            framerate: get(p, 0),
+            resolution_h: get(p, 10),
+            resolution_v: get(p, 12),
+            bitrate: get(p, 4),
+            rotation: get(p, 14),
+            hfov: get(p, 16),
+            name: get(p, 21),
+            uri: get(p, 53),
+            encoding: get(p, 213),
+            camera_device_id: get(p, 214),
         }
-    }
-}
-
-impl wire::Encode for VideoStreamInformation {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.framerate);
-        wire::generated::put(p, 4, self.bitrate);
-        wire::generated::put(p, 8, self.flags);
-        wire::generated::put(p, 10, self.resolution_h);
-        wire::generated::put(p, 12, self.resolution_v);
-        wire::generated::put(p, 14, self.rotation);
-        wire::generated::put(p, 16, self.hfov);
-        wire::generated::put(p, 18, self.stream_id);
-        wire::generated::put(p, 19, self.count);
-        wire::generated::put(p, 20, self.r#type);
-        wire::generated::put(p, 21, self.name);
-        wire::generated::put(p, 53, self.uri);
-        wire::generated::put(p, 213, self.encoding);
-        wire::generated::put(p, 214, self.camera_device_id);
+    fn store(&self, p: &mut [u8; 215]) {
+        put(p, 0, self.framerate);
+        put(p, 4, self.bitrate);
+        put(p, 8, self.flags);
+        put(p, 10, self.resolution_h);
+        put(p, 12, self.resolution_v);
+        put(p, 14, self.rotation);
+        put(p, 16, self.hfov);
+        put(p, 18, self.stream_id);
+        put(p, 19, self.count);
+        put(p, 20, self.r#type);
+        put(p, 21, self.name);
+        put(p, 53, self.uri);
+        put(p, 213, self.encoding);
+        put(p, 214, self.camera_device_id);
     }
 }
 

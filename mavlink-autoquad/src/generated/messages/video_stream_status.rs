@@ -2,6 +2,7 @@
 
 use super::super::enums::VideoStreamStatusFlags;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Current state of a video stream.
 ///
@@ -44,18 +45,15 @@ pub struct VideoStreamStatus {
 }
 
 impl wire::Message for VideoStreamStatus {
-    const ID: u32 = 270;
+    type Payload = [u8; 20];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 270,
-        name: "VIDEO_STREAM_STATUS",
-        crc_extra: 59,
-        len_v1: 19,
-        len_v2: 20,
-        target_system: None,
-        target_component: None,
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            270,
+            "VIDEO_STREAM_STATUS",
+            59,
+            20,
+        )
+        .len_v1(19);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("stream_id", wire::Kind::U8, 18),
         wire::FieldInfo::new("flags", wire::Kind::U16, 8)
@@ -82,45 +80,31 @@ impl wire::Message for VideoStreamStatus {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<20>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<20>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 20]) -> Self {
         Self {
-            stream_id: wire::generated::get(p, 18),
-            flags: wire::generated::get(p, 8),
-            framerate: wire::generated::get(p, 0),
-            resolution_h: wire::generated::get(p, 10),
-            resolution_v: wire::generated::get(p, 12),
-            bitrate: wire::generated::get(p, 4),
-            rotation: wire::generated::get(p, 14),
-            hfov: wire::generated::get(p, 16),
-            camera_device_id: wire::generated::get(p, 19),
+            stream_id: get(p, 18),
+            flags: get(p, 8),
+            framerate: get(p, 0),
+            resolution_h: get(p, 10),
+            resolution_v: get(p, 12),
+            bitrate: get(p, 4),
+            rotation: get(p, 14),
+            hfov: get(p, 16),
+            camera_device_id: get(p, 19),
         }
-    }
-}
-
-impl wire::Encode for VideoStreamStatus {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.framerate);
-        wire::generated::put(p, 4, self.bitrate);
-        wire::generated::put(p, 8, self.flags);
-        wire::generated::put(p, 10, self.resolution_h);
-        wire::generated::put(p, 12, self.resolution_v);
-        wire::generated::put(p, 14, self.rotation);
-        wire::generated::put(p, 16, self.hfov);
-        wire::generated::put(p, 18, self.stream_id);
-        wire::generated::put(p, 19, self.camera_device_id);
+    fn store(&self, p: &mut [u8; 20]) {
+        put(p, 0, self.framerate);
+        put(p, 4, self.bitrate);
+        put(p, 8, self.flags);
+        put(p, 10, self.resolution_h);
+        put(p, 12, self.resolution_v);
+        put(p, 14, self.rotation);
+        put(p, 16, self.hfov);
+        put(p, 18, self.stream_id);
+        put(p, 19, self.camera_device_id);
     }
 }
 

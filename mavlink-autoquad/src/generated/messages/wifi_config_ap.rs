@@ -2,6 +2,7 @@
 
 use super::super::enums::{WifiConfigApMode, WifiConfigApResponse};
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Sets the Wi-Fi access point of a component, or reports its settings.
 ///
@@ -28,18 +29,15 @@ pub struct WifiConfigAp {
 }
 
 impl wire::Message for WifiConfigAp {
-    const ID: u32 = 299;
+    type Payload = [u8; 98];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 299,
-        name: "WIFI_CONFIG_AP",
-        crc_extra: 19,
-        len_v1: 96,
-        len_v2: 98,
-        target_system: None,
-        target_component: None,
-    };
-
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+            299,
+            "WIFI_CONFIG_AP",
+            19,
+            98,
+        )
+        .len_v1(96);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::array("ssid", wire::Kind::Char, 32, 0),
         wire::FieldInfo::array("password", wire::Kind::Char, 64, 32),
@@ -59,35 +57,21 @@ impl wire::Message for WifiConfigAp {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<98>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<98>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 98]) -> Self {
         Self {
-            ssid: wire::generated::get(p, 0),
-            password: wire::generated::get(p, 32),
-            mode: wire::generated::get(p, 96),
-            response: wire::generated::get(p, 97),
+            ssid: get(p, 0),
+            password: get(p, 32),
+            mode: get(p, 96),
+            response: get(p, 97),
         }
-    }
-}
-
-impl wire::Encode for WifiConfigAp {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.ssid);
-        wire::generated::put(p, 32, self.password);
-        wire::generated::put(p, 96, self.mode);
-        wire::generated::put(p, 97, self.response);
+    fn store(&self, p: &mut [u8; 98]) {
+        put(p, 0, self.ssid);
+        put(p, 32, self.password);
+        put(p, 96, self.mode);
+        put(p, 97, self.response);
     }
 }
 

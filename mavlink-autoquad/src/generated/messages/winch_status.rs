@@ -2,6 +2,7 @@
 
 use super::super::enums::MavWinchStatusFlag;
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// State of a winch.
 ///
@@ -115,17 +116,14 @@ impl WinchStatus {
 }
 
 impl wire::Message for WinchStatus {
-    const ID: u32 = 9005;
+    type Payload = [u8; 34];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 9005,
-        name: "WINCH_STATUS",
-        crc_extra: 117,
-        len_v1: 34,
-        len_v2: 34,
-        target_system: None,
-        target_component: None,
-    };
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+        9005,
+        "WINCH_STATUS",
+        117,
+        34,
+    );
 
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_usec", wire::Kind::U64, 0).units("us"),
@@ -163,43 +161,29 @@ impl wire::Message for WinchStatus {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<34>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<34>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 34]) -> Self {
         Self {
-            time_usec: wire::generated::get(p, 0),
-            line_length: wire::generated::get(p, 8),
-            speed: wire::generated::get(p, 12),
-            tension: wire::generated::get(p, 16),
-            voltage: wire::generated::get(p, 20),
-            current: wire::generated::get(p, 24),
-            temperature: wire::generated::get(p, 32),
-            status: wire::generated::get(p, 28),
+            time_usec: get(p, 0),
+            line_length: get(p, 8),
+            speed: get(p, 12),
+            tension: get(p, 16),
+            voltage: get(p, 20),
+            current: get(p, 24),
+            temperature: get(p, 32),
+            status: get(p, 28),
         }
-    }
-}
-
-impl wire::Encode for WinchStatus {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.time_usec);
-        wire::generated::put(p, 8, self.line_length);
-        wire::generated::put(p, 12, self.speed);
-        wire::generated::put(p, 16, self.tension);
-        wire::generated::put(p, 20, self.voltage);
-        wire::generated::put(p, 24, self.current);
-        wire::generated::put(p, 28, self.status);
-        wire::generated::put(p, 32, self.temperature);
+    fn store(&self, p: &mut [u8; 34]) {
+        put(p, 0, self.time_usec);
+        put(p, 8, self.line_length);
+        put(p, 12, self.speed);
+        put(p, 16, self.tension);
+        put(p, 20, self.voltage);
+        put(p, 24, self.current);
+        put(p, 28, self.status);
+        put(p, 32, self.temperature);
     }
 }
 

@@ -6,7 +6,7 @@ use serde_core::de::{DeserializeSeed, Deserializer, Error, IgnoredAny, MapAccess
 use serde_core::ser::{Serialize, SerializeStruct, SerializeTuple, Serializer};
 
 use super::field::{FieldSeed, FieldValue, key};
-use crate::{FieldInfo, MAX_PAYLOAD, Message, MessageInfo};
+use crate::{Encode, FieldInfo, MAX_PAYLOAD, Message, MessageInfo};
 
 /// A message: what it is, and its payload.
 pub(super) struct Body<'p> {

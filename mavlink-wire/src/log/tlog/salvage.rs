@@ -6,9 +6,7 @@
 //!
 //! ```
 //! # use mavlink_wire::{MessageInfo, Table};
-//! # const INFO: &MessageInfo = &MessageInfo {
-//! #     id: 0, name: "HEARTBEAT", crc_extra: 50, len_v1: 9, len_v2: 9, target_system: None, target_component: None,
-//! # };
+//! # const INFO: &MessageInfo = &MessageInfo::new(0, "HEARTBEAT", 50, 9);
 //! # static TABLE: Table<'static> = Table::of(&[INFO]);
 //! # let log = [0, 0x80, 0x3c, 0xba, 0x7f, 0xed, 4, 0, 0xfe, 9, 0, 1, 1, 0, 1, 2, 3];
 //! use mavlink_wire::tlog::salvage::records;

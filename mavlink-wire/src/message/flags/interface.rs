@@ -17,11 +17,10 @@
 ///     pub const OVER_VOLTAGE: Self = Self(2);
 /// }
 ///
-/// static INFO: wire::EnumInfo = wire::EnumInfo {
-///     name: "ESC_FAILURE",
-///     bitmask: true,
-///     entries: &[(1, "ESC_FAILURE_OVER_CURRENT"), (2, "ESC_FAILURE_OVER_VOLTAGE")],
-/// };
+/// static INFO: wire::EnumInfo = wire::EnumInfo::bitmask(
+///     "ESC_FAILURE",
+///     &[(1, "ESC_FAILURE_OVER_CURRENT"), (2, "ESC_FAILURE_OVER_VOLTAGE")],
+/// );
 /// wire::flags!(EscFailure, u16, INFO);
 ///
 /// let seen = EscFailure::from_bits_retain(0x42);

@@ -46,8 +46,7 @@ fn mavlink_1_is_never_signed() {
 #[test]
 fn the_longest_frame_has_room_for_its_signature() {
     struct Longest;
-    static INFO: mavlink_wire::MessageInfo =
-        mavlink_wire::MessageInfo { id: 70_000, len_v1: 255, len_v2: 255, ..*Heartbeat::INFO };
+    static INFO: mavlink_wire::MessageInfo = mavlink_wire::MessageInfo::new(70_000, "LONGEST", 1, 255);
     impl Encode for Longest {
         fn info(&self) -> &'static mavlink_wire::MessageInfo {
             &INFO

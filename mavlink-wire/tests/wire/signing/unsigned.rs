@@ -3,8 +3,7 @@
 use super::*;
 use mavlink_wire::MessageInfo;
 
-static RADIO_STATUS: MessageInfo =
-    MessageInfo { id: 109, name: "RADIO_STATUS", crc_extra: 185, len_v1: 9, len_v2: 9, ..*Heartbeat::INFO };
+static RADIO_STATUS: MessageInfo = MessageInfo::new(109, "RADIO_STATUS", 185, 9);
 
 struct RadioStatus;
 

@@ -13,16 +13,8 @@ pub(crate) struct Heartbeat {
 }
 
 impl wire::Message for Heartbeat {
-    const ID: u32 = 0;
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 0,
-        name: "HEARTBEAT",
-        crc_extra: 50,
-        len_v1: 9,
-        len_v2: 9,
-        target_system: None,
-        target_component: None,
-    };
+    type Payload = [u8; 9];
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(0, "HEARTBEAT", 50, 9);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("type", wire::Kind::U8, 4),
         wire::FieldInfo::new("autopilot", wire::Kind::U8, 5),
@@ -41,28 +33,19 @@ impl wire::Message for Heartbeat {
     };
 
     #[inline]
-    fn decode(payload: &[u8]) -> Self {
-        match payload.first_chunk::<9>() {
-            None => Self::decode(&wire::generated::zero_extended::<9>(payload)),
-            Some(p) => Self {
-                r#type: wire::generated::get(p, 4),
-                autopilot: wire::generated::get(p, 5),
-                base_mode: wire::generated::get(p, 6),
-                custom_mode: wire::generated::get(p, 0),
-                system_status: wire::generated::get(p, 7),
-                mavlink_version: wire::generated::get(p, 8),
-            },
+    fn read(p: &[u8; 9]) -> Self {
+        Self {
+            r#type: wire::generated::get(p, 4),
+            autopilot: wire::generated::get(p, 5),
+            base_mode: wire::generated::get(p, 6),
+            custom_mode: wire::generated::get(p, 0),
+            system_status: wire::generated::get(p, 7),
+            mavlink_version: wire::generated::get(p, 8),
         }
-    }
-}
-
-impl wire::Encode for Heartbeat {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; 255]) {
+    fn store(&self, p: &mut [u8; 9]) {
         wire::generated::put(p, 4, self.r#type);
         wire::generated::put(p, 5, self.autopilot);
         wire::generated::put(p, 6, self.base_mode);
@@ -88,16 +71,8 @@ pub(crate) struct AqEscTelemetry {
 }
 
 impl wire::Message for AqEscTelemetry {
-    const ID: u32 = 152;
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 152,
-        name: "AQ_ESC_TELEMETRY",
-        crc_extra: 115,
-        len_v1: 55,
-        len_v2: 55,
-        target_system: None,
-        target_component: None,
-    };
+    type Payload = [u8; 55];
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(152, "AQ_ESC_TELEMETRY", 115, 55);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_boot_ms", wire::Kind::U32, 0).units("ms"),
         wire::FieldInfo::new("seq", wire::Kind::U8, 44),
@@ -122,31 +97,22 @@ impl wire::Message for AqEscTelemetry {
     };
 
     #[inline]
-    fn decode(payload: &[u8]) -> Self {
-        match payload.first_chunk::<55>() {
-            None => Self::decode(&wire::generated::zero_extended::<55>(payload)),
-            Some(p) => Self {
-                time_boot_ms: wire::generated::get(p, 0),
-                seq: wire::generated::get(p, 44),
-                num_motors: wire::generated::get(p, 45),
-                num_in_seq: wire::generated::get(p, 46),
-                escid: wire::generated::get(p, 47),
-                status_age: wire::generated::get(p, 36),
-                data_version: wire::generated::get(p, 51),
-                data0: wire::generated::get(p, 4),
-                data1: wire::generated::get(p, 20),
-            },
+    fn read(p: &[u8; 55]) -> Self {
+        Self {
+            time_boot_ms: wire::generated::get(p, 0),
+            seq: wire::generated::get(p, 44),
+            num_motors: wire::generated::get(p, 45),
+            num_in_seq: wire::generated::get(p, 46),
+            escid: wire::generated::get(p, 47),
+            status_age: wire::generated::get(p, 36),
+            data_version: wire::generated::get(p, 51),
+            data0: wire::generated::get(p, 4),
+            data1: wire::generated::get(p, 20),
         }
-    }
-}
-
-impl wire::Encode for AqEscTelemetry {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; 255]) {
+    fn store(&self, p: &mut [u8; 55]) {
         wire::generated::put(p, 0, self.time_boot_ms);
         wire::generated::put(p, 44, self.seq);
         wire::generated::put(p, 45, self.num_motors);
@@ -170,16 +136,8 @@ pub(crate) struct Statustext {
 }
 
 impl wire::Message for Statustext {
-    const ID: u32 = 253;
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 253,
-        name: "STATUSTEXT",
-        crc_extra: 83,
-        len_v1: 51,
-        len_v2: 54,
-        target_system: None,
-        target_component: None,
-    };
+    type Payload = [u8; 54];
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(253, "STATUSTEXT", 83, 54).len_v1(51);
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("severity", wire::Kind::U8, 0).values(<MavSeverity as wire::Enum>::INFO),
         wire::FieldInfo::array("text", wire::Kind::Char, 50, 1),
@@ -189,26 +147,17 @@ impl wire::Message for Statustext {
     const DEFAULT: Self = Self { severity: MavSeverity(0), text: wire::Chars([0; 50]), id: 0, chunk_seq: 0 };
 
     #[inline]
-    fn decode(payload: &[u8]) -> Self {
-        match payload.first_chunk::<54>() {
-            None => Self::decode(&wire::generated::zero_extended::<54>(payload)),
-            Some(p) => Self {
-                severity: wire::generated::get(p, 0),
-                text: wire::generated::get(p, 1),
-                id: wire::generated::get(p, 51),
-                chunk_seq: wire::generated::get(p, 53),
-            },
+    fn read(p: &[u8; 54]) -> Self {
+        Self {
+            severity: wire::generated::get(p, 0),
+            text: wire::generated::get(p, 1),
+            id: wire::generated::get(p, 51),
+            chunk_seq: wire::generated::get(p, 53),
         }
-    }
-}
-
-impl wire::Encode for Statustext {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; 255]) {
+    fn store(&self, p: &mut [u8; 54]) {
         wire::generated::put(p, 0, self.severity);
         wire::generated::put(p, 1, self.text);
         wire::generated::put(p, 51, self.id);
