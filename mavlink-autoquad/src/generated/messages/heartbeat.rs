@@ -4,6 +4,7 @@ use super::super::enums::{
     AutoquadNavStatus, MavAutopilot, MavModeFlag, MavState, MavType,
 };
 use ::mavlink_wire as wire;
+use wire::generated::{get, put};
 
 /// Sent about once a second by every component to say that it is alive, what it is and what state
 /// it is in.
@@ -59,17 +60,14 @@ impl Heartbeat {
 }
 
 impl wire::Message for Heartbeat {
-    const ID: u32 = 0;
+    type Payload = [u8; 9];
 
-    const INFO: &'static wire::MessageInfo = &wire::MessageInfo {
-        id: 0,
-        name: "HEARTBEAT",
-        crc_extra: 50,
-        len_v1: 9,
-        len_v2: 9,
-        target_system: None,
-        target_component: None,
-    };
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(
+        0,
+        "HEARTBEAT",
+        50,
+        9,
+    );
 
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("type", wire::Kind::U8, 4)
@@ -94,39 +92,25 @@ impl wire::Message for Heartbeat {
     };
 
     #[inline(always)]
-    fn decode(payload: &[u8]) -> Self {
-        let padded;
-        let p = match payload.first_chunk::<9>() {
-            Some(p) => p,
-            None => {
-                padded = wire::generated::zero_extended::<9>(payload);
-                &padded
-            }
-        };
+    fn read(p: &[u8; 9]) -> Self {
         Self {
-            r#type: wire::generated::get(p, 4),
-            autopilot: wire::generated::get(p, 5),
-            base_mode: wire::generated::get(p, 6),
-            custom_mode: wire::generated::get(p, 0),
-            system_status: wire::generated::get(p, 7),
-            mavlink_version: wire::generated::get(p, 8),
+            r#type: get(p, 4),
+            autopilot: get(p, 5),
+            base_mode: get(p, 6),
+            custom_mode: get(p, 0),
+            system_status: get(p, 7),
+            mavlink_version: get(p, 8),
         }
-    }
-}
-
-impl wire::Encode for Heartbeat {
-    fn info(&self) -> &'static wire::MessageInfo {
-        <Self as wire::Message>::INFO
     }
 
     #[inline]
-    fn write(&self, p: &mut [u8; wire::MAX_PAYLOAD]) {
-        wire::generated::put(p, 0, self.custom_mode);
-        wire::generated::put(p, 4, self.r#type);
-        wire::generated::put(p, 5, self.autopilot);
-        wire::generated::put(p, 6, self.base_mode);
-        wire::generated::put(p, 7, self.system_status);
-        wire::generated::put(p, 8, self.mavlink_version);
+    fn store(&self, p: &mut [u8; 9]) {
+        put(p, 0, self.custom_mode);
+        put(p, 4, self.r#type);
+        put(p, 5, self.autopilot);
+        put(p, 6, self.base_mode);
+        put(p, 7, self.system_status);
+        put(p, 8, self.mavlink_version);
     }
 }
 

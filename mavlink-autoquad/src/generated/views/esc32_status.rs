@@ -45,15 +45,15 @@ impl Esc32Status {
     /// What the controller is doing.
     #[inline]
     pub const fn state(self) -> Esc32State {
-        Esc32State((self.bits & 0x7) as u8)
+        Esc32State((self.bits & 7) as u8)
     }
 
     /// Sets [`Self::state`]. An error if the value does not fit.
     #[inline]
     pub const fn set_state(&mut self, value: Esc32State) -> Result<(), wire::ViewError> {
         match value.0 {
-            raw @ 0..=0x7 => {
-                self.bits = (self.bits & !0x7) | (raw as u64);
+            raw @ 0..=7 => {
+                self.bits = (self.bits & !7) | (raw as u64);
                 Ok(())
             }
             _ => Err(wire::ViewError::OutOfRange),
@@ -241,7 +241,7 @@ impl Esc32Status {
     #[inline]
     pub const fn disarm_v3(self) -> Option<Esc32DisarmV3> {
         match self.data_version {
-            3..=9 | 30..=255 => Some(Esc32DisarmV3(((self.bits >> 61) & 0x7) as u8)),
+            3..=9 | 30..=255 => Some(Esc32DisarmV3(((self.bits >> 61) & 7) as u8)),
             _ => None,
         }
     }
@@ -257,8 +257,8 @@ impl Esc32Status {
             _ => return Err(wire::ViewError::Absent),
         }
         match value.0 {
-            raw @ 0..=0x7 => {
-                self.bits = (self.bits & !(0x7 << 61)) | ((raw as u64) << 61);
+            raw @ 0..=7 => {
+                self.bits = (self.bits & !(7 << 61)) | ((raw as u64) << 61);
                 Ok(())
             }
             _ => Err(wire::ViewError::OutOfRange),
@@ -294,7 +294,7 @@ impl Esc32Status {
     #[inline]
     pub const fn disarm_v2(self) -> Option<Esc32DisarmV2> {
         match self.data_version {
-            0..=2 | 10..=29 => Some(Esc32DisarmV2(((self.bits >> 61) & 0x7) as u8)),
+            0..=2 | 10..=29 => Some(Esc32DisarmV2(((self.bits >> 61) & 7) as u8)),
             _ => None,
         }
     }
@@ -310,8 +310,8 @@ impl Esc32Status {
             _ => return Err(wire::ViewError::Absent),
         }
         match value.0 {
-            raw @ 0..=0x7 => {
-                self.bits = (self.bits & !(0x7 << 61)) | ((raw as u64) << 61);
+            raw @ 0..=7 => {
+                self.bits = (self.bits & !(7 << 61)) | ((raw as u64) << 61);
                 Ok(())
             }
             _ => Err(wire::ViewError::OutOfRange),

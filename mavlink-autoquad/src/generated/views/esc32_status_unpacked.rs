@@ -37,15 +37,15 @@ impl Esc32StatusUnpacked {
     /// What the controller is doing.
     #[inline]
     pub const fn state(self) -> Esc32State {
-        Esc32State((self.bits & 0x7) as u8)
+        Esc32State((self.bits & 7) as u8)
     }
 
     /// Sets [`Self::state`]. An error if the value does not fit.
     #[inline]
     pub const fn set_state(&mut self, value: Esc32State) -> Result<(), wire::ViewError> {
         match value.0 {
-            raw @ 0..=0x7 => {
-                self.bits = (self.bits & !0x7) | (raw as u64);
+            raw @ 0..=7 => {
+                self.bits = (self.bits & !7) | (raw as u64);
                 Ok(())
             }
             _ => Err(wire::ViewError::OutOfRange),
