@@ -15,7 +15,7 @@
 //!         Some(Autoquad::Heartbeat(beat)) if beat.autopilot == MavAutopilot::AUTOQUAD => println!("an AutoQuad"),
 //!         Some(Autoquad::AqEscTelemetry(AqEscTelemetry { seq, .. })) => println!("ESC batch {seq}"),
 //!         Some(other) => println!("{other:?}"),
-//!         None => println!("unknown message {}: {:02x?}", frame.id(), frame.bytes()),
+//!         None => println!("unknown message {}: {:02x?}", frame.message_id(), frame.bytes()),
 //!     }
 //! }
 //! ```
@@ -111,7 +111,7 @@
 //! # let log = [&1_400_000_000_000_000_u64.to_le_bytes()[..], &frame[..frame.len() - 8]].concat();
 //! # let mut shown = Vec::new();
 //! for record in records(&log, Autoquad::TABLE) {
-//!     if (record.id(), record.payload().len()) == (Some(AqEscTelemetry::ID), 49) {
+//!     if (record.message_id(), record.payload().len()) == (Some(AqEscTelemetry::ID), 49) {
 //!         let mut telemetry = AqEscTelemetry::decode(record.payload());
 //!         telemetry.data_version = [30; 4];
 //!         telemetry.escid[2..].copy_from_slice(&[3, 4]);

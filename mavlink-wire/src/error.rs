@@ -13,12 +13,12 @@ pub enum EncodeError {
     /// MAVLink 1 has one byte for the message id.
     IdTooLarge {
         /// The id of the message.
-        id: u32,
+        message_id: u32,
     },
     /// MAVLink 1 has no signatures, and the sender is to sign every frame.
     SignatureInV1 {
         /// The id of the message.
-        id: u32,
+        message_id: u32,
     },
     /// A `SETUP_SIGNING` that was received is not to be sent on: its payload is a secret key.
     CarriesKey,
@@ -27,10 +27,10 @@ pub enum EncodeError {
 impl fmt::Display for EncodeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::IdTooLarge { id } => {
+            Self::IdTooLarge { message_id: id } => {
                 write!(f, "message id {id} is over 255, which MAVLink 1 cannot carry: send it with Sender::v2")
             }
-            Self::SignatureInV1 { id } => {
+            Self::SignatureInV1 { message_id: id } => {
                 write!(f, "MAVLink 1 cannot carry the signature of message {id}: send it in MAVLink 2, or do not sign")
             }
             Self::CarriesKey => f.write_str("SETUP_SIGNING carries a secret key: do not forward it"),
@@ -91,7 +91,7 @@ pub enum FrameError {
     /// The checksum is wrong: damage, or a sender with another definition of the message.
     Checksum {
         /// The message id in the header.
-        id: u32,
+        message_id: u32,
     },
 }
 
@@ -107,7 +107,7 @@ impl fmt::Display for FrameError {
             Self::IncompatFlags { flags } => {
                 write!(f, "incompatibility flags {flags:#04x} are not known here: discard the frame")
             }
-            Self::Checksum { id } => write!(
+            Self::Checksum { message_id: id } => write!(
                 f,
                 "the checksum does not fit message {id}: discard the frame; if it never fits, compare both sides' XML"
             ),

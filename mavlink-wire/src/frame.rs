@@ -3,12 +3,14 @@
 mod buffer;
 pub mod crc;
 pub(crate) mod header;
+mod id;
 #[cfg(any(feature = "std", feature = "embedded-io", feature = "embedded-io-async"))]
 mod outline;
 mod timestamp;
 mod version;
 
 pub use buffer::FrameBuf;
+pub use id::{ComponentId, SystemId};
 #[cfg(any(feature = "std", feature = "embedded-io", feature = "embedded-io-async"))]
 pub(crate) use outline::Outline;
 pub use timestamp::Timestamp;
@@ -31,7 +33,8 @@ pub(crate) const SETUP_SIGNING: u32 = 256;
 /// let bytes = [0xfe, 9, 0, 1, 1, 0, 0, 0, 0, 0, 6, 8, 0, 4, 3, 0x90, 0x43];
 /// let nothing = const { &Table::of(&[]) };
 /// let frame = Frame::parse(&bytes, nothing)?;
-/// assert_eq!((frame.version(), frame.system(), frame.component(), frame.id()), (Version::V1, 1, 1, 0));
+/// assert_eq!((frame.version(), frame.message_id()), (Version::V1, 0));
+/// assert!(frame.system_id() == 1 && frame.component_id() == 1);
 /// assert_eq!((frame.payload(), frame.is_verified()), (&[0, 0, 0, 0, 6, 8, 0, 4, 3][..], false));
 /// assert_eq!(Frame::parse(&bytes[..12], nothing), Err(FrameError::Incomplete { needed: 17 }));
 /// # Ok::<(), FrameError>(())
@@ -66,7 +69,7 @@ impl Facts {
         let id = header.id(bytes).ok_or(incomplete)?;
         let known = table.get(id);
         if known.is_none() && !unknown {
-            return Err(FrameError::Checksum { id });
+            return Err(FrameError::Checksum { message_id: id });
         }
         let frame = bytes.get(..header.frame_length()).ok_or(incomplete)?;
         let (Some([_, checked @ ..]), Some(sent)) =
@@ -78,7 +81,7 @@ impl Facts {
             Some(crc_extra) if known.is_none_or(|info| info.crc_extra == crc_extra) => {
                 Ok((header, Self { id, crc_extra, verified: known.is_some() }))
             }
-            _ => Err(FrameError::Checksum { id }),
+            _ => Err(FrameError::Checksum { message_id: id }),
         }
     }
 }
@@ -125,20 +128,20 @@ impl<'a> Frame<'a> {
 
     /// Id of the sending system.
     #[must_use]
-    pub fn system(&self) -> u8 {
-        self.byte(3, 5)
+    pub fn system_id(&self) -> SystemId {
+        SystemId::from_u8(self.byte(3, 5))
     }
 
     /// Id of the sending component of that system.
     #[must_use]
-    pub fn component(&self) -> u8 {
-        self.byte(4, 6)
+    pub fn component_id(&self) -> ComponentId {
+        ComponentId::from_u8(self.byte(4, 6))
     }
 
     /// Id of the message.
     #[inline]
     #[must_use]
-    pub fn id(&self) -> u32 {
+    pub fn message_id(&self) -> u32 {
         self.facts.id
     }
 
@@ -183,7 +186,7 @@ impl<'a> Frame<'a> {
     /// Whether this is a `SETUP_SIGNING` (message 256), whose payload is a secret key: neither forward nor log it.
     ///
     /// It goes to one system over a link that is secure by other means (MAVLink guide, "Message Signing"). By id alone:
-    /// what only looks like one is better kept, too. [`Sender::forward`](crate::Sender::forward) refuses it, and
+    /// what only looks like one is better kept, too. [`Sender::renumber`](crate::Sender::renumber) refuses it, and
     /// `Debug` leaves the payload out.
     #[inline]
     #[must_use]
@@ -260,9 +263,9 @@ impl core::fmt::Debug for Frame<'_> {
         f.debug_struct("Frame")
             .field("version", &self.version())
             .field("sequence", &self.sequence())
-            .field("system", &self.system())
-            .field("component", &self.component())
-            .field("id", &self.facts.id)
+            .field("system_id", &self.system_id())
+            .field("component_id", &self.component_id())
+            .field("message_id", &self.facts.id)
             .field("payload", payload)
             .field("signature", &self.signature())
             .field("verified", &self.facts.verified)

@@ -48,7 +48,7 @@
 //!   sender); enum values and flags that the definition does not name survive.
 //! - [`Frame::reflect`] needs no message type: it gives names, values and units, for routers and loggers ([`reflect`]).
 //! - [`Parser::statistics`] counts what was found and what was damaged, [`Losses`] what never arrived;
-//!   [`Parser::next_telling`] says of which message a checksum is wrong, which is how two definitions of one message show.
+//!   [`Parser::next_reporting_bad_checksums`] says of which message a checksum is wrong, which is how two definitions of one message show.
 //!
 //! # Sending
 //!
@@ -58,7 +58,7 @@
 //! # Forwarding
 //!
 //! [`Frame::bytes`] are what came, to the byte. A [`FrameBuf`] keeps a frame for a queue, and can give it another sequence
-//! number or take its signature away; [`Sender::forward`] makes it the next frame of a link. A router forwards what its
+//! number or take its signature away; [`Sender::renumber`] makes it the next frame of a link. A router forwards what its
 //! table does not have, too; the more the table has, the less damage passes.
 //!
 //! ```
@@ -137,7 +137,7 @@ pub mod uorb;
 
 pub use error::{EncodeError, FrameError, OutOfRange, TooLong, UnknownName, ViewError};
 pub(crate) use frame::header;
-pub use frame::{Frame, FrameBuf, Signature, Timestamp, Version, crc};
+pub use frame::{ComponentId, Frame, FrameBuf, Signature, SystemId, Timestamp, Version, crc};
 #[cfg(feature = "mavlink-core")]
 pub use glue::interop;
 #[cfg(feature = "serde")]

@@ -30,7 +30,7 @@ use crate::header::Header;
 /// let mut parser = Parser::new(const { &Table::of(&[]) });
 /// let mut chunk: &[u8] = &[0xfe, 9, 0, 1, 1, 0, 0, 0, 0, 0, 6, 8, 0, 4, 3, 0x90, 0x43];
 /// while let Some(frame) = parser.next(&mut chunk) {
-///     assert_eq!((frame.id(), frame.crc_extra(), frame.payload().len()), (0, 50, 9));
+///     assert_eq!((frame.message_id(), frame.crc_extra(), frame.payload().len()), (0, 50, 9));
 /// }
 /// assert!(chunk.is_empty());
 /// assert_eq!(parser.statistics().unverified, 1);
@@ -68,7 +68,7 @@ impl<'t> Parser<'t> {
     /// its end is kept until the next chunk comes.
     #[inline]
     pub fn next<'s, 'i: 's>(&'s mut self, input: &mut &'i [u8]) -> Option<Frame<'s>> {
-        self.next_telling(input, not_told)
+        self.next_reporting_bad_checksums(input, not_told)
     }
 
     /// The next frame, as [`next`](Self::next) gives it. `bad_checksum` is told the message of each frame that
@@ -80,13 +80,13 @@ impl<'t> Parser<'t> {
     /// # let mut parser = Parser::new(const { &Table::of(&[]) });
     /// # let mut chunk: &[u8] = &[0xfe, 9, 0, 1, 1, 0, 0, 0, 0, 0, 6, 8, 0, 4, 3, 0x90, 0x44];
     /// let mut suspect = None;
-    /// while let Some(frame) = parser.next_telling(&mut chunk, |id| suspect = Some(id)) {
-    ///     println!("message {}", frame.id());
+    /// while let Some(frame) = parser.next_reporting_bad_checksums(&mut chunk, |id| suspect = Some(id)) {
+    ///     println!("message {}", frame.message_id());
     /// }
     /// # assert_eq!(suspect, Some(0));
     /// ```
     #[inline]
-    pub fn next_telling<'s, 'i: 's>(
+    pub fn next_reporting_bad_checksums<'s, 'i: 's>(
         &'s mut self,
         input: &mut &'i [u8],
         mut bad_checksum: impl FnMut(u32),
@@ -126,12 +126,12 @@ impl<'t> Parser<'t> {
     /// A damaged byte can look like the start of a long frame, which then waits for bytes that do not come. This gives it
     /// up and searches what was waiting with it. What comes afterwards is a new stream.
     pub fn finish(&mut self) -> Option<Frame<'_>> {
-        self.finish_telling(not_told)
+        self.finish_reporting_bad_checksums(not_told)
     }
 
     /// The frames behind an unfinished one, as [`finish`](Self::finish) gives them. `bad_checksum` is told the message of each
     /// frame that [`Statistics::bad_checksums`] counts.
-    pub fn finish_telling(&mut self, mut bad_checksum: impl FnMut(u32)) -> Option<Frame<'_>> {
+    pub fn finish_reporting_bad_checksums(&mut self, mut bad_checksum: impl FnMut(u32)) -> Option<Frame<'_>> {
         let found = self.resume(&mut &[][..], true, &mut bad_checksum);
         if found.is_none() {
             self.search.restart();

@@ -10,10 +10,10 @@
 //!
 //! /// A line for every frame, in any dialect.
 //! fn line<D: Dialect>(frame: &Frame<'_>) -> String {
-//!     let sender = format!("{}/{} #{}", frame.system(), frame.component(), frame.sequence());
+//!     let sender = format!("{}/{} #{}", frame.system_id(), frame.component_id(), frame.sequence());
 //!     match frame.reflect::<D>() {
 //!         Some(message) => format!("{sender} {message}"),
-//!         None => format!("{sender} message {} {:02x?}", frame.id(), frame.payload()),
+//!         None => format!("{sender} message {} {:02x?}", frame.message_id(), frame.payload()),
 //!     }
 //! }
 //!

@@ -3,7 +3,9 @@
 use crate::header::{CHECKSUM, STX_V1, STX_V2};
 use crate::message::sent_length;
 use crate::message::wire::put;
-use crate::{Encode, EncodeError, Frame, FrameBuf, MAX_FRAME, MAX_PAYLOAD, MessageInfo, Version, crc};
+use crate::{
+    ComponentId, Encode, EncodeError, Frame, FrameBuf, MAX_FRAME, MAX_PAYLOAD, MessageInfo, SystemId, Version, crc,
+};
 #[cfg(feature = "signing")]
 use crate::{Timestamp, header::SIGNED, signing::Signer};
 
@@ -34,15 +36,15 @@ const START_V1: usize = 4;
 /// // A frame of somebody else, as the next one of this link.
 /// let bytes = [0xfe, 9, 0, 1, 1, 0, 0, 0, 0, 0, 6, 8, 0, 4, 3, 0x90, 0x43];
 /// let frame = Frame::parse(&bytes, const { &Table::of(&[]) }).unwrap();
-/// let forwarded = tx.forward(&frame)?;
-/// assert_eq!((forwarded.as_frame().sequence(), forwarded.as_frame().system()), (3, 1));
+/// let next = tx.renumber(&frame)?;
+/// assert!(next.as_frame().sequence() == 3 && next.as_frame().system_id() == 1);
 /// # Ok::<(), mavlink_wire::EncodeError>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct Sender {
     version: Version,
-    system: u8,
-    component: u8,
+    system_id: SystemId,
+    component_id: ComponentId,
     sequence: u8,
     #[cfg(feature = "signing")]
     signer: Option<Signer>,
@@ -51,21 +53,23 @@ pub struct Sender {
 impl Sender {
     /// A sender of MAVLink 1 frames: ids up to 255, no extension fields.
     #[must_use]
-    pub fn v1(system: impl Into<u8>, component: impl Into<u8>) -> Self {
-        Self::new(Version::V1, system.into(), component.into())
+    pub fn v1(system_id: impl Into<SystemId>, component_id: impl Into<ComponentId>) -> Self {
+        Self::new(system_id.into(), component_id.into(), Version::V1)
     }
 
     /// A sender of MAVLink 2 frames.
     #[must_use]
-    pub fn v2(system: impl Into<u8>, component: impl Into<u8>) -> Self {
-        Self::new(Version::V2, system.into(), component.into())
+    pub fn v2(system_id: impl Into<SystemId>, component_id: impl Into<ComponentId>) -> Self {
+        Self::new(system_id.into(), component_id.into(), Version::V2)
     }
 
-    const fn new(version: Version, system: u8, component: u8) -> Self {
+    /// A sender of frames of this version, also in a `const`.
+    #[must_use]
+    pub const fn new(system_id: SystemId, component_id: ComponentId, version: Version) -> Self {
         Self {
             version,
-            system,
-            component,
+            system_id,
+            component_id,
             sequence: 0,
             #[cfg(feature = "signing")]
             signer: None,
@@ -98,6 +102,29 @@ impl Sender {
         if let Some(signer) = &mut self.signer {
             signer.advance_time(now);
         }
+    }
+
+    /// Which system sends.
+    #[must_use]
+    pub const fn system_id(&self) -> SystemId {
+        self.system_id
+    }
+
+    /// Which component of it sends.
+    #[must_use]
+    pub const fn component_id(&self) -> ComponentId {
+        self.component_id
+    }
+
+    /// MAVLink 1 or 2.
+    #[must_use]
+    pub const fn version(&self) -> Version {
+        self.version
+    }
+
+    /// Sends in this version from now on, as when the other side turns out to speak MAVLink 2.
+    pub fn set_version(&mut self, version: Version) {
+        self.version = version;
     }
 
     /// The sequence number of the next frame.
@@ -138,7 +165,7 @@ impl Sender {
     /// # Errors
     ///
     /// A `SETUP_SIGNING` is never forwarded, and a MAVLink 1 frame cannot be signed. Nothing advances then.
-    pub fn forward(&mut self, frame: &Frame<'_>) -> Result<FrameBuf, EncodeError> {
+    pub fn renumber(&mut self, frame: &Frame<'_>) -> Result<FrameBuf, EncodeError> {
         if frame.carries_key() {
             return Err(EncodeError::CarriesKey);
         }
@@ -180,18 +207,19 @@ impl Sender {
         buffer: &mut [u8; MAX_FRAME],
     ) -> Result<usize, EncodeError> {
         let [id, id_high @ ..] = info.id.to_le_bytes();
+        let (system_id, component_id) = (self.system_id.to_u8(), self.component_id.to_u8());
         let flags = self.incompat_flags();
         match self.version {
-            Version::V1 if id_high != [0; 3] => Err(EncodeError::IdTooLarge { id: info.id }),
-            Version::V1 if flags != 0 => Err(EncodeError::SignatureInV1 { id: info.id }),
+            Version::V1 if id_high != [0; 3] => Err(EncodeError::IdTooLarge { message_id: info.id }),
+            Version::V1 if flags != 0 => Err(EncodeError::SignatureInV1 { message_id: info.id }),
             Version::V1 => {
-                put(buffer, START_V1, [STX_V1, length as u8, self.sequence, self.system, self.component, id]);
+                put(buffer, START_V1, [STX_V1, length as u8, self.sequence, system_id, component_id, id]);
                 Ok(START_V1)
             }
             Version::V2 => {
                 let [id_middle, id_top, _] = id_high;
                 put(buffer, 0, [STX_V2, length as u8, flags, 0]);
-                put(buffer, 4, [self.sequence, self.system, self.component, id, id_middle, id_top]);
+                put(buffer, 4, [self.sequence, system_id, component_id, id, id_middle, id_top]);
                 Ok(0)
             }
         }

@@ -37,7 +37,7 @@
 //! # Routers and logs
 //!
 //! Frames are [forwarded to the byte](crate::Frame::bytes), or [re-signed](crate::FrameBuf::sign) for a link with
-//! another key, or numbered and signed as that link's sender does it ([`Sender::forward`](crate::Sender::forward)).
+//! another key, or numbered and signed as that link's sender does it ([`Sender::renumber`](crate::Sender::renumber)).
 //! Logs [take signatures away](crate::FrameBuf::strip_signature), and leave out frames that
 //! [carry a key](crate::Frame::carries_key).
 //!
@@ -49,7 +49,7 @@
 //! fn route(frame: &Frame<'_>, verifier: &mut Verifier, link: &mut Sender, now: Timestamp) -> Option<FrameBuf> {
 //!     verifier.check(frame, now).ok()?;
 //!     link.advance_time(verifier.timestamp());
-//!     link.forward(frame).ok()
+//!     link.renumber(frame).ok()
 //! }
 //!
 //! /// What goes into the log.
@@ -70,7 +70,7 @@
 //!
 //! /// Takes the key of a frame, or stops signing; only for what came over the cable.
 //! fn obey(frame: &Frame<'_>, sender: &mut Sender, verifier: &mut Verifier) {
-//!     let Some(setup) = Setup::read(frame).filter(|setup| setup.target_system() == 1) else { return };
+//!     let Some(setup) = Setup::decode(frame).filter(|setup| setup.target_system() == 1) else { return };
 //!     match setup.key() {
 //!         Some((key, timestamp)) => {
 //!             sender.set_signer(Some(Signer::new(key.clone(), 0, timestamp)));
@@ -98,6 +98,6 @@ mod verifier;
 
 pub use error::SigningError;
 pub use key::Key;
-pub use setup::Setup;
+pub use setup::{ReceivedSetup, Setup};
 pub use signer::Signer;
 pub use verifier::{Stream, Trust, Verifier};

@@ -48,7 +48,7 @@ pub fn check_case<D: Dialect>(subject: &Subject<D>, definition: &Definition, cas
 fn check_encode<D: Dialect>(subject: &Subject<D>, case: &Case, place: &str, findings: &mut Findings) {
     let message = (subject.build)(&case.values);
     let in_dialect = (subject.build_in_dialect)(&case.values);
-    let refusal = EncodeError::IdTooLarge { id: subject.id };
+    let refusal = EncodeError::IdTooLarge { message_id: subject.id };
     let v1 = case.v1.as_ref().map(GoldenFrame::bytes).ok_or(refusal);
     findings.equal(Check::IdTooLarge, place, v1.is_err(), subject.id > 255);
     for (version, expected) in [(Version::V1, v1), (Version::V2, Ok(case.v2.bytes()))] {
@@ -102,8 +102,8 @@ impl<D: Dialect> Received<'_, D> {
 
     fn check_frame(&self, frame: &Frame<'_>, bytes: &[u8], findings: &mut Findings) {
         let Case { sequence, system, component, .. } = *self.case;
-        let header = (frame.version(), frame.sequence(), frame.system(), frame.component(), frame.id());
-        let expected = (self.version, sequence, system, component, self.subject.id);
+        let header = (frame.version(), frame.sequence(), frame.system_id(), frame.component_id(), frame.message_id());
+        let expected = (self.version, sequence, system.into(), component.into(), self.subject.id);
         findings.equal(Check::Parse, self.place, header, expected);
         findings.equal(Check::Parse, self.place, frame.is_verified(), true);
         findings.equal(Check::Parse, self.place, (frame.bytes(), frame.payload()), (bytes, &self.frame.payload[..]));

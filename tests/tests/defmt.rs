@@ -107,7 +107,7 @@ fn frames_and_errors_are_logged() {
     let expected = [&[0, 7, 8][..], &152_u32.to_le_bytes(), frame.payload()];
     assert!(has(&log(&frame), &expected), "{:?}", log(&frame));
     assert!(has(&log(&FrameBuf::from(frame)), &expected));
-    assert!(has(&log(&EncodeError::IdTooLarge { id: 300 }), &[&300_u32.to_le_bytes()]));
+    assert!(has(&log(&EncodeError::IdTooLarge { message_id: 300 }), &[&300_u32.to_le_bytes()]));
 }
 
 #[test]

@@ -78,8 +78,9 @@ fn exchange(peer: &Peer, mut sender: Sender, version: Version, mut check: impl F
             let place = format!("{}, case {}: {}", definition.name, case.name, String::from_utf8_lossy(&answer));
             let frame = Frame::parse(&answer, Autoquad::TABLE).unwrap_or_else(|error| panic!("{place}: {error}"));
             assert_eq!(frame.bytes().len(), answer.len(), "{place}");
-            let header = (frame.version(), frame.sequence(), frame.system(), frame.component(), frame.id());
-            assert_eq!(header, (version, sequence, 7, 8, definition.id), "{place}");
+            let header =
+                (frame.version(), frame.sequence(), frame.system_id(), frame.component_id(), frame.message_id());
+            assert_eq!(header, (version, sequence, 7.into(), 8.into(), definition.id), "{place}");
             check(&frame);
             let message = frame.message().and_then(subject.values_in_dialect).unwrap();
             assert_eq!(message, carried(&definition, &case.values, version), "{place}");

@@ -63,7 +63,7 @@ fn a_sender_counts_the_time_as_pymavlinks_does() {
         let first = frames.clone().next().unwrap();
         let signature = first.signature().unwrap();
         let signer = Signer::new(Key::new(key()), signature.link_id(), signature.timestamp());
-        let mut sender = Sender::v2(first.system(), first.component()).signed(signer);
+        let mut sender = Sender::v2(first.system_id(), first.component_id()).signed(signer);
         for frame in frames {
             sender.set_sequence(0);
             let message: Heartbeat = frame.decode().unwrap();
@@ -86,7 +86,11 @@ fn a_setup_is_the_setup_signing_of_the_dialect() {
         let mut buffer = [0xA5; MAX_FRAME];
         let frame = Sender::v2(255, 190).encode(&message, &mut buffer).unwrap();
         assert_eq!(Sender::v2(255, 190).encode(&setup, &mut [0xA5; MAX_FRAME]), Ok(frame));
-        assert_eq!(Setup::read(&Frame::parse(frame, Autoquad::TABLE).unwrap()), Some(setup));
+        let received = Setup::decode(&Frame::parse(frame, Autoquad::TABLE).unwrap()).unwrap();
+        assert!(received.target_system() == 7 && received.target_component() == 8);
+        let key = received.key().map(|(key, timestamp)| (*key.as_bytes(), timestamp.units()));
+        let off = (message.secret_key, message.initial_timestamp) == ([0; 32], 0);
+        assert_eq!(key, (!off).then_some((message.secret_key, message.initial_timestamp)));
     }
 }
 

@@ -46,7 +46,7 @@ fn received(bytes: &[u8]) -> Vec<String> {
                     format!("sprayer: {}, {} l in the tank, {alarm}", sprayer.state, tank.level())
                 }
                 Some(Farm::Heartbeat(beat)) => format!("{} is {}", beat.r#type, beat.system_status),
-                _ => format!("message {}, which we leave to others", frame.id()),
+                _ => format!("message {}, which we leave to others", frame.message_id()),
             });
         }
     }

@@ -36,7 +36,7 @@ fn print_log(input: impl Read) -> io::Result<()> {
 
 fn print_stream(input: impl Read) -> io::Result<()> {
     let mut reader = FrameReader::new(input, Autoquad::TABLE);
-    while let Some(frame) = reader.read()? {
+    while let Some(frame) = reader.receive()? {
         print(&frame);
     }
     let counts = reader.statistics();
@@ -45,11 +45,11 @@ fn print_stream(input: impl Read) -> io::Result<()> {
 }
 
 fn print(frame: &Frame<'_>) {
-    let (system, component, sequence) = (frame.system(), frame.component(), frame.sequence());
+    let (system, component, sequence) = (frame.system_id(), frame.component_id(), frame.sequence());
     match frame.message::<Autoquad>() {
         Some(message) => {
             println!("{system}/{component} #{sequence} {} {message:?}", message.info().name)
         }
-        None => println!("{system}/{component} #{sequence} message {} {:02x?}", frame.id(), frame.payload()),
+        None => println!("{system}/{component} #{sequence} message {} {:02x?}", frame.message_id(), frame.payload()),
     }
 }

@@ -71,7 +71,7 @@ fn receive(station: &mut Endpoint<'_>, frames: usize) -> io::Result<()> {
             Some(Autoquad::Heartbeat(beat)) => println!("{from}: {} is {}", beat.r#type, beat.system_status),
             Some(Autoquad::AqEscTelemetry(telemetry)) => println!("{from}: {telemetry:?}"),
             Some(other) => println!("{from}: {other:?}"),
-            None => println!("{from}: unknown message {}", frame.id()),
+            None => println!("{from}: unknown message {}", frame.message_id()),
         }
     }
     Ok(())

@@ -140,7 +140,7 @@ impl<'d> Printer<'d> {
     /// The lines of a frame; none if nobody asked for it.
     fn lines(&self, received: &Received<'_>) -> String {
         let frame = &received.frame;
-        if self.wanted.as_ref().is_some_and(|wanted| !frame.is_verified() || !wanted.contains(&frame.id())) {
+        if self.wanted.as_ref().is_some_and(|wanted| !frame.is_verified() || !wanted.contains(&frame.message_id())) {
             return String::new();
         }
         let Some(reflected) = self.tables.reflect(frame) else {

@@ -52,7 +52,7 @@ impl Tables {
     /// The message in a frame, if the dialect has it and the sender has the same definition of it.
     #[must_use]
     pub fn reflect<'a>(&self, frame: &Frame<'a>) -> Option<Reflected<'a>> {
-        frame.reflect_as(self.table.get(frame.id())?, self.fields(frame.id())?)
+        frame.reflect_as(self.table.get(frame.message_id())?, self.fields(frame.message_id())?)
     }
 }
 

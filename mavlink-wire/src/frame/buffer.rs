@@ -87,7 +87,7 @@ impl FrameBuf {
             return Err(EncodeError::CarriesKey);
         }
         if frame.version() == Version::V1 {
-            return Err(EncodeError::SignatureInV1 { id: self.facts.id });
+            return Err(EncodeError::SignatureInV1 { message_id: self.facts.id });
         }
         self.seal(SIGNED);
         self.length = signer.sign(&mut self.bytes, usize::from(self.length)) as u16;

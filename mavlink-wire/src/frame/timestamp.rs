@@ -55,7 +55,7 @@ impl Timestamp {
     ///
     /// After a restart: the saved timestamp and the interval at which it is saved.
     #[must_use]
-    pub fn plus(self, duration: Duration) -> Self {
+    pub fn saturating_add(self, duration: Duration) -> Self {
         let units = u64::try_from(duration.as_micros() / u128::from(UNIT_US)).unwrap_or(u64::MAX);
         Self::new(self.0.saturating_add(units))
     }

@@ -153,12 +153,12 @@ impl Format for Frame<'_> {
     fn format(&self, f: Formatter<'_>) {
         write!(
             f,
-            "Frame {{ {}, sequence: {=u8}, system: {=u8}, component: {=u8}, id: {=u32}, payload: ",
+            "Frame {{ {}, sequence: {=u8}, system_id: {}, component_id: {}, message_id: {=u32}, payload: ",
             self.version(),
             self.sequence(),
-            self.system(),
-            self.component(),
-            self.id()
+            self.system_id(),
+            self.component_id(),
+            self.message_id()
         );
         if self.carries_key() {
             write!(f, "secret }}");

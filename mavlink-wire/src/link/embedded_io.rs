@@ -16,8 +16,8 @@
 //!     tx: impl embedded_io::Write<Error = E>,
 //! ) -> Result<(), SendError<E>> {
 //!     let (mut reader, mut writer) = (FrameReader::new(rx, &TABLE), FrameWriter::new(tx, Sender::v1(1, 1)));
-//!     while let Some(frame) = reader.read().map_err(SendError::Link)? {
-//!         if frame.id() == 0 {
+//!     while let Some(frame) = reader.receive().map_err(SendError::Link)? {
+//!         if frame.message_id() == 0 {
 //!             writer.send(&Heartbeat)?;
 //!         }
 //!     }
@@ -50,14 +50,14 @@ impl<'t, R> FrameReader<'t, R> {
     /// A reader of 64 bytes at once that verifies the messages of this table, and hands over others unverified.
     #[must_use]
     pub const fn new(inner: R, table: &'t Table<'t>) -> Self {
-        Self::with_buffer(inner, table)
+        Self::with_read_size(inner, table)
     }
 }
 
 impl<'t, R, const N: usize> FrameReader<'t, R, N> {
     /// A reader of up to `N` bytes at once.
     #[must_use]
-    pub const fn with_buffer(inner: R, table: &'t Table<'t>) -> Self {
+    pub const fn with_read_size(inner: R, table: &'t Table<'t>) -> Self {
         Self { inner, incoming: Incoming::new(table) }
     }
 
@@ -70,13 +70,13 @@ impl<'t, R, const N: usize> FrameReader<'t, R, N> {
     /// The frames that there are without reading more, for a link that pauses: call it until it gives `None`. An unfinished
     /// frame is given up, and what came behind it is searched: see [`Parser::finish`](crate::Parser::finish).
     pub fn finish(&mut self) -> Option<Frame<'_>> {
-        self.finish_telling(not_told)
+        self.finish_reporting_bad_checksums(not_told)
     }
 
     /// The frames that there are without reading more, as [`finish`](Self::finish) gives them. `bad_checksum` is told the
     /// message of each frame that [`Statistics::bad_checksums`] counts.
-    pub fn finish_telling(&mut self, mut bad_checksum: impl FnMut(u32)) -> Option<Frame<'_>> {
-        let found = self.incoming.finish_telling(&mut bad_checksum)?;
+    pub fn finish_reporting_bad_checksums(&mut self, mut bad_checksum: impl FnMut(u32)) -> Option<Frame<'_>> {
+        let found = self.incoming.finish(&mut bad_checksum)?;
         Some(self.incoming.frame(&found))
     }
 
@@ -103,19 +103,22 @@ impl<R: Read, const N: usize> FrameReader<'_, R, N> {
     /// # Errors
     ///
     /// What `R` says, except for [`ErrorKind::Interrupted`]. Nothing is lost: read again if it was a timeout.
-    pub fn read(&mut self) -> Result<Option<Frame<'_>>, R::Error> {
-        self.read_telling(not_told)
+    pub fn receive(&mut self) -> Result<Option<Frame<'_>>, R::Error> {
+        self.receive_reporting_bad_checksums(not_told)
     }
 
-    /// The next frame, as [`read`](Self::read) gives it. `bad_checksum` is told the message of each frame that
+    /// The next frame, as [`receive`](Self::receive) gives it. `bad_checksum` is told the message of each frame that
     /// [`Statistics::bad_checksums`] counts: if it is often the same one, both sides define it otherwise.
     ///
     /// # Errors
     ///
-    /// As [`read`](Self::read).
-    pub fn read_telling(&mut self, mut bad_checksum: impl FnMut(u32)) -> Result<Option<Frame<'_>>, R::Error> {
+    /// As [`receive`](Self::receive).
+    pub fn receive_reporting_bad_checksums(
+        &mut self,
+        mut bad_checksum: impl FnMut(u32),
+    ) -> Result<Option<Frame<'_>>, R::Error> {
         loop {
-            if let Some(found) = self.incoming.find_telling(&mut bad_checksum) {
+            if let Some(found) = self.incoming.find(&mut bad_checksum) {
                 return Ok(Some(self.incoming.frame(&found)));
             }
             if self.incoming.take_end() {
@@ -189,14 +192,14 @@ impl<W: Write> FrameWriter<W> {
     }
 
     /// Sends a received frame as it came, to the byte. One that is to have a number, or a signature, of this link is made by
-    /// [`Sender::forward`] before.
+    /// [`Sender::renumber`] before.
     ///
     /// # Errors
     ///
     /// As of [`send`](Self::send); what is not carried is a frame with a [key](Frame::carries_key).
-    pub fn forward(&mut self, frame: &Frame<'_>) -> Result<(), SendError<W::Error>> {
+    pub fn send_frame(&mut self, frame: &Frame<'_>) -> Result<(), SendError<W::Error>> {
         self.write_pending()?;
-        self.outgoing.forward(frame).map_err(SendError::Encode)?;
+        self.outgoing.put_frame(frame).map_err(SendError::Encode)?;
         self.try_write_pending()
     }
 

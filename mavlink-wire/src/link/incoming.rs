@@ -41,28 +41,30 @@ impl<'t, B> Incoming<'t, B> {
 impl<B: AsRef<[u8]> + AsMut<[u8]>> Incoming<'_, B> {
     /// The next frame in what was read; `None` when more has to be read, or nothing comes any more. `bad_checksum` is
     /// told the message of each frame that is counted as damaged.
-    pub(crate) fn find_telling(&mut self, bad_checksum: &mut impl FnMut(u32)) -> Option<Found> {
-        let found = self.next_telling(bad_checksum);
-        if found.is_none() && self.ended { self.give_up_telling(bad_checksum) } else { found }
+    pub(crate) fn find(&mut self, bad_checksum: &mut impl FnMut(u32)) -> Option<Found> {
+        let found = self.next(bad_checksum);
+        if found.is_none() && self.ended { self.give_up(bad_checksum) } else { found }
     }
 
     /// The next frame in what was read, and then in what waits for bytes that do not come.
-    pub(crate) fn finish_telling(&mut self, bad_checksum: &mut impl FnMut(u32)) -> Option<Found> {
-        self.next_telling(bad_checksum).or_else(|| self.give_up_telling(bad_checksum))
+    pub(crate) fn finish(&mut self, bad_checksum: &mut impl FnMut(u32)) -> Option<Found> {
+        self.next(bad_checksum).or_else(|| self.give_up(bad_checksum))
     }
 
-    fn next_telling(&mut self, bad_checksum: &mut impl FnMut(u32)) -> Option<Found> {
+    fn next(&mut self, bad_checksum: &mut impl FnMut(u32)) -> Option<Found> {
         let mut input = self.buffer.as_ref().get(self.start..self.end).unwrap_or_default();
         let all = input.as_ptr_range();
         let found =
             |frame: Frame<'_>| Found { outline: Outline::of(&frame), held: !all.contains(&frame.bytes().as_ptr()) };
-        let found = self.parser.next_telling(&mut input, bad_checksum).map(found);
+        let found = self.parser.next_reporting_bad_checksums(&mut input, bad_checksum).map(found);
         self.start = self.end - input.len();
         found
     }
 
-    fn give_up_telling(&mut self, bad_checksum: &mut impl FnMut(u32)) -> Option<Found> {
-        self.parser.finish_telling(bad_checksum).map(|frame| Found { outline: Outline::of(&frame), held: true })
+    fn give_up(&mut self, bad_checksum: &mut impl FnMut(u32)) -> Option<Found> {
+        self.parser
+            .finish_reporting_bad_checksums(bad_checksum)
+            .map(|frame| Found { outline: Outline::of(&frame), held: true })
     }
 
     /// The frame that was found last.

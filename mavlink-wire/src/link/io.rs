@@ -23,8 +23,8 @@
 //! let mut writer = FrameWriter::new(stream.try_clone()?, Sender::v2(255, 190));
 //! let mut reader = FrameReader::new(stream, &TABLE);
 //! writer.send(&Heartbeat)?;
-//! while let Some(frame) = reader.read()? {
-//!     println!("{}/{}: message {}", frame.system(), frame.component(), frame.id());
+//! while let Some(frame) = reader.receive()? {
+//!     println!("{}/{}: message {}", frame.system_id(), frame.component_id(), frame.message_id());
 //! }
 //! # assert_eq!(reader.statistics().frames, 1);
 //! # Ok::<(), std::io::Error>(())

@@ -36,7 +36,7 @@ impl Outgoing {
     }
 
     /// Takes a frame to be written as it is. The one before must be written.
-    pub(crate) fn forward(&mut self, frame: &Frame<'_>) -> Result<(), EncodeError> {
+    pub(crate) fn put_frame(&mut self, frame: &Frame<'_>) -> Result<(), EncodeError> {
         if frame.carries_key() {
             return Err(EncodeError::CarriesKey);
         }

@@ -26,7 +26,7 @@
 //! link.send(&Heartbeat).await?;
 //! while let Some(frame) = link.next().await {
 //!     let frame = frame?;
-//!     println!("message {}", frame.as_frame().id());
+//!     println!("message {}", frame.as_frame().message_id());
 //! }
 //! # assert_eq!(link.codec().statistics().frames, 1);
 //! # vehicle.await?
@@ -66,7 +66,7 @@ impl<'t, F> Codec<'t, F> {
     /// The same codec, which tells `bad_checksum` the message of each frame that [`Statistics::bad_checksums`] counts: if it
     /// is often the same one, both sides define it otherwise.
     #[must_use]
-    pub fn telling<G: FnMut(u32)>(self, bad_checksum: G) -> Codec<'t, G> {
+    pub fn reporting_bad_checksums<G: FnMut(u32)>(self, bad_checksum: G) -> Codec<'t, G> {
         Codec { parser: self.parser, sender: self.sender, bad_checksum }
     }
 
@@ -94,7 +94,7 @@ impl<F: FnMut(u32)> Decoder for Codec<'_, F> {
 
     fn decode(&mut self, bytes: &mut BytesMut) -> Result<Option<FrameBuf>> {
         let mut input = &bytes[..];
-        let frame = self.parser.next_telling(&mut input, &mut self.bad_checksum).map(FrameBuf::from);
+        let frame = self.parser.next_reporting_bad_checksums(&mut input, &mut self.bad_checksum).map(FrameBuf::from);
         let left = input.len();
         bytes.advance(bytes.len() - left);
         Ok(frame)
@@ -102,7 +102,7 @@ impl<F: FnMut(u32)> Decoder for Codec<'_, F> {
 
     fn decode_eof(&mut self, bytes: &mut BytesMut) -> Result<Option<FrameBuf>> {
         let frame = self.decode(bytes)?;
-        Ok(frame.or_else(|| self.parser.finish_telling(&mut self.bad_checksum).map(FrameBuf::from)))
+        Ok(frame.or_else(|| self.parser.finish_reporting_bad_checksums(&mut self.bad_checksum).map(FrameBuf::from)))
     }
 }
 

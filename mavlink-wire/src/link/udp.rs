@@ -19,7 +19,7 @@
 //! # let mut frames = 1..;
 //! loop {
 //!     let (frame, peer) = station.receive()?;
-//!     println!("{peer}: {}/{} sends message {}", frame.system(), frame.component(), frame.id());
+//!     println!("{peer}: {}/{} sends message {}", frame.system_id(), frame.component_id(), frame.message_id());
 //!     station.send_to(&Heartbeat, peer)?;
 //! #   if frames.next() == Some(1) { break; }
 //! }
@@ -87,7 +87,7 @@ impl<'t> Endpoint<'t> {
     /// What the socket says: a timeout or [`ErrorKind::WouldBlock`] where one was asked for. Interruptions are not among
     /// them, and neither is the news that a datagram of ours reached nobody (Windows gives that to the receiver).
     pub fn receive(&mut self) -> Result<(Frame<'_>, SocketAddr)> {
-        self.receive_telling(not_told)
+        self.receive_reporting_bad_checksums(not_told)
     }
 
     /// The next frame, as [`receive`](Self::receive) gives it. `bad_checksum` is told the message of each frame that
@@ -96,11 +96,14 @@ impl<'t> Endpoint<'t> {
     /// # Errors
     ///
     /// As [`receive`](Self::receive).
-    pub fn receive_telling(&mut self, mut bad_checksum: impl FnMut(u32)) -> Result<(Frame<'_>, SocketAddr)> {
+    pub fn receive_reporting_bad_checksums(
+        &mut self,
+        mut bad_checksum: impl FnMut(u32),
+    ) -> Result<(Frame<'_>, SocketAddr)> {
         let mut began: Option<Instant> = None;
         loop {
             if let Some(from) = self.from {
-                if let Some(found) = self.incoming.find_telling(&mut bad_checksum) {
+                if let Some(found) = self.incoming.find(&mut bad_checksum) {
                     let frame = self.incoming.frame(&found);
                     if frame.is_verified() {
                         self.peers.hear(from);
@@ -154,7 +157,7 @@ impl<'t> Endpoint<'t> {
     ///
     /// [`ErrorKind::InvalidInput`] around an [`EncodeError`] if it carries a [key](Frame::carries_key); else what the socket
     /// says.
-    pub fn forward_to(&mut self, frame: &Frame<'_>, to: SocketAddr) -> Result<()> {
+    pub fn send_frame_to(&mut self, frame: &Frame<'_>, to: SocketAddr) -> Result<()> {
         self.socket.send_to(forwarded(frame)?, to).map(drop)
     }
 
@@ -162,9 +165,9 @@ impl<'t> Endpoint<'t> {
     ///
     /// # Errors
     ///
-    /// As of [`forward_to`](Self::forward_to). What fails for one peer is still sent to the others; the first error is
+    /// As of [`send_frame_to`](Self::send_frame_to). What fails for one peer is still sent to the others; the first error is
     /// given.
-    pub fn forward_to_all(&mut self, frame: &Frame<'_>) -> Result<()> {
+    pub fn send_frame_to_all(&mut self, frame: &Frame<'_>) -> Result<()> {
         send_all(&self.socket, forwarded(frame)?, self.peers.iter())
     }
 

@@ -20,7 +20,7 @@
 //! let mut reader = Reader::new(&file[..], &TABLE);
 //! while let Some(entry) = reader.read()? {
 //!     let time = entry.time_us.map_or_else(|| "?".into(), |us| (us as f64 / 1e6).to_string());
-//!     println!("{time} s: message {}", entry.frame.id());
+//!     println!("{time} s: message {}", entry.frame.message_id());
 //! #   assert_eq!((entry.time_us, entry.frame), (Some(1_700_000_000_000_000), frame));
 //! }
 //! # Ok::<(), Box<dyn std::error::Error>>(())

@@ -2,13 +2,13 @@
 
 use core::fmt;
 
-use crate::Frame;
+use crate::{ComponentId, Frame, SystemId};
 
 /// So far back a number is a late frame, not a gap that goes almost all the way round.
 const LATE: u8 = 16;
 
 /// The radio that SiK firmware makes up on both sides of its link (`3D`), which numbers its frames by no rule.
-const SIK_RADIO: (u8, u8) = (b'3', b'D');
+const SIK_RADIO: (SystemId, ComponentId) = (SystemId::from_u8(b'3'), ComponentId::from_u8(b'D'));
 
 /// Counts received and lost frames of each component, by their sequence numbers; up to `N` components.
 ///
@@ -37,7 +37,7 @@ const SIK_RADIO: (u8, u8) = (b'3', b'D');
 /// let mut losses: Losses<4> = Losses::new();
 /// losses.count(&frame);
 /// for sender in losses.iter() {
-///     println!("{}/{}: {} received, {} lost", sender.system, sender.component, sender.received, sender.lost);
+///     println!("{}/{}: {} received, {} lost", sender.system_id, sender.component_id, sender.received, sender.lost);
 /// }
 /// # assert_eq!(losses.total().received, 1);
 /// ```
@@ -54,9 +54,9 @@ pub struct Losses<const N: usize = 16> {
 #[non_exhaustive]
 pub struct Received {
     /// Id of the sending system.
-    pub system: u8,
+    pub system_id: SystemId,
     /// Id of the sending component of that system.
-    pub component: u8,
+    pub component_id: ComponentId,
     /// Frames received, late ones and duplicates among them.
     pub received: u64,
     /// Frames that never arrived.
@@ -118,17 +118,25 @@ impl<const N: usize> Losses<N> {
     /// Nothing counted.
     #[must_use]
     pub const fn new() -> Self {
-        let received = Received { system: 0, component: 0, received: 0, lost: 0, late: 0, duplicates: 0, restarts: 0 };
+        let received = Received {
+            system_id: SystemId::BROADCAST,
+            component_id: ComponentId::BROADCAST,
+            received: 0,
+            lost: 0,
+            late: 0,
+            duplicates: 0,
+            restarts: 0,
+        };
         Self { senders: [Sequence { received, expected: 0, heard: 0 }; N], counted: 0 }
     }
 
     /// Counts a frame.
     pub fn count(&mut self, frame: &Frame<'_>) -> Arrival {
-        let (system, component) = (frame.system(), frame.component());
-        if (system, component) == SIK_RADIO {
+        let (system_id, component_id) = (frame.system_id(), frame.component_id());
+        if (system_id, component_id) == SIK_RADIO {
             return Arrival::Ignored;
         }
-        let known = self.senders.iter_mut().find(|sender| sender.is(system, component));
+        let known = self.senders.iter_mut().find(|sender| sender.is(system_id, component_id));
         let (sequence, arrival) = match known {
             Some(sequence) => {
                 let arrival = sequence.arrival(frame.sequence());
@@ -139,7 +147,7 @@ impl<const N: usize> Losses<N> {
                 let Some(sequence) = self.senders.iter_mut().min_by_key(|sender| sender.heard) else {
                     return Arrival::Ignored;
                 };
-                sequence.received = Received { system, component, ..Received::default() };
+                sequence.received = Received { system_id, component_id, ..Received::default() };
                 (sequence, Arrival::First)
             }
         };
@@ -151,8 +159,9 @@ impl<const N: usize> Losses<N> {
 
     /// What this component sent, if any of it was counted.
     #[must_use]
-    pub fn of(&self, system: u8, component: u8) -> Option<Received> {
-        self.iter().find(|received| (received.system, received.component) == (system, component))
+    pub fn of(&self, system_id: impl Into<SystemId>, component_id: impl Into<ComponentId>) -> Option<Received> {
+        let ids = (system_id.into(), component_id.into());
+        self.iter().find(|received| (received.system_id, received.component_id) == ids)
     }
 
     /// What each component sent, in no order.
@@ -164,13 +173,12 @@ impl<const N: usize> Losses<N> {
     #[must_use]
     pub fn total(&self) -> Received {
         self.iter().fold(Received::default(), |sum, one| Received {
-            system: 0,
-            component: 0,
             received: sum.received + one.received,
             lost: sum.lost + one.lost,
             late: sum.late + one.late,
             duplicates: sum.duplicates + one.duplicates,
             restarts: sum.restarts + one.restarts,
+            ..sum
         })
     }
 }
@@ -191,8 +199,8 @@ impl Received {
 }
 
 impl Sequence {
-    fn is(&self, system: u8, component: u8) -> bool {
-        self.heard > 0 && (self.received.system, self.received.component) == (system, component)
+    fn is(&self, system_id: SystemId, component_id: ComponentId) -> bool {
+        self.heard > 0 && (self.received.system_id, self.received.component_id) == (system_id, component_id)
     }
 
     /// What this number tells.

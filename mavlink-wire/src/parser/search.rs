@@ -79,8 +79,8 @@ impl<'t> Search<'t> {
     fn give_up(&mut self, bytes: &[u8], error: FrameError, at_end: bool, bad_checksum: &mut impl FnMut(u32)) -> Step {
         match error {
             FrameError::Incomplete { needed } if !at_end => return Step::Wait { needed },
-            FrameError::Checksum { id } if self.damaged == 0 => {
-                bad_checksum(id);
+            FrameError::Checksum { message_id } if self.damaged == 0 => {
+                bad_checksum(message_id);
                 self.statistics.bad_checksums += 1;
                 self.damaged = Header::read(bytes).map_or(0, Header::frame_length);
             }

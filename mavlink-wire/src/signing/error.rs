@@ -3,7 +3,7 @@
 use core::error::Error;
 use core::fmt;
 
-use crate::Timestamp;
+use crate::{ComponentId, SystemId, Timestamp};
 
 /// A signature proves nothing, or a key would go to more than one component.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -13,16 +13,16 @@ pub enum SigningError {
     /// The frame is not signed; MAVLink 1 never is.
     Unsigned {
         /// The id of the message.
-        id: u32,
+        message_id: u32,
     },
     /// The hash is not that of the key: a forgery, or a sender with another key.
     WrongHash {
         /// Which of the sender's links.
         link_id: u8,
         /// The sending system.
-        system: u8,
+        system_id: SystemId,
         /// The sending component.
-        component: u8,
+        component_id: ComponentId,
     },
     /// The timestamp is not after that of the stream's last frame: a replay, or a sender that went back in time.
     Replayed {
@@ -46,21 +46,21 @@ pub enum SigningError {
     /// A key is for one component of one system; zero means all of them.
     Broadcast {
         /// The addressed system.
-        system: u8,
+        system_id: SystemId,
         /// The addressed component.
-        component: u8,
+        component_id: ComponentId,
     },
 }
 
 impl fmt::Display for SigningError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Unsigned { id } => {
+            Self::Unsigned { message_id: id } => {
                 write!(f, "message {id} is not signed: discard the frame, or let check_with allow the message")
             }
-            Self::WrongHash { link_id, system, component } => write!(
+            Self::WrongHash { link_id, system_id, component_id } => write!(
                 f,
-                "the signature of link {link_id} of {system}/{component} is not of this key: discard the frame; if it never \
+                "the signature of link {link_id} of {system_id}/{component_id} is not of this key: discard the frame; if it never \
                  is, give both sides the same key"
             ),
             Self::Replayed { timestamp, last } => write!(
@@ -79,8 +79,8 @@ impl fmt::Display for SigningError {
             Self::TooManyStreams { limit } => {
                 write!(f, "all {limit} streams are in use: forget stale ones, or make the verifier with room for more")
             }
-            Self::Broadcast { system, component } => {
-                write!(f, "a key cannot go to {system}/{component}, which are many: send it to each in turn")
+            Self::Broadcast { system_id, component_id } => {
+                write!(f, "a key cannot go to {system_id}/{component_id}, which are many: send it to each in turn")
             }
         }
     }

@@ -20,7 +20,7 @@ pub struct Signer {
 impl Signer {
     /// A signer whose first frame has this timestamp: the saved one, or the time, whichever is later.
     ///
-    /// If it is saved once a minute and there is no clock, start at the saved one [plus](Timestamp::plus) a minute.
+    /// If it is saved once a minute and there is no clock, start at the saved one [plus](Timestamp::saturating_add) a minute.
     #[must_use]
     pub const fn new(key: Key, link_id: u8, timestamp: Timestamp) -> Self {
         Self { key, link_id, timestamp }

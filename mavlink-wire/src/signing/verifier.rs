@@ -3,7 +3,7 @@
 use core::fmt;
 
 use super::{Key, SigningError};
-use crate::{Frame, Timestamp};
+use crate::{ComponentId, Frame, SystemId, Timestamp};
 
 /// How far the first frame of a stream may be behind the local time: one minute.
 const LATE: u64 = 6_000_000;
@@ -34,22 +34,29 @@ impl fmt::Display for Trust {
 }
 
 /// The frames of one component over one of its links, and the timestamp of the last one.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(::defmt::Format))]
+#[non_exhaustive]
 pub struct Stream {
     /// Which of the sender's links.
     pub link_id: u8,
     /// The sending system.
-    pub system: u8,
+    pub system_id: SystemId,
     /// The sending component.
-    pub component: u8,
+    pub component_id: ComponentId,
     /// The timestamp of the last frame that was accepted.
     pub timestamp: Timestamp,
 }
 
 impl Stream {
+    /// A stream, as it was saved.
+    #[must_use]
+    pub const fn new(link_id: u8, system_id: SystemId, component_id: ComponentId, timestamp: Timestamp) -> Self {
+        Self { link_id, system_id, component_id, timestamp }
+    }
+
     fn is_of(&self, other: &Self) -> bool {
-        (self.link_id, self.system, self.component) == (other.link_id, other.system, other.component)
+        (self.link_id, self.system_id, self.component_id) == (other.link_id, other.system_id, other.component_id)
     }
 }
 
@@ -73,15 +80,15 @@ impl Verifier {
     /// For another key, make another verifier: no frame of the old one passes it.
     #[must_use]
     pub const fn new(key: Option<Key>) -> Self {
-        Self::bounded(key)
+        Self::with_streams(key)
     }
 }
 
 impl<const STREAMS: usize> Verifier<STREAMS> {
-    /// A verifier of another number of streams: `Verifier::<40>::bounded(key)`.
+    /// A verifier of another number of streams: `Verifier::<40>::with_streams(key)`.
     #[must_use]
-    pub const fn bounded(key: Option<Key>) -> Self {
-        let none = Stream { link_id: 0, system: 0, component: 0, timestamp: Timestamp::ZERO };
+    pub const fn with_streams(key: Option<Key>) -> Self {
+        let none = Stream::new(0, SystemId::BROADCAST, ComponentId::BROADCAST, Timestamp::ZERO);
         Self { key, timestamp: Timestamp::ZERO, streams: [none; STREAMS], known: 0 }
     }
 
@@ -93,7 +100,7 @@ impl<const STREAMS: usize> Verifier<STREAMS> {
     ///
     /// The frame is to be discarded.
     pub fn check(&mut self, frame: &Frame<'_>, now: Timestamp) -> Result<Trust, SigningError> {
-        self.check_with(frame, now, |frame| frame.id() == RADIO_STATUS)
+        self.check_with(frame, now, |frame| frame.message_id() == RADIO_STATUS)
     }
 
     /// Like [`check`](Self::check), with a rule of yours for frames that no signature vouches for: unsigned ones, and
@@ -206,12 +213,12 @@ impl<const STREAMS: usize> Verifier<STREAMS> {
 
 /// The stream that a frame belongs to, and its timestamp there, if the hash is right.
 fn verified(key: &Key, frame: &Frame<'_>) -> Result<Stream, SigningError> {
-    let signature = frame.signature().ok_or(SigningError::Unsigned { id: frame.id() })?;
-    let (link_id, system, component) = (signature.link_id(), frame.system(), frame.component());
+    let signature = frame.signature().ok_or(SigningError::Unsigned { message_id: frame.message_id() })?;
+    let (link_id, system_id, component_id) = (signature.link_id(), frame.system_id(), frame.component_id());
     if key.made(frame.bytes()) {
-        Ok(Stream { link_id, system, component, timestamp: signature.timestamp() })
+        Ok(Stream { link_id, system_id, component_id, timestamp: signature.timestamp() })
     } else {
-        Err(SigningError::WrongHash { link_id, system, component })
+        Err(SigningError::WrongHash { link_id, system_id, component_id })
     }
 }
 

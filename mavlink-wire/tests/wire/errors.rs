@@ -15,13 +15,13 @@ fn says<E: Error + Copy + Send + Sync + 'static>(error: E, part: &str) {
 
 #[test]
 fn errors_say_what_to_do() {
-    says(EncodeError::IdTooLarge { id: 300 }, "send it with Sender::v2");
-    says(EncodeError::SignatureInV1 { id: 300 }, "or do not sign");
+    says(EncodeError::IdTooLarge { message_id: 300 }, "send it with Sender::v2");
+    says(EncodeError::SignatureInV1 { message_id: 300 }, "or do not sign");
     says(EncodeError::CarriesKey, "do not forward it");
     says(FrameError::NotStx { found: 0x55 }, "not 0x55: skip to the next");
     says(FrameError::Incomplete { needed: 21 }, "21 bytes: try again with more");
     says(FrameError::IncompatFlags { flags: 4 }, "0x04 are not known here: discard");
-    says(FrameError::Checksum { id: 152 }, "message 152: discard");
+    says(FrameError::Checksum { message_id: 152 }, "message 152: discard");
     says(TooLong { length: 60, capacity: 50 }, "60 bytes do not fit a field of 50: shorten");
     says(UnknownName { name: "MAV_STATE" }, "MAV_STATE: use a name");
     says(OutOfRange, "nothing was set");
@@ -37,7 +37,7 @@ fn errors_of_links_say_what_to_do() {
     use mavlink_wire::embedded_io::SendError;
 
     type Link = SendError<embedded_io::ErrorKind>;
-    says(Link::Encode(EncodeError::IdTooLarge { id: 300 }), "send it with Sender::v2");
+    says(Link::Encode(EncodeError::IdTooLarge { message_id: 300 }), "send it with Sender::v2");
     says(Link::Link(embedded_io::ErrorKind::BrokenPipe), "the link has failed: ");
     says(Link::NothingTaken, "open it again");
 }
@@ -49,10 +49,10 @@ fn errors_of_signing_say_what_to_do() {
     use mavlink_wire::signing::SigningError;
 
     let (timestamp, local) = (Timestamp::new(7), Timestamp::new(9));
-    says(SigningError::Unsigned { id: 1 }, "message 1 is not signed: discard");
-    says(SigningError::WrongHash { link_id: 1, system: 2, component: 3 }, "link 1 of 2/3");
+    says(SigningError::Unsigned { message_id: 1 }, "message 1 is not signed: discard");
+    says(SigningError::WrongHash { link_id: 1, system_id: 2.into(), component_id: 3.into() }, "link 1 of 2/3");
     says(SigningError::Replayed { timestamp, last: local }, "timestamp 7 is not after 9");
     says(SigningError::TooOld { timestamp, local }, "timestamp 7 of a new stream");
     says(SigningError::TooManyStreams { limit: 16 }, "all 16 streams are in use: forget");
-    says(SigningError::Broadcast { system: 1, component: 0 }, "1/0, which are many: send");
+    says(SigningError::Broadcast { system_id: 1.into(), component_id: 0.into() }, "1/0, which are many: send");
 }

@@ -57,9 +57,9 @@ fn forwarded_frames_are_counted_with_the_senders_own() {
     let (mut sender, mut buffer) = (Sender::v2(1, 1), [0; MAX_FRAME]);
     sender.set_sequence(254);
     let frame = kept(&SIGNED, Small::TABLE);
-    let first = sender.forward(&frame.as_frame()).unwrap();
+    let first = sender.renumber(&frame.as_frame()).unwrap();
     let own = sender.encode(&Heartbeat::DEFAULT, &mut buffer).unwrap()[4];
-    let third = sender.forward(&frame.as_frame()).unwrap();
+    let third = sender.renumber(&frame.as_frame()).unwrap();
     assert_eq!((first.as_frame().sequence(), own, third.as_frame().sequence()), (254, 255, 0));
     assert_eq!(Frame::parse(third.bytes(), Small::TABLE).as_ref(), Ok(&third.as_frame()));
 }
@@ -69,7 +69,7 @@ fn system_component_and_flags_of_a_forwarded_frame_stay() {
     let foreign = with_checksum(&[0xfd, 2, 0, 0x5a, 9, 77, 88, 0x44, 0x33, 0x22, 1, 2], 99);
     let frame = kept(&foreign, Small::TABLE);
     assert!(!frame.as_frame().is_verified());
-    let sent = Sender::v2(1, 1).forward(&frame.as_frame()).unwrap();
+    let sent = Sender::v2(1, 1).renumber(&frame.as_frame()).unwrap();
     assert_eq!(sent.bytes(), with_checksum(&[0xfd, 2, 0, 0x5a, 0, 77, 88, 0x44, 0x33, 0x22, 1, 2], 99));
     assert_eq!(Frame::parse(sent.bytes(), Small::TABLE), Ok(sent.as_frame()));
 }
@@ -83,7 +83,7 @@ fn a_key_is_neither_forwarded_nor_shown() {
     let frame = Frame::parse(&setup, Small::TABLE).unwrap();
     let mut sender = Sender::v2(1, 1);
     assert!(frame.carries_key());
-    assert_eq!(sender.forward(&frame), Err(EncodeError::CarriesKey));
+    assert_eq!(sender.renumber(&frame), Err(EncodeError::CarriesKey));
     assert_eq!(sender.sequence(), 0);
     let mut parser = Parser::new(Small::TABLE);
     assert_eq!(parser.next(&mut &setup[..40]), None);

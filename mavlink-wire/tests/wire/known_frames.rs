@@ -66,8 +66,12 @@ fn heartbeat_is_read() {
     for (hex, version) in [(HEARTBEAT_V1, Version::V1), (HEARTBEAT_V2, Version::V2), (HEARTBEAT_SIGNED, Version::V2)] {
         let bytes = bytes(hex);
         let frame = Frame::parse(&bytes, &TABLE).unwrap();
-        assert_eq!((frame.version(), frame.id(), frame.crc_extra(), frame.is_verified()), (version, 0, 50, true));
-        assert_eq!((frame.sequence(), frame.system(), frame.component(), frame.compat_flags()), (0, 1, 1, 0));
+        assert_eq!(
+            (frame.version(), frame.message_id(), frame.crc_extra(), frame.is_verified()),
+            (version, 0, 50, true)
+        );
+        assert_eq!((frame.sequence(), frame.compat_flags()), (0, 0));
+        assert!(frame.system_id() == 1 && frame.component_id() == 1);
         assert_eq!(frame.bytes(), bytes);
         assert_eq!(frame.decode(), Some(HEARTBEAT));
         assert_eq!(frame.message(), Some(Small::Heartbeat(HEARTBEAT)));
@@ -96,7 +100,7 @@ fn telemetry_frames_are_read() {
     for (hex, length) in [(&*v1, 82), (v2, 4), (signed, 4)] {
         let bytes = bytes(hex);
         let frame = Frame::parse(&bytes, &TABLE).unwrap();
-        assert_eq!((frame.id(), frame.sequence(), frame.payload().len()), (150, 7, length));
+        assert_eq!((frame.message_id(), frame.sequence(), frame.payload().len()), (150, 7, length));
         assert_eq!(frame.payload()[..4], 1.0_f32.to_le_bytes());
         assert!(frame.is_verified());
     }
@@ -149,7 +153,7 @@ fn what_is_no_frame_says_why() {
     assert_eq!(Frame::parse(&flags, &TABLE), Err(FrameError::IncompatFlags { flags: 2 }));
     let mut damaged = good;
     damaged[12] ^= 1;
-    assert_eq!(Frame::parse(&damaged, &TABLE), Err(FrameError::Checksum { id: 0 }));
+    assert_eq!(Frame::parse(&damaged, &TABLE), Err(FrameError::Checksum { message_id: 0 }));
 }
 
 #[test]
@@ -164,7 +168,7 @@ fn an_unknown_id_is_handed_over_unverified() {
 #[test]
 fn a_message_of_another_definition_is_not_decoded() {
     let memory_info = with_checksum(&[0xfe, 4, 0, 1, 1, 152, 1, 2, 3, 4], 208);
-    assert_eq!(Frame::parse(&memory_info, &TABLE), Err(FrameError::Checksum { id: 152 }));
+    assert_eq!(Frame::parse(&memory_info, &TABLE), Err(FrameError::Checksum { message_id: 152 }));
     let nothing = Table::of(&[]);
     let frame = Frame::parse(&memory_info, &nothing).unwrap();
     assert_eq!((frame.decode::<AqEscTelemetry>(), frame.message::<Small>()), (None, None));
@@ -183,7 +187,7 @@ fn mavlink_1_refuses_large_ids() {
         }
     }
     let (mut sender, mut buffer) = (Sender::v1(1, 1), [0; MAX_FRAME]);
-    assert_eq!(sender.encode(&Large, &mut buffer), Err(EncodeError::IdTooLarge { id: 256 }));
+    assert_eq!(sender.encode(&Large, &mut buffer), Err(EncodeError::IdTooLarge { message_id: 256 }));
     assert_eq!(sender.sequence(), 0);
     assert_eq!(Sender::v2(1, 1).encode(&Large, &mut buffer).map(|frame| frame[7..10].to_vec()), Ok(vec![0, 1, 0]));
 }

@@ -1,8 +1,8 @@
 //! The adapters, over real sockets and pipes on the loopback interface.
 
+mod bad_checksums;
 mod scripted;
 mod std_io;
-mod telling;
 mod udp;
 
 #[cfg(feature = "embedded-io")]

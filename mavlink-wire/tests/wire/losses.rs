@@ -52,7 +52,7 @@ fn components_count_for_themselves_and_the_silent_one_is_forgotten() {
     arrivals(&mut losses, 1, &[4]);
     assert_eq!((losses.total().received, losses.total().lost), (5, 1));
     assert_eq!(arrivals(&mut losses, 3, &[0]), [Arrival::First]);
-    let mut components: Vec<u8> = losses.iter().map(|sender| sender.component).collect();
+    let mut components: Vec<_> = losses.iter().map(|sender| sender.component_id.to_u32()).collect();
     components.sort_unstable();
     assert_eq!(components, [1, 3]);
     assert_eq!(losses.of(1, 2), None);

@@ -45,9 +45,9 @@ fn a_parser_tells_of_which_message_a_checksum_is_wrong() {
     let stream = [&damaged[..], &encoded(Sender::v1(1, 1), 0, &Heartbeat::DEFAULT.into()), &damaged, &[0xFE]].concat();
     let (mut parser, mut told) = (Parser::new(Small::TABLE), vec![]);
     for mut chunk in stream.chunks(7) {
-        while parser.next_telling(&mut chunk, |id| told.push(id)).is_some() {}
+        while parser.next_reporting_bad_checksums(&mut chunk, |id| told.push(id)).is_some() {}
     }
-    while parser.finish_telling(|id| told.push(id)).is_some() {}
+    while parser.finish_reporting_bad_checksums(|id| told.push(id)).is_some() {}
     assert_eq!((told, parser.statistics().frames), (vec![152, 152], 1));
 }
 

@@ -52,15 +52,15 @@ impl Corpus {
     pub fn push(&mut self, bytes: &[u8]) -> Result<(), Refusal> {
         let frame = Frame::parse(bytes, Autoquad::TABLE).map_err(|_| Refusal::Unknown)?;
         let ours = frame.message().ok_or(Refusal::Unknown)?;
-        if MavMessage::default_message_from_id(frame.id()).is_none()
-            || MavMessage::extra_crc(frame.id()) != frame.crc_extra()
+        if MavMessage::default_message_from_id(frame.message_id()).is_none()
+            || MavMessage::extra_crc(frame.message_id()) != frame.crc_extra()
         {
             return Err(Refusal::Unknown);
         }
-        let theirs = MavMessage::parse(their_version(frame.version()), frame.id(), frame.payload());
+        let theirs = MavMessage::parse(their_version(frame.version()), frame.message_id(), frame.payload());
         let theirs = theirs.map_err(|_| Refusal::Value)?;
         let header =
-            MavHeader { system_id: frame.system().into(), component_id: frame.component(), sequence: frame.sequence() };
+            MavHeader { system_id: frame.system_id().to_u32(), component_id: frame.component_id().to_u32() as u8, sequence: frame.sequence() };
         let start = self.bytes.len();
         self.bytes.extend_from_slice(bytes);
         let payload = start + if frame.version() == Version::V1 { 6 } else { 10 };
@@ -68,7 +68,7 @@ impl Corpus {
             frame: start..self.bytes.len(),
             payload: payload..payload + frame.payload().len(),
             version: frame.version(),
-            id: frame.id(),
+            id: frame.message_id(),
             header,
         });
         self.ours.push(ours);

@@ -31,7 +31,7 @@ fn main() -> ! {
 fn gateway(rx: Uart, tx: Uart) -> Result<(), core::convert::Infallible> {
     let (mut reader, mut writer) = (FrameReader::new(rx, &RECEIVED), FrameWriter::new(tx, Sender::v2(1, 99)));
     let mut escs = EscTable::new();
-    while let Some(frame) = reader.read()? {
+    while let Some(frame) = reader.receive()? {
         if frame.decode::<Heartbeat>().is_some() {
             sent(writer.send(&BEAT));
         } else if let Some(telemetry) = frame.decode::<AqEscTelemetry>() {

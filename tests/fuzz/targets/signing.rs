@@ -40,7 +40,7 @@ impl Model {
 }
 
 fuzz_target!(|arrivals: Vec<Arrival>| {
-    let (mut verifier, mut model) = (Verifier::<STREAMS>::bounded(Some(Key::new([1; 32]))), Model::default());
+    let (mut verifier, mut model) = (Verifier::<STREAMS>::with_streams(Some(Key::new([1; 32]))), Model::default());
     for (link, system, time, damaged, flip) in arrivals {
         let (link, system, timestamp) = (link % 3, system % 3, u64::from(time));
         let key = Key::new([if damaged == 1 { 2 } else { 1 }; 32]);

@@ -45,7 +45,7 @@ fn stream() -> Vec<u8> {
 fn parsed(mut bytes: &[u8]) -> Vec<Autoquad> {
     let (mut parser, mut found) = (Parser::new(Autoquad::TABLE), vec![]);
     while let Some(frame) = parser.next(&mut bytes) {
-        assert_eq!((frame.system(), frame.component()), (7, 8));
+        assert!(frame.system_id() == 7 && frame.component_id() == 8);
         found.extend(frame.message::<Autoquad>());
     }
     found

@@ -32,8 +32,8 @@ fn theirs(frame: &[u8]) -> Theirs {
 fn encoded(frame: &Frame<'_>) -> (Autoquad, Vec<u8>) {
     let message: Autoquad = frame.message().unwrap();
     let mut sender = match frame.version() {
-        Version::V1 => Sender::v1(frame.system(), frame.component()),
-        Version::V2 => Sender::v2(frame.system(), frame.component()),
+        Version::V1 => Sender::v1(frame.system_id(), frame.component_id()),
+        Version::V2 => Sender::v2(frame.system_id(), frame.component_id()),
     };
     sender.set_sequence(frame.sequence());
     (message, sender.encode(&message, &mut [0; MAX_FRAME]).unwrap().to_vec())
@@ -53,8 +53,8 @@ fn rust_mavlink_decodes_what_we_encode_and_the_reverse() {
             Theirs::Unknown => "unknown",
             Theirs::Refused => "refused",
             Theirs::Message(header, message) => {
-                let expected = (u32::from(frame.system()), frame.component(), frame.sequence());
-                assert_eq!((header.system_id, header.component_id, header.sequence), expected);
+                let expected = (frame.system_id().to_u32(), frame.component_id().to_u32(), frame.sequence());
+                assert_eq!((header.system_id, u32::from(header.component_id), header.sequence), expected);
                 same_values(&ours, &message);
                 same_frame(&ours, frame.version(), header, &message);
                 "same"

@@ -18,7 +18,7 @@ impl Link {
 
     /// Whether the frame, signed at one end, is believed at the other, and is what it was without its signature.
     pub fn carries(&mut self, frame: &Frame<'_>) -> bool {
-        let Ok(mut sent) = self.sender.forward(frame) else { return false };
+        let Ok(mut sent) = self.sender.renumber(frame) else { return false };
         let trust = self.verifier.check(&sent.as_frame(), Timestamp::ZERO);
         if self.verifier.restore(Timestamp::ZERO, &[]).is_err() || self.verifier.forget_stale() > 0 {
             return false;

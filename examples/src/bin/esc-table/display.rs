@@ -6,13 +6,13 @@ use std::time::{Duration, Instant};
 
 use mavlink_autoquad::autoquad::{AqEscTelemetry, Esc32Status};
 use mavlink_autoquad::esc::{DisarmReason, EscRow, EscTable, ONLINE_LIMIT_MS, Update};
-use mavlink_autoquad::wire::Frame;
+use mavlink_autoquad::wire::{Frame, SystemId};
 
 const SECOND_US: u64 = 1_000_000;
 
 /// The vehicles, by system id, and where they are shown.
 pub(crate) struct Display<W> {
-    vehicles: BTreeMap<u8, Vehicle>,
+    vehicles: BTreeMap<SystemId, Vehicle>,
     output: W,
 }
 
@@ -31,7 +31,7 @@ impl<W: Write> Display<W> {
     pub(crate) fn receive(&mut self, frame: &Frame<'_>) -> io::Result<()> {
         let Some(telemetry) = frame.decode::<AqEscTelemetry>() else { return Ok(()) };
         let heard = Instant::now();
-        let vehicle = self.vehicles.entry(frame.system());
+        let vehicle = self.vehicles.entry(frame.system_id());
         let vehicle = vehicle.or_insert_with(|| Vehicle { table: EscTable::new(), shown_us: None, heard });
         vehicle.heard = heard;
         let update = vehicle.table.update(&telemetry);
@@ -42,29 +42,29 @@ impl<W: Write> Display<W> {
             return Ok(());
         }
         vehicle.shown_us = Some(now_us);
-        show(&mut self.output, frame.system(), &vehicle.table, now_us)
+        show(&mut self.output, frame.system_id(), &vehicle.table, now_us)
     }
 
     /// Shows the vehicles that have not been heard for so long.
     pub(crate) fn show_silent(&mut self, limit: Duration) -> io::Result<()> {
-        for (&system, Vehicle { table, heard, .. }) in &self.vehicles {
+        for (&system_id, Vehicle { table, heard, .. }) in &self.vehicles {
             let silence = heard.elapsed();
             if silence >= limit {
                 let silence_us = u64::try_from(silence.as_micros()).unwrap_or(u64::MAX);
-                show(&mut self.output, system, table, table.uptime_us().saturating_add(silence_us))?;
+                show(&mut self.output, system_id, table, table.uptime_us().saturating_add(silence_us))?;
             }
         }
         Ok(())
     }
 }
 
-fn show(output: &mut impl Write, system: u8, table: &EscTable, now_us: u64) -> io::Result<()> {
+fn show(output: &mut impl Write, system_id: SystemId, table: &EscTable, now_us: u64) -> io::Result<()> {
     let (seconds, counts) = (now_us / SECOND_US, table.counts());
     let (hours, minutes, seconds) = (seconds / 3600, seconds / 60 % 60, seconds % 60);
     let (motors, cycles, lost) = (table.num_motors(), counts.cycles, counts.lost);
     writeln!(
         output,
-        "vehicle {system}, up {hours}:{minutes:02}:{seconds:02}: {motors} motors, cycle {cycles}, {lost} batches lost"
+        "vehicle {system_id}, up {hours}:{minutes:02}:{seconds:02}: {motors} motors, cycle {cycles}, {lost} batches lost"
     )?;
     for row in table.iter() {
         show_row(output, row, now_us)?;

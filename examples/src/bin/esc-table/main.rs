@@ -35,7 +35,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 /// Shows what a file has to say. What lies between its frames, like the times of a tlog, is skipped.
 fn read(input: impl Read, display: &mut Display<impl io::Write>) -> io::Result<()> {
     let mut reader = FrameReader::new(input, Autoquad::TABLE);
-    while let Some(frame) = reader.read()? {
+    while let Some(frame) = reader.receive()? {
         display.receive(&frame)?;
     }
     Ok(())
@@ -74,5 +74,6 @@ fn request(frame: &Frame<'_>) -> Option<RequestDataStream> {
         start_stop: 1,
         ..RequestDataStream::DEFAULT
     };
-    (heartbeat.autopilot == MavAutopilot::AUTOQUAD).then(|| request.to(frame.system(), frame.component()))
+    (heartbeat.autopilot == MavAutopilot::AUTOQUAD)
+        .then(|| request.to(frame.system_id().to_u32() as u8, frame.component_id().to_u32() as u8))
 }

@@ -110,7 +110,8 @@ impl Columns {
             }
         }
         let (frame, time) = (&received.frame, received.time.map(|time| time.to_string()).unwrap_or_default());
-        let head = [time, frame.system().to_string(), frame.component().to_string(), frame.sequence().to_string()];
+        let head =
+            [time, frame.system_id().to_string(), frame.component_id().to_string(), frame.sequence().to_string()];
         row(head.into_iter().chain(self.columns.iter().map(|column| cells.remove(&column.path).unwrap_or_default())))
     }
 }

@@ -51,11 +51,11 @@ fn head(received: &Received<'_>) -> Map<String, Value> {
     let head = json!({
         "time": received.time.map(|time| time.to_string()),
         "version": version,
-        "system": frame.system(),
-        "component": frame.component(),
+        "system": frame.system_id().to_u32(),
+        "component": frame.component_id().to_u32(),
         "sequence": frame.sequence(),
         "signed": frame.signature().is_some(),
-        "id": frame.id(),
+        "id": frame.message_id(),
         "verified": frame.is_verified(),
     });
     match head {

@@ -44,15 +44,17 @@ impl<'t> Stream<'t> {
     /// The next frame; `None` at the end.
     pub(super) fn next(&mut self) -> io::Result<Option<Received<'_>>> {
         let Self { reader, table, tally: Tally { frames, unverified, refused, .. } } = self;
-        let bad_checksum = |id| {
+        let bad_checksum = |message_id| {
             // Damage may look like the start of any message.
-            if table.get(id).is_some() {
-                *refused.entry(id).or_default() += 1;
+            if table.get(message_id).is_some() {
+                *refused.entry(message_id).or_default() += 1;
             }
         };
         let received = match reader {
-            Reader::Frames(reader) => reader.read_telling(bad_checksum)?.map(|frame| Received { time: None, frame }),
-            Reader::Log(reader) => reader.read_telling(bad_checksum)?.map(Received::from),
+            Reader::Frames(reader) => {
+                reader.receive_reporting_bad_checksums(bad_checksum)?.map(|frame| Received { time: None, frame })
+            }
+            Reader::Log(reader) => reader.read_reporting_bad_checksums(bad_checksum)?.map(Received::from),
         };
         if let Some(received) = &received {
             *frames += 1;

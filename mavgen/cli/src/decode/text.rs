@@ -18,14 +18,14 @@ pub(super) fn message(received: &Received<'_>, reflected: &Reflected<'_>, conten
 
 /// `1/1 #12 message 152, unverified: 01ff…`
 pub(super) fn unverified(received: &Received<'_>) -> String {
-    let (id, payload) = (received.frame.id(), hexadecimal(received.frame.payload()));
+    let (id, payload) = (received.frame.message_id(), hexadecimal(received.frame.payload()));
     format!("{}message {id}, unverified: {payload}\n", head(received))
 }
 
 fn head(received: &Received<'_>) -> String {
     let (time, frame) = (received.time, &received.frame);
     let time = time.map(|time| format!("{time} ")).unwrap_or_default();
-    format!("{time}{}/{} #{} ", frame.system(), frame.component(), frame.sequence())
+    format!("{time}{}/{} #{} ", frame.system_id(), frame.component_id(), frame.sequence())
 }
 
 /// The lines of a view: `    escs[0]: id 3, age_ms 12 ms, state ESC32_STATE_RUNNING, …`

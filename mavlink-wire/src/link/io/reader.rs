@@ -30,19 +30,19 @@ impl<'t, R: Read> FrameReader<'t, R> {
     ///
     /// What `R` says, except for [`ErrorKind::Interrupted`]. Nothing is lost: read again if it was a timeout, or
     /// [`ErrorKind::WouldBlock`].
-    pub fn read(&mut self) -> Result<Option<Frame<'_>>> {
-        self.read_telling(not_told)
+    pub fn receive(&mut self) -> Result<Option<Frame<'_>>> {
+        self.receive_reporting_bad_checksums(not_told)
     }
 
-    /// The next frame, as [`read`](Self::read) gives it. `bad_checksum` is told the message of each frame that
+    /// The next frame, as [`receive`](Self::receive) gives it. `bad_checksum` is told the message of each frame that
     /// [`Statistics::bad_checksums`] counts: if it is often the same one, both sides define it otherwise.
     ///
     /// # Errors
     ///
-    /// As [`read`](Self::read).
-    pub fn read_telling(&mut self, mut bad_checksum: impl FnMut(u32)) -> Result<Option<Frame<'_>>> {
+    /// As [`receive`](Self::receive).
+    pub fn receive_reporting_bad_checksums(&mut self, mut bad_checksum: impl FnMut(u32)) -> Result<Option<Frame<'_>>> {
         loop {
-            if let Some(found) = self.incoming.find_telling(&mut bad_checksum) {
+            if let Some(found) = self.incoming.find(&mut bad_checksum) {
                 return Ok(Some(self.incoming.frame(&found)));
             }
             if self.incoming.take_end() {
@@ -59,13 +59,13 @@ impl<'t, R: Read> FrameReader<'t, R> {
     /// The frames that there are without reading more, for a link that pauses: call it until it gives `None`. An unfinished
     /// frame is given up, and what came behind it is searched: see [`Parser::finish`](crate::Parser::finish).
     pub fn finish(&mut self) -> Option<Frame<'_>> {
-        self.finish_telling(not_told)
+        self.finish_reporting_bad_checksums(not_told)
     }
 
     /// The frames that there are without reading more, as [`finish`](Self::finish) gives them. `bad_checksum` is told the
     /// message of each frame that [`Statistics::bad_checksums`] counts.
-    pub fn finish_telling(&mut self, mut bad_checksum: impl FnMut(u32)) -> Option<Frame<'_>> {
-        let found = self.incoming.finish_telling(&mut bad_checksum)?;
+    pub fn finish_reporting_bad_checksums(&mut self, mut bad_checksum: impl FnMut(u32)) -> Option<Frame<'_>> {
+        let found = self.incoming.finish(&mut bad_checksum)?;
         Some(self.incoming.frame(&found))
     }
 }

@@ -34,14 +34,14 @@ impl<W: Write> FrameWriter<W> {
     }
 
     /// Sends a received frame as it came, to the byte. One that is to have a number, or a signature, of this link is made by
-    /// [`Sender::forward`] before.
+    /// [`Sender::renumber`] before.
     ///
     /// # Errors
     ///
     /// As of [`send`](Self::send); what is not carried is a frame with a [key](Frame::carries_key).
-    pub fn forward(&mut self, frame: &Frame<'_>) -> Result<()> {
+    pub fn send_frame(&mut self, frame: &Frame<'_>) -> Result<()> {
         self.write_pending()?;
-        self.outgoing.forward(frame).map_err(|error| Error::new(ErrorKind::InvalidInput, error))?;
+        self.outgoing.put_frame(frame).map_err(|error| Error::new(ErrorKind::InvalidInput, error))?;
         self.try_write_pending()
     }
 

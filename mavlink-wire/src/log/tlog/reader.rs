@@ -35,7 +35,7 @@ impl<'t, R: Read> Reader<'t, R> {
     ///
     /// What `R` says, except for [`ErrorKind::Interrupted`]. Nothing is lost: read again.
     pub fn read(&mut self) -> Result<Option<Entry<'_>>> {
-        self.read_telling(|_| ())
+        self.read_reporting_bad_checksums(|_| ())
     }
 
     /// The next entry, as [`read`](Self::read) gives it. `bad_checksum` is told the message of each frame whose checksum is
@@ -44,7 +44,7 @@ impl<'t, R: Read> Reader<'t, R> {
     /// # Errors
     ///
     /// As [`read`](Self::read).
-    pub fn read_telling(&mut self, mut bad_checksum: impl FnMut(u32)) -> Result<Option<Entry<'_>>> {
+    pub fn read_reporting_bad_checksums(&mut self, mut bad_checksum: impl FnMut(u32)) -> Result<Option<Entry<'_>>> {
         let (time_us, outline, skipped) = loop {
             let rest = self.buffer.get(self.start..self.end).unwrap_or_default();
             match self.scan.look(rest, self.ended, &mut bad_checksum) {

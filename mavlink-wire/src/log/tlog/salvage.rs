@@ -12,8 +12,8 @@
 //! use mavlink_wire::tlog::salvage::records;
 //!
 //! for record in records(&log, &TABLE) {
-//!     println!("{} µs: message {:?} {:?}, {} bytes missing", record.time_us, record.id(), record.payload(), record.missing());
-//! #   assert_eq!((record.id(), record.payload(), record.missing()), (Some(0), &[1, 2, 3][..], 6));
+//!     println!("{} µs: message {:?} {:?}, {} bytes missing", record.time_us, record.message_id(), record.payload(), record.missing());
+//! #   assert_eq!((record.message_id(), record.payload(), record.missing()), (Some(0), &[1, 2, 3][..], 6));
 //! }
 //! # assert_eq!(records(&log, &TABLE).count(), 1);
 //! ```
@@ -37,8 +37,8 @@
 use memchr::memchr;
 
 use super::{DAY_US, TIME};
-use crate::Table;
 use crate::header::STX_V1;
+use crate::{ComponentId, SystemId, Table};
 
 /// Times that may be: the years 2012 to 2099.
 const YEARS_US: core::ops::Range<u64> = 1_325_376_000_000_000..4_102_444_800_000_000;
@@ -86,19 +86,19 @@ impl<'b> Record<'b> {
 
     /// Id of the sending system; `None` if it is not there, as in frames of up to three bytes of payload.
     #[must_use]
-    pub fn system(&self) -> Option<u8> {
-        self.frame.get(3).copied()
+    pub fn system_id(&self) -> Option<SystemId> {
+        self.frame.get(3).map(|&id| SystemId::from_u8(id))
     }
 
     /// Id of the sending component; `None` if it is not there, as in frames of up to four bytes of payload.
     #[must_use]
-    pub fn component(&self) -> Option<u8> {
-        self.frame.get(4).copied()
+    pub fn component_id(&self) -> Option<ComponentId> {
+        self.frame.get(4).map(|&id| ComponentId::from_u8(id))
     }
 
     /// Id of the message; `None` if it is not there, as in frames of up to five bytes of payload.
     #[must_use]
-    pub fn id(&self) -> Option<u32> {
+    pub fn message_id(&self) -> Option<u32> {
         self.frame.get(5).map(|&id| id.into())
     }
 

@@ -58,10 +58,10 @@ impl<'t> Scan<'t> {
             },
             Err(FrameError::Incomplete { .. }) if !at_end => Sight::Unfinished,
             Err(error) => {
-                if let FrameError::Checksum { id } = error
+                if let FrameError::Checksum { message_id } = error
                     && self.damaged == 0
                 {
-                    bad_checksum(id);
+                    bad_checksum(message_id);
                     self.damaged = TIME + Header::read(rest).map_or(0, Header::frame_length);
                 }
                 let others = rest.get(1..).unwrap_or_default();

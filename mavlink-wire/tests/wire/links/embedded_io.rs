@@ -20,8 +20,8 @@ fn messages_cross_a_tcp_stream_both_ways() {
         let far = listener.accept().unwrap().0;
         let mut reader = FrameReader::new(FromStd::new(far.try_clone().unwrap()), Small::TABLE);
         let mut writer = FrameWriter::new(FromStd::new(far), Sender::v2(9, 9));
-        while let Some(frame) = reader.read().unwrap() {
-            writer.forward(&frame).unwrap();
+        while let Some(frame) = reader.receive().unwrap() {
+            writer.send_frame(&frame).unwrap();
         }
         writer.flush().unwrap();
     });
@@ -30,8 +30,8 @@ fn messages_cross_a_tcp_stream_both_ways() {
         writer.send(&message(number)).unwrap();
     }
     near.shutdown(Shutdown::Write).unwrap();
-    let (mut reader, mut received) = (FrameReader::<_, 7>::with_buffer(FromStd::new(near), Small::TABLE), vec![]);
-    while let Some(frame) = reader.read().unwrap() {
+    let (mut reader, mut received) = (FrameReader::<_, 7>::with_read_size(FromStd::new(near), Small::TABLE), vec![]);
+    while let Some(frame) = reader.receive().unwrap() {
         received.push(read(&frame));
     }
     assert_eq!(received, sent(0..100));
@@ -43,13 +43,13 @@ fn messages_cross_a_tcp_stream_both_ways() {
 fn an_unfinished_frame_is_given_up_at_the_end_or_when_asked() {
     let bytes = [&[0xFD, 255, 0, 0][..], &stream(Sender::v1(1, 1), 0..1)].concat();
     let mut reader = FrameReader::new(&bytes[..], Small::TABLE);
-    assert_eq!(reader.read().unwrap().map(|frame| read(&frame)), sent(0..1).pop());
-    assert_eq!(reader.read().unwrap(), None);
+    assert_eq!(reader.receive().unwrap().map(|frame| read(&frame)), sent(0..1).pop());
+    assert_eq!(reader.receive().unwrap(), None);
 
     let steps = [Step::Take(1000), Step::Fail(ErrorKind::TimedOut)];
     let link = FromStd::new(Scripted::new(steps, &bytes));
-    let mut reader = FrameReader::<_, 200>::with_buffer(link, Small::TABLE);
-    assert!(reader.read().is_err());
+    let mut reader = FrameReader::<_, 200>::with_read_size(link, Small::TABLE);
+    assert!(reader.receive().is_err());
     assert_eq!(reader.finish().map(|frame| read(&frame)), sent(0..1).pop());
 }
 
@@ -68,13 +68,13 @@ fn interruptions_are_tried_again_and_other_errors_lose_nothing() {
     let bytes = stream(Sender::v2(1, 1), 0..2);
     let steps = [Step::Fail(ErrorKind::Interrupted), Step::Take(5), Step::Fail(ErrorKind::BrokenPipe)];
     let mut reader = FrameReader::new(FromStd::new(Scripted::new(steps, &bytes)), Small::TABLE);
-    assert_eq!(reader.read().unwrap_err().kind(), ErrorKind::BrokenPipe);
+    assert_eq!(reader.receive().unwrap_err().kind(), ErrorKind::BrokenPipe);
     for expected in sent(0..2) {
-        assert_eq!(reader.read().unwrap().map(|frame| read(&frame)), Some(expected));
+        assert_eq!(reader.receive().unwrap().map(|frame| read(&frame)), Some(expected));
     }
-    assert_eq!(reader.read().unwrap(), None);
+    assert_eq!(reader.receive().unwrap(), None);
     reader.get_mut().inner_mut().input.extend(&bytes);
-    assert_eq!(reader.read().unwrap().map(|frame| read(&frame)), sent(0..1).pop(), "it has grown");
+    assert_eq!(reader.receive().unwrap().map(|frame| read(&frame)), sent(0..1).pop(), "it has grown");
 
     let steps = [Step::Fail(ErrorKind::Interrupted), Step::Take(5), Step::Fail(ErrorKind::Interrupted)];
     let mut writer = FrameWriter::new(FromStd::new(Scripted::new(steps, &[])), Sender::v2(1, 1));
@@ -115,10 +115,10 @@ impl embedded_io::Write for Stalled {
 fn errors_have_their_reasons() {
     let mut writer = FrameWriter::new(Stalled, Sender::v1(1, 1));
     let refused = writer.send(&TooLarge).unwrap_err();
-    assert!(matches!(refused, SendError::Encode(EncodeError::IdTooLarge { id: 70_000 })));
+    assert!(matches!(refused, SendError::Encode(EncodeError::IdTooLarge { message_id: 70_000 })));
     assert!(refused.to_string().contains("Sender::v2"));
     let key = key();
-    let refused = writer.forward(&Frame::parse(&key, Small::TABLE).unwrap());
+    let refused = writer.send_frame(&Frame::parse(&key, Small::TABLE).unwrap());
     assert!(matches!(refused, Err(SendError::Encode(EncodeError::CarriesKey))));
     assert!(matches!(writer.send(&message(0)), Err(SendError::NothingTaken)));
     assert_eq!(writer.sender().sequence(), 1);

@@ -21,21 +21,21 @@ async fn messages_cross_a_tcp_stream_both_ways() {
         let (rx, tx) = listener.accept().await.unwrap().0.into_split();
         let mut reader = FrameReader::new(FromTokio::new(rx), Small::TABLE);
         let mut writer = FrameWriter::new(FromTokio::new(tx), Sender::v2(9, 9));
-        while let Some(frame) = reader.read().await.unwrap() {
-            writer.forward(&frame).await.unwrap();
+        while let Some(frame) = reader.receive().await.unwrap() {
+            writer.send_frame(&frame).await.unwrap();
         }
         writer.flush().await.unwrap();
     });
     let (rx, tx) = TcpStream::connect(address).await.unwrap().into_split();
     let mut writer = FrameWriter::new(FromTokio::new(tx), Sender::v1(1, 1));
-    let mut reader = FrameReader::<_, 7>::with_buffer(FromTokio::new(rx), Small::TABLE);
+    let mut reader = FrameReader::<_, 7>::with_read_size(FromTokio::new(rx), Small::TABLE);
     let mut received = vec![];
     for number in 0..100 {
         writer.send(&message(number)).await.unwrap();
-        received.push(read(&reader.read().await.unwrap().unwrap()));
+        received.push(read(&reader.receive().await.unwrap().unwrap()));
     }
     drop(writer);
-    assert_eq!(reader.read().await.unwrap(), None);
+    assert_eq!(reader.receive().await.unwrap(), None);
     assert_eq!(received, sent(0..100));
     assert_eq!(reader.statistics().skipped_bytes, 0);
     echo.await.unwrap();
@@ -64,10 +64,10 @@ async fn a_dropped_future_loses_no_byte() {
     let bytes = stream(Sender::v2(1, 1), 0..2);
     let mut reader = FrameReader::new(FromTokio::new(near), Small::TABLE);
     tokio::io::AsyncWriteExt::write_all(&mut far, &bytes[..9]).await.unwrap();
-    assert!(reader.read().now_or_never().is_none());
+    assert!(reader.receive().now_or_never().is_none());
     tokio::io::AsyncWriteExt::write_all(&mut far, &bytes[9..]).await.unwrap();
     for expected in sent(0..2) {
-        assert_eq!(read(&reader.read().await.unwrap().unwrap()), expected);
+        assert_eq!(read(&reader.receive().await.unwrap().unwrap()), expected);
     }
 }
 
@@ -99,13 +99,13 @@ async fn interruptions_are_tried_again_and_other_errors_lose_nothing() {
     let bytes = stream(Sender::v2(1, 1), 0..2);
     let steps = [Step::Fail(ErrorKind::Interrupted), Step::Take(5), Step::Fail(ErrorKind::BrokenPipe)];
     let mut reader = FrameReader::new(Told(Scripted::new(steps, &bytes)), Small::TABLE);
-    assert_eq!(reader.read().await.unwrap_err().kind(), ErrorKind::BrokenPipe);
+    assert_eq!(reader.receive().await.unwrap_err().kind(), ErrorKind::BrokenPipe);
     for expected in sent(0..2) {
-        assert_eq!(reader.read().await.unwrap().map(|frame| read(&frame)), Some(expected));
+        assert_eq!(reader.receive().await.unwrap().map(|frame| read(&frame)), Some(expected));
     }
-    assert_eq!(reader.read().await.unwrap(), None);
+    assert_eq!(reader.receive().await.unwrap(), None);
     reader.get_mut().0.input.extend(&bytes);
-    assert_eq!(reader.read().await.unwrap().map(|frame| read(&frame)), sent(0..1).pop(), "it has grown");
+    assert_eq!(reader.receive().await.unwrap().map(|frame| read(&frame)), sent(0..1).pop(), "it has grown");
 
     let steps = [Step::Fail(ErrorKind::Interrupted), Step::Take(5), Step::Fail(ErrorKind::Interrupted)];
     let mut writer = FrameWriter::new(Told(Scripted::new(steps, &[])), Sender::v2(1, 1));
@@ -131,12 +131,12 @@ async fn a_message_refused_by_a_timeout_takes_no_number() {
 async fn an_unfinished_frame_is_given_up_at_the_end_or_when_asked() {
     let bytes = [&[0xFD, 255, 0, 0][..], &stream(Sender::v1(1, 1), 0..1)].concat();
     let mut reader = FrameReader::new(&bytes[..], Small::TABLE);
-    assert_eq!(reader.read().await.unwrap().map(|frame| read(&frame)), sent(0..1).pop());
-    assert_eq!(reader.read().await.unwrap(), None);
+    assert_eq!(reader.receive().await.unwrap().map(|frame| read(&frame)), sent(0..1).pop());
+    assert_eq!(reader.receive().await.unwrap(), None);
 
     let steps = [Step::Take(1000), Step::Fail(ErrorKind::TimedOut)];
-    let mut reader = FrameReader::<_, 200>::with_buffer(Told(Scripted::new(steps, &bytes)), Small::TABLE);
-    assert!(reader.read().await.is_err());
+    let mut reader = FrameReader::<_, 200>::with_read_size(Told(Scripted::new(steps, &bytes)), Small::TABLE);
+    assert!(reader.receive().await.is_err());
     assert_eq!(reader.finish().map(|frame| read(&frame)), sent(0..1).pop());
 }
 

@@ -23,7 +23,7 @@ fn connected() -> (TcpStream, TcpStream) {
 
 fn all<R: std::io::Read>(reader: &mut FrameReader<'_, R>) -> Vec<(u8, Option<Small>)> {
     let mut frames = vec![];
-    while let Some(frame) = reader.read().unwrap() {
+    while let Some(frame) = reader.receive().unwrap() {
         frames.push(read(&frame));
     }
     frames
@@ -35,8 +35,8 @@ fn messages_cross_a_tcp_stream_both_ways() {
     let echo = thread::spawn(move || {
         let mut reader = FrameReader::new(far.try_clone().unwrap(), Small::TABLE);
         let mut writer = FrameWriter::new(far, Sender::v2(9, 9));
-        while let Some(frame) = reader.read().unwrap() {
-            writer.forward(&frame).unwrap();
+        while let Some(frame) = reader.receive().unwrap() {
+            writer.send_frame(&frame).unwrap();
         }
     });
     let mut writer = FrameWriter::new(near.try_clone().unwrap(), Sender::v1(1, 1));
@@ -88,7 +88,7 @@ fn a_timeout_loses_nothing() {
     far.set_read_timeout(Some(Duration::from_millis(1))).unwrap();
     let (mut reader, bytes) = (FrameReader::new(far, Small::TABLE), stream(Sender::v2(1, 1), 0..2));
     near.write_all(&bytes[..9]).unwrap();
-    let error = reader.read().unwrap_err();
+    let error = reader.receive().unwrap_err();
     assert!(matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::TimedOut), "{error}");
     near.write_all(&bytes[9..]).unwrap();
     drop(near);
@@ -121,7 +121,7 @@ fn interruptions_are_tried_again_and_other_errors_lose_nothing() {
     let bytes = stream(Sender::v2(1, 1), 0..2);
     let steps = [Step::Fail(ErrorKind::Interrupted), Step::Take(5), Step::Fail(ErrorKind::BrokenPipe)];
     let mut reader = FrameReader::new(Scripted::new(steps, &bytes), Small::TABLE);
-    assert_eq!(reader.read().unwrap_err().kind(), ErrorKind::BrokenPipe);
+    assert_eq!(reader.receive().unwrap_err().kind(), ErrorKind::BrokenPipe);
     assert_eq!(all(&mut reader), sent(0..2));
 
     let steps = [Step::Fail(ErrorKind::Interrupted), Step::Take(5), Step::Fail(ErrorKind::Interrupted)];
@@ -137,7 +137,7 @@ fn a_pausing_link_gives_up_what_does_not_come() {
     let mut link = Scripted::new([Step::Take(1000), Step::Fail(ErrorKind::TimedOut)], &bytes);
     link.steps.push_back(Step::Take(0));
     let mut reader = FrameReader::new(link, Small::TABLE);
-    assert_eq!(reader.read().unwrap_err().kind(), ErrorKind::TimedOut);
+    assert_eq!(reader.receive().unwrap_err().kind(), ErrorKind::TimedOut);
     assert_eq!(reader.finish().map(|frame| read(&frame)), sent(0..1).pop());
     assert_eq!(reader.finish().map(|frame| read(&frame)), sent(1..2).pop());
     assert_eq!(reader.finish(), None);
@@ -147,7 +147,7 @@ fn a_pausing_link_gives_up_what_does_not_come() {
 fn what_was_read_comes_before_what_is_given_up() {
     let bytes = [&stream(Sender::v1(1, 1), 0..3)[..], &[0xFD, 200, 0]].concat();
     let mut reader = FrameReader::new(&bytes[..], Small::TABLE);
-    assert_eq!(reader.read().unwrap().map(|frame| read(&frame)), Some(sent(0..3)[0]));
+    assert_eq!(reader.receive().unwrap().map(|frame| read(&frame)), Some(sent(0..3)[0]));
     let finished: Vec<_> = std::iter::from_fn(|| reader.finish().map(|frame| read(&frame))).collect();
     assert_eq!(finished, sent(1..3));
     assert_eq!(reader.statistics().skipped_bytes, 3);
@@ -175,11 +175,11 @@ fn what_cannot_be_sent_is_an_error_with_its_reason() {
     assert_eq!(error.kind(), ErrorKind::InvalidInput);
     assert!(matches!(
         error.get_ref().and_then(|reason| reason.downcast_ref()),
-        Some(EncodeError::IdTooLarge { id: 70_000 })
+        Some(EncodeError::IdTooLarge { message_id: 70_000 })
     ));
     assert_eq!(writer.sender().sequence(), 0);
     let key = key();
-    let error = writer.forward(&Frame::parse(&key, Small::TABLE).unwrap()).unwrap_err();
+    let error = writer.send_frame(&Frame::parse(&key, Small::TABLE).unwrap()).unwrap_err();
     assert_eq!(error.kind(), ErrorKind::InvalidInput);
 }
 
@@ -193,7 +193,7 @@ proptest! {
         let steps: Vec<Step> = cut(&bytes, &cuts).iter().filter(|chunk| !chunk.is_empty()).map(|chunk| Step::Take(chunk.len())).collect();
         let mut reader = FrameReader::new(Scripted::new(steps, &bytes), Small::TABLE);
         let mut found = vec![];
-        while let Some(frame) = reader.read().unwrap() {
+        while let Some(frame) = reader.receive().unwrap() {
             found.push(frame.bytes().to_vec());
         }
         let expected: Vec<Vec<u8>> =
@@ -216,7 +216,7 @@ proptest! {
         for number in 0..4 {
             while writer.send(&message(number)).is_err() {}
         }
-        while writer.forward(&tunnel).is_err() {}
+        while writer.send_frame(&tunnel).is_err() {}
         while writer.flush().is_err() {}
         prop_assert_eq!(writer.into_inner().output, [&stream(Sender::v2(1, 1), 0..4)[..], tunnel.bytes()].concat());
     }

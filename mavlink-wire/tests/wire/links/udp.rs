@@ -50,8 +50,8 @@ fn several_frames_of_several_peers_come_with_their_senders() {
     station.send_to_all(&message(1)).unwrap();
     let forwarded = stream(Sender::v1(9, 9), 7..8);
     let forwarded = Frame::parse(&forwarded, Small::TABLE).unwrap();
-    station.forward_to_all(&forwarded).unwrap();
-    station.forward_to(&forwarded, first).unwrap();
+    station.send_frame_to_all(&forwarded).unwrap();
+    station.send_frame_to(&forwarded, first).unwrap();
     let answers = |vehicle: &UdpSocket, count: usize| -> Vec<Vec<u8>> {
         let receive = |_| {
             let mut buffer = [0; 300];
@@ -139,8 +139,8 @@ fn errors_have_their_reasons() {
     assert_eq!(station.send_to_all(&TooLarge).unwrap_err().kind(), ErrorKind::InvalidInput);
     let key = key();
     let key = Frame::parse(&key, Small::TABLE).unwrap();
-    assert_eq!(station.forward_to(&key, nobody).unwrap_err().kind(), ErrorKind::InvalidInput);
-    assert_eq!(station.forward_to_all(&key).unwrap_err().kind(), ErrorKind::InvalidInput);
+    assert_eq!(station.send_frame_to(&key, nobody).unwrap_err().kind(), ErrorKind::InvalidInput);
+    assert_eq!(station.send_frame_to_all(&key).unwrap_err().kind(), ErrorKind::InvalidInput);
     station.send_to_all(&message(0)).unwrap();
     assert_eq!(station.sender().sequence(), 1);
 }

@@ -17,8 +17,8 @@ fn no_bit_of_a_signed_frame_can_be_changed() {
     let genuine = frame_at(1000);
     let refusal = |frame: &Frame<'_>| SigningError::WrongHash {
         link_id: frame.signature().unwrap().link_id(),
-        system: frame.system(),
-        component: frame.component(),
+        system_id: frame.system_id(),
+        component_id: frame.component_id(),
     };
     for bit in 0..8 * genuine.len() {
         // The start, the length, the flag and the id make it another frame or none.
@@ -42,7 +42,7 @@ fn every_byte_of_the_key_counts() {
     for byte in 0..32 {
         let mut other = *key().as_bytes();
         other[byte] ^= 0x80;
-        let refusal = SigningError::WrongHash { link_id: 3, system: 1, component: 1 };
+        let refusal = SigningError::WrongHash { link_id: 3, system_id: 1.into(), component_id: 1.into() };
         assert_eq!(checked(&mut Verifier::new(Some(Key::new(other))), &genuine), Err(refusal), "byte {byte}");
     }
 }
@@ -55,7 +55,7 @@ fn a_forged_late_timestamp_does_not_shut_the_sender_out() {
     assert_eq!(checked(&mut verifier, &frame_at(1000)), Ok(Trust::Signed));
     let mut forged = frame_at(9000);
     *forged.last_mut().unwrap() ^= 1;
-    let refusal = SigningError::WrongHash { link_id: 3, system: 1, component: 1 };
+    let refusal = SigningError::WrongHash { link_id: 3, system_id: 1.into(), component_id: 1.into() };
     assert_eq!(checked(&mut verifier, &forged), Err(refusal));
     assert_eq!(checked(&mut verifier, &frame_at(1001)), Ok(Trust::Signed));
     assert_eq!((verifier.streams(), verifier.timestamp()), (&[stream(3, 1, 1, 1001)][..], at(1001)));
@@ -90,11 +90,11 @@ proptest! {
             bytes.extend(signature);
         }
         let frame = Frame::parse(&bytes, &Table::of(&[])).unwrap();
-        let mut verifier = Verifier::<2>::bounded(Some(key()));
+        let mut verifier = Verifier::<2>::with_streams(Some(key()));
         let expected = match (signed, id) {
             (_, 109) => Ok(Trust::Allowed),
-            (false, _) => Err(SigningError::Unsigned { id }),
-            (true, _) => Err(SigningError::WrongHash { link_id: signature[0], system, component }),
+            (false, _) => Err(SigningError::Unsigned { message_id: id }),
+            (true, _) => Err(SigningError::WrongHash { link_id: signature[0], system_id: system.into(), component_id: component.into() }),
         };
         prop_assert_eq!(verifier.check(&frame, at(now)), expected);
         prop_assert_eq!((verifier.streams(), verifier.timestamp()), (&[][..], at(now)));

@@ -29,7 +29,7 @@ fn at(units: u64) -> Timestamp {
 }
 
 fn stream(link_id: u8, system: u8, component: u8, timestamp: u64) -> Stream {
-    Stream { link_id, system, component, timestamp: at(timestamp) }
+    Stream::new(link_id, system.into(), component.into(), at(timestamp))
 }
 
 /// What a sender makes.
@@ -40,7 +40,7 @@ fn made(sender: &mut Sender, message: &dyn Encode) -> Vec<u8> {
 /// A signed heartbeat of this stream.
 fn frame_of(stream: Stream) -> Vec<u8> {
     let signer = Signer::new(key(), stream.link_id, stream.timestamp);
-    made(&mut Sender::v2(stream.system, stream.component).signed(signer), &HEARTBEAT)
+    made(&mut Sender::v2(stream.system_id, stream.component_id).signed(signer), &HEARTBEAT)
 }
 
 /// A signed heartbeat of the stream 1/1 on link 3.

@@ -24,7 +24,7 @@ fn what_cannot_be_signed_stays_as_it_was() {
     let mut signer = Signer::new(key(), 7, at(5));
     let v1 = made(&mut Sender::v1(1, 1), &HEARTBEAT);
     let setup = made(&mut Sender::v2(1, 1), &mavlink_wire::signing::Setup::off(1, 1).unwrap());
-    for (bytes, refusal) in [(v1, EncodeError::SignatureInV1 { id: 0 }), (setup, EncodeError::CarriesKey)] {
+    for (bytes, refusal) in [(v1, EncodeError::SignatureInV1 { message_id: 0 }), (setup, EncodeError::CarriesKey)] {
         let mut frame = kept(&bytes);
         assert_eq!(frame.sign(&mut signer), Err(refusal));
         assert_eq!((frame.bytes(), signer.timestamp()), (&bytes[..], at(5)));
@@ -36,11 +36,11 @@ fn a_forwarded_frame_is_numbered_and_signed_as_the_senders_own() {
     let mut sender = Sender::v2(1, 1).signed(Signer::new(key(), 7, at(5)));
     let mut own = sender.clone();
     for before in [frame_at(1000), made(&mut Sender::v2(1, 1), &HEARTBEAT)] {
-        let forwarded = sender.forward(&kept(&before).as_frame()).unwrap();
+        let forwarded = sender.renumber(&kept(&before).as_frame()).unwrap();
         assert_eq!(forwarded.bytes(), made(&mut own, &HEARTBEAT));
     }
     let v1 = made(&mut Sender::v1(1, 1), &HEARTBEAT);
-    assert_eq!(sender.forward(&kept(&v1).as_frame()), Err(EncodeError::SignatureInV1 { id: 0 }));
+    assert_eq!(sender.renumber(&kept(&v1).as_frame()), Err(EncodeError::SignatureInV1 { message_id: 0 }));
     assert_eq!((sender.sequence(), sender.signer()), (2, own.signer()));
 }
 

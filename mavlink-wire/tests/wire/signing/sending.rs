@@ -37,7 +37,7 @@ fn a_restart_goes_on_from_the_saved_timestamp() {
 #[test]
 fn mavlink_1_is_never_signed() {
     let mut sender = Sender::v1(1, 1).signed(Signer::new(key(), 3, at(1000)));
-    assert_eq!(sender.encode(&HEARTBEAT, &mut [0; MAX_FRAME]), Err(EncodeError::SignatureInV1 { id: 0 }));
+    assert_eq!(sender.encode(&HEARTBEAT, &mut [0; MAX_FRAME]), Err(EncodeError::SignatureInV1 { message_id: 0 }));
     assert_eq!((sender.sequence(), sender.signer().map(Signer::timestamp)), (0, Some(at(1000))));
     sender.set_signer(None);
     assert_eq!(made(&mut sender, &HEARTBEAT), made(&mut Sender::v1(1, 1), &HEARTBEAT));

@@ -48,8 +48,8 @@ fn the_seventeenth_stream_is_refused_and_the_others_go_on() {
 #[test]
 fn the_bound_is_the_callers() {
     let refusal = |limit| Err(SigningError::TooManyStreams { limit });
-    assert_eq!(checked(&mut Verifier::<0>::bounded(Some(key())), &frame_at(1)), refusal(0));
-    let mut one = Verifier::<1>::bounded(Some(key()));
+    assert_eq!(checked(&mut Verifier::<0>::with_streams(Some(key())), &frame_at(1)), refusal(0));
+    let mut one = Verifier::<1>::with_streams(Some(key()));
     assert_eq!(checked(&mut one, &frame_at(1)), Ok(Trust::Signed));
     assert_eq!(checked(&mut one, &frame_of(stream(3, 1, 2, 1))), refusal(1));
 }
@@ -60,14 +60,17 @@ fn a_forger_uses_no_stream_up() {
     for system in 1..=255 {
         let mut forged = frame_of(stream(0, system, 1, 1000));
         *forged.last_mut().unwrap() ^= 1;
-        assert_eq!(checked(&mut verifier, &forged), Err(SigningError::WrongHash { link_id: 0, system, component: 1 }));
+        assert_eq!(
+            checked(&mut verifier, &forged),
+            Err(SigningError::WrongHash { link_id: 0, system_id: system.into(), component_id: 1.into() })
+        );
     }
     assert_eq!(verifier.streams(), []);
 }
 
 #[test]
 fn forgotten_streams_make_room_and_cannot_be_replayed() {
-    let mut verifier = Verifier::<3>::bounded(Some(key()));
+    let mut verifier = Verifier::<3>::with_streams(Some(key()));
     let streams = [stream(0, 1, 1, MINUTE - 1), stream(0, 2, 1, MINUTE), stream(0, 3, 1, 2 * MINUTE - 1)];
     for &stream in &streams {
         assert_eq!(checked(&mut verifier, &frame_of(stream)), Ok(Trust::Signed));
@@ -98,7 +101,7 @@ fn a_restored_verifier_takes_no_frame_again() {
 
 #[test]
 fn restoring_sets_nothing_back() {
-    let mut verifier = Verifier::<1>::bounded(Some(key()));
+    let mut verifier = Verifier::<1>::with_streams(Some(key()));
     assert_eq!(checked(&mut verifier, &frame_at(1000)), Ok(Trust::Signed));
     let saved = [stream(3, 1, 1, 900), stream(4, 1, 1, 900)];
     assert_eq!(verifier.restore(at(900), &saved), Err(SigningError::TooManyStreams { limit: 1 }));

@@ -20,7 +20,7 @@ impl Encode for RadioStatus {
 fn unsigned_frames_are_refused_in_both_versions() {
     let mut verifier = Verifier::new(Some(key()));
     for mut sender in [Sender::v1(1, 1), Sender::v2(1, 1)] {
-        let refusal = SigningError::Unsigned { id: 0 };
+        let refusal = SigningError::Unsigned { message_id: 0 };
         assert_eq!(checked(&mut verifier, &made(&mut sender, &HEARTBEAT)), Err(refusal));
     }
 }
@@ -46,13 +46,13 @@ fn a_rule_is_asked_about_what_no_signature_vouches_for_and_leaves_no_trace() {
     for (bytes, rule, expected) in [
         (&forged, true, Ok(Trust::Allowed)),
         (&plain, true, Ok(Trust::Allowed)),
-        (&plain, false, Err(SigningError::Unsigned { id: 0 })),
+        (&plain, false, Err(SigningError::Unsigned { message_id: 0 })),
         (&good, false, Ok(Trust::Signed)),
         (&good, true, Ok(Trust::Allowed)),
     ] {
         let frame = Frame::parse(bytes, Small::TABLE).unwrap();
         let allow = |frame: &Frame<'_>| {
-            asked.push(frame.id());
+            asked.push(frame.message_id());
             rule
         };
         assert_eq!(verifier.check_with(&frame, at(0), allow), expected);

@@ -37,7 +37,12 @@ fn short() -> Vec<u8> {
 }
 
 fn summary(record: &Record<'_>) -> (i64, Option<u32>, usize, usize) {
-    ((record.time_us as i64 - START_US as i64) / 1_000_000, record.id(), record.payload().len(), record.missing())
+    (
+        (record.time_us as i64 - START_US as i64) / 1_000_000,
+        record.message_id(),
+        record.payload().len(),
+        record.missing(),
+    )
 }
 
 #[test]
@@ -46,7 +51,8 @@ fn what_is_there_of_the_telemetry_is_given() {
     let found: Vec<Record<'_>> = records(&log, Small::TABLE).collect();
     assert_eq!(found.iter().map(summary).collect::<Vec<_>>(), [(0, Some(152), 49, 6), (1, Some(152), 49, 6)]);
     let second = found[1];
-    assert_eq!((second.sequence(), second.system(), second.component()), (Some(8), Some(42), Some(190)));
+    assert_eq!(second.sequence(), Some(8));
+    assert_eq!((second.system_id(), second.component_id()), (Some(42.into()), Some(190.into())));
     // The words are there; the last two ids and all versions are not.
     let expected = AqEscTelemetry { escid: [1, 2, 0, 0], data_version: [0; 4], ..telemetry(8) };
     assert_eq!(AqEscTelemetry::decode(second.payload()), expected);
@@ -58,7 +64,7 @@ fn frames_that_are_shorter_than_what_is_missing_are_records() {
     let found: Vec<_> = records(&log, Small::TABLE).map(|record| summary(&record)).collect();
     assert_eq!(found, [(0, None, 0, 4), (1, Some(152), 49, 6), (2, None, 0, 4), (3, None, 0, 4)]);
     let record = records(&log, Small::TABLE).next().unwrap();
-    assert_eq!((record.sequence(), record.system(), record.component()), (Some(0), Some(42), None));
+    assert_eq!((record.sequence(), record.system_id(), record.component_id()), (Some(0), Some(42.into()), None));
 }
 
 #[test]

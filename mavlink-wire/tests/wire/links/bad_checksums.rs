@@ -26,7 +26,7 @@ fn frames() -> [Vec<u8>; 6] {
 fn by_a_reader() {
     let (stream, mut told) = (frames().concat(), vec![]);
     let mut reader = FrameReader::new(&stream[..], Small::TABLE);
-    while reader.read_telling(|id| told.push(id)).unwrap().is_some() {}
+    while reader.receive_reporting_bad_checksums(|id| told.push(id)).unwrap().is_some() {}
     assert_eq!(told, TOLD);
     assert_eq!(reader.statistics().bad_checksums, 4);
 }
@@ -36,7 +36,7 @@ fn by_a_reader_of_a_log() {
     let time = 1_700_000_000_000_000_u64.to_be_bytes();
     let log: Vec<u8> = frames().iter().flat_map(|frame| [&time[..], frame].concat()).collect();
     let (mut reader, mut told) = (tlog::Reader::new(&log[..], Small::TABLE), vec![]);
-    while reader.read_telling(|id| told.push(id)).unwrap().is_some() {}
+    while reader.read_reporting_bad_checksums(|id| told.push(id)).unwrap().is_some() {}
     assert_eq!(told, TOLD);
 }
 
@@ -49,7 +49,7 @@ fn by_an_endpoint() {
     for datagram in [frames().concat(), encoded(Sender::v1(9, 9), 9, &Heartbeat::DEFAULT.into())] {
         endpoint.socket().send_to(&datagram, address).unwrap();
     }
-    while endpoint.receive_telling(|id| told.push(id)).unwrap().0.system() != 9 {}
+    while endpoint.receive_reporting_bad_checksums(|id| told.push(id)).unwrap().0.system_id() != 9 {}
     assert_eq!(told, TOLD);
 }
 
@@ -62,9 +62,9 @@ fn by_a_reader_that_gives_up() {
         &stream,
     );
     let (mut reader, mut told) = (FrameReader::new(link, Small::TABLE), Vec::<u32>::new());
-    assert!(reader.read_telling(|id| told.push(id)).is_err());
+    assert!(reader.receive_reporting_bad_checksums(|id| told.push(id)).is_err());
     assert_eq!(told.len(), 0);
-    assert_eq!(reader.finish_telling(|id| told.push(id)), None);
+    assert_eq!(reader.finish_reporting_bad_checksums(|id| told.push(id)), None);
     assert_eq!(told, [0]);
 }
 
@@ -73,7 +73,7 @@ fn by_a_reader_that_gives_up() {
 fn by_a_reader_of_embedded_io() {
     let (stream, mut told) = (frames().concat(), vec![]);
     let mut reader = mavlink_wire::embedded_io::FrameReader::new(&stream[..], Small::TABLE);
-    while reader.read_telling(|id| told.push(id)).unwrap().is_some() {}
+    while reader.receive_reporting_bad_checksums(|id| told.push(id)).unwrap().is_some() {}
     assert_eq!(told, TOLD);
 }
 
@@ -82,7 +82,7 @@ fn by_a_reader_of_embedded_io() {
 async fn by_a_reader_of_embedded_io_async() {
     let (stream, mut told) = (frames().concat(), vec![]);
     let mut reader = mavlink_wire::embedded_io_async::FrameReader::new(&stream[..], Small::TABLE);
-    while reader.read_telling(|id| told.push(id)).await.unwrap().is_some() {}
+    while reader.receive_reporting_bad_checksums(|id| told.push(id)).await.unwrap().is_some() {}
     assert_eq!(told, TOLD);
 }
 
@@ -93,7 +93,8 @@ fn by_a_codec() {
     use tokio_util::codec::Decoder;
 
     let (mut stream, mut told) = (BytesMut::from(&frames().concat()[..]), vec![]);
-    let mut codec = mavlink_wire::tokio_codec::Codec::new(Small::TABLE, Sender::v1(1, 1)).telling(|id| told.push(id));
+    let mut codec = mavlink_wire::tokio_codec::Codec::new(Small::TABLE, Sender::v1(1, 1))
+        .reporting_bad_checksums(|id| told.push(id));
     while codec.decode_eof(&mut stream).unwrap().is_some() {}
     assert_eq!(told, TOLD);
 }
