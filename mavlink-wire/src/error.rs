@@ -20,7 +20,7 @@ pub enum EncodeError {
         /// The id of the message.
         message_id: u32,
     },
-    /// A `SETUP_SIGNING` that was received is not to be sent on: its payload is a secret key.
+    /// A `SETUP_SIGNING` goes neither to everybody nor on: its payload is a secret key.
     CarriesKey,
 }
 
@@ -33,7 +33,9 @@ impl fmt::Display for EncodeError {
             Self::SignatureInV1 { message_id: id } => {
                 write!(f, "MAVLink 1 cannot carry the signature of message {id}: send it in MAVLink 2, or do not sign")
             }
-            Self::CarriesKey => f.write_str("SETUP_SIGNING carries a secret key: do not forward it"),
+            Self::CarriesKey => f.write_str(
+                "SETUP_SIGNING carries a secret key: send it to one component that you name, and do not forward it",
+            ),
         }
     }
 }

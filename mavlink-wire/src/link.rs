@@ -1,5 +1,7 @@
 //! Frames over something that carries bytes: each module a thin adapter behind a feature.
 
+#[cfg(all(feature = "std", feature = "signing"))]
+mod clock;
 #[cfg(feature = "embedded-io")]
 pub mod embedded_io;
 #[cfg(feature = "embedded-io-async")]

@@ -145,6 +145,12 @@ impl<'t> Parser<'t> {
         self.search.statistics
     }
 
+    /// Whether bytes are held that wait for the rest of a frame.
+    #[cfg(feature = "std")]
+    pub(crate) fn is_waiting(&self) -> bool {
+        !self.held.is_empty()
+    }
+
     /// The bytes that were held and are used; a held frame that was handed over ends with them.
     pub(crate) fn released(&self) -> &[u8] {
         self.held.released()

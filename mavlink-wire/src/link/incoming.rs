@@ -14,25 +14,42 @@ pub(crate) struct Incoming<'t, B> {
     ended: bool,
 }
 
-/// A frame that was found, and where.
+/// A frame that was found, and where: a frame itself could not be kept while the search may go on.
+#[derive(Clone, Copy)]
 pub(crate) struct Found {
     outline: Outline,
-    /// Held by the parser, else in the buffer; at the end of what was used of either.
+    /// Held by the parser, else in the input; at the end of what was used of either.
     held: bool,
+}
+
+impl Found {
+    /// The parser's next frame, in the input or held.
+    pub(crate) fn next(parser: &mut Parser<'_>, input: &mut &[u8], bad_checksum: &mut impl FnMut(u32)) -> Option<Self> {
+        let all = input.as_ptr_range();
+        let frame = parser.next_reporting_bad_checksums(input, bad_checksum)?;
+        Some(Self { outline: Outline::of(&frame), held: !all.contains(&frame.bytes().as_ptr()) })
+    }
+
+    /// The next frame in what waits for bytes that do not come.
+    pub(crate) fn finish(parser: &mut Parser<'_>, bad_checksum: &mut impl FnMut(u32)) -> Option<Self> {
+        let frame = parser.finish_reporting_bad_checksums(bad_checksum)?;
+        Some(Self { outline: Outline::of(&frame), held: true })
+    }
+
+    /// The frame, if it was the parser's last one; `used` is what is used of the input.
+    pub(crate) fn frame<'f>(&self, parser: &'f Parser<'_>, used: &'f [u8]) -> Frame<'f> {
+        self.outline.at_end_of(if self.held { parser.released() } else { used })
+    }
 }
 
 impl<'t, const N: usize> Incoming<'t, [u8; N]> {
     pub(crate) const fn new(table: &'t Table<'t>) -> Self {
         const { assert!(N > 0, "nothing can be read into an empty buffer") }
-        Self::with_buffer(table, [0; N])
+        Self { parser: Parser::new(table), buffer: [0; N], start: 0, end: 0, ended: false }
     }
 }
 
-impl<'t, B> Incoming<'t, B> {
-    pub(crate) const fn with_buffer(table: &'t Table<'t>, buffer: B) -> Self {
-        Self { parser: Parser::new(table), buffer, start: 0, end: 0, ended: false }
-    }
-
+impl<B> Incoming<'_, B> {
     pub(crate) fn statistics(&self) -> Statistics {
         self.parser.statistics()
     }
@@ -43,35 +60,24 @@ impl<B: AsRef<[u8]> + AsMut<[u8]>> Incoming<'_, B> {
     /// told the message of each frame that is counted as damaged.
     pub(crate) fn find(&mut self, bad_checksum: &mut impl FnMut(u32)) -> Option<Found> {
         let found = self.next(bad_checksum);
-        if found.is_none() && self.ended { self.give_up(bad_checksum) } else { found }
+        if found.is_none() && self.ended { Found::finish(&mut self.parser, bad_checksum) } else { found }
     }
 
     /// The next frame in what was read, and then in what waits for bytes that do not come.
     pub(crate) fn finish(&mut self, bad_checksum: &mut impl FnMut(u32)) -> Option<Found> {
-        self.next(bad_checksum).or_else(|| self.give_up(bad_checksum))
+        self.next(bad_checksum).or_else(|| Found::finish(&mut self.parser, bad_checksum))
     }
 
     fn next(&mut self, bad_checksum: &mut impl FnMut(u32)) -> Option<Found> {
         let mut input = self.buffer.as_ref().get(self.start..self.end).unwrap_or_default();
-        let all = input.as_ptr_range();
-        let found =
-            |frame: Frame<'_>| Found { outline: Outline::of(&frame), held: !all.contains(&frame.bytes().as_ptr()) };
-        let found = self.parser.next_reporting_bad_checksums(&mut input, bad_checksum).map(found);
+        let found = Found::next(&mut self.parser, &mut input, bad_checksum);
         self.start = self.end - input.len();
         found
     }
 
-    fn give_up(&mut self, bad_checksum: &mut impl FnMut(u32)) -> Option<Found> {
-        self.parser
-            .finish_reporting_bad_checksums(bad_checksum)
-            .map(|frame| Found { outline: Outline::of(&frame), held: true })
-    }
-
     /// The frame that was found last.
     pub(crate) fn frame(&self, found: &Found) -> Frame<'_> {
-        let used = if found.held { self.parser.released() } else { self.buffer.as_ref() };
-        let end = if found.held { used.len() } else { self.start };
-        found.outline.at_end_of(used.get(..end).unwrap_or_default())
+        found.frame(&self.parser, self.buffer.as_ref().get(..self.start).unwrap_or_default())
     }
 
     /// Where to read to, when nothing is found any more.
@@ -86,7 +92,7 @@ impl<B: AsRef<[u8]> + AsMut<[u8]>> Incoming<'_, B> {
         self.ended = ended;
     }
 
-    /// Whether the stream has ended. It is said once: a file may grow, another datagram come.
+    /// Whether the stream has ended. It is said once: a file may grow.
     pub(crate) fn take_end(&mut self) -> bool {
         core::mem::take(&mut self.ended)
     }

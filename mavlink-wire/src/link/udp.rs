@@ -29,63 +29,124 @@
 //! # Ok::<(), std::io::Error>(())
 //! ```
 
+mod datagram;
 mod peers;
+mod send;
 
-use std::boxed::Box;
-use std::io::{Error, ErrorKind, Result};
+use std::io::{ErrorKind, Result};
 use std::net::{SocketAddr, UdpSocket};
-use std::time::Instant;
-use std::vec;
+use std::time::{Duration, Instant};
 
-use crate::link::incoming::Incoming;
+#[cfg(feature = "signing")]
+use crate::link::clock;
+use crate::link::incoming::Found;
 use crate::parser::not_told;
-use crate::{Encode, EncodeError, Frame, MAX_FRAME, Sender, Statistics, Table};
+#[cfg(feature = "signing")]
+use crate::signing::{Trust, Verifier};
+use crate::{Frame, Sender, Statistics, Table};
+use datagram::{Datagram, Wait, Work};
 use peers::Peers;
-
-/// No datagram is longer.
-const MAX_DATAGRAM: usize = 65_536;
 
 /// How many peers are remembered if nothing else is said.
 const PEERS: usize = 16;
 
-/// A socket that sends one frame a datagram, and receives several.
+/// How long a silent peer is remembered if nothing else is said.
+const EXPIRY: Duration = Duration::from_secs(3);
+
+/// How long the rest of a frame is waited for, while nothing comes. Bridges send it within milliseconds.
+const SILENCE: Duration = Duration::from_millis(250);
+
+/// A socket that sends one frame a datagram, and receives several, or parts of one.
 ///
-/// A datagram is a stream of its own: a frame that goes on in the next one is not found. Whoever sent a verified frame is a
-/// peer. Of these 16 are remembered, or as many as [`with_peer_limit`](Self::with_peer_limit) says; the one that was not
-/// heard for longest is forgotten first. Peers are no proof: anybody can send a datagram.
+/// # Peers
+///
+/// Whoever sent a verified frame is a peer for 3 seconds, or as long as [`with_peer_expiry`](Self::with_peer_expiry) says:
+/// who sends a heartbeat each second stays one. There are 16 at most, or as many as [`with_peer_limit`](Self::with_peer_limit)
+/// says; while all are heard, nobody pushes one of them out. Peers are no proof, since anybody can send a datagram, unless
+/// the endpoint has a `Verifier` (feature `signing`): then only a signed frame makes a peer.
+///
+/// Each peer is spoken to in its own version of MAVLink: in MAVLink 2, once it has sent that. All get the numbers of one
+/// sequence, so that what goes to one of several is a gap for the others. Who signs sends what the [`Sender`] says.
+///
+/// # Streams
+///
+/// The datagrams of an address are one stream: a frame may be cut into several, as bridges from serial ports do, and datagrams
+/// of others may come between. If the rest does not come within a quarter of a second of silence, what came behind the
+/// beginning is searched without it.
 #[derive(Debug)]
 pub struct Endpoint<'t> {
     socket: UdpSocket,
     sender: Sender,
-    peers: Peers,
-    incoming: Incoming<'t, Box<[u8]>>,
-    /// Who sent the datagram that is being searched.
-    from: Option<SocketAddr>,
+    peers: Peers<'t>,
+    datagram: Datagram,
+    #[cfg(feature = "signing")]
+    verifier: Option<Verifier>,
+    #[cfg(feature = "signing")]
+    refused: u64,
 }
 
 impl<'t> Endpoint<'t> {
     /// An endpoint that sends what this sender makes, and verifies the messages of this table.
     #[must_use]
     pub fn new(socket: UdpSocket, table: &'t Table<'t>, sender: Sender) -> Self {
-        let incoming = Incoming::with_buffer(table, vec![0; MAX_DATAGRAM].into_boxed_slice());
-        Self { socket, sender, peers: Peers::new(PEERS), incoming, from: None }
+        Self {
+            socket,
+            sender,
+            peers: Peers::new(table, PEERS, EXPIRY),
+            datagram: Datagram::new(),
+            #[cfg(feature = "signing")]
+            verifier: None,
+            #[cfg(feature = "signing")]
+            refused: 0,
+        }
     }
 
     /// The same with room for so many peers.
     #[must_use]
     pub fn with_peer_limit(mut self, limit: usize) -> Self {
-        self.peers = Peers::new(limit);
+        self.peers.limit = limit;
         self
+    }
+
+    /// The same that forgets a peer when it has been silent for so long.
+    #[must_use]
+    pub fn with_peer_expiry(mut self, silence: Duration) -> Self {
+        self.peers.expiry = silence;
+        self
+    }
+
+    /// The same that hands over only what this verifier trusts, by the clock of the system, and takes only those for peers
+    /// who sign. What this side signs is never dated before what it received.
+    #[cfg(feature = "signing")]
+    #[must_use]
+    pub fn with_verifier(mut self, verifier: Verifier) -> Self {
+        self.verifier = Some(verifier);
+        self
+    }
+
+    /// What says which frames to trust; its timestamp and streams are to be saved.
+    #[cfg(feature = "signing")]
+    pub fn verifier(&mut self) -> Option<&mut Verifier> {
+        self.verifier.as_mut()
+    }
+
+    /// How many frames the verifier refused.
+    #[cfg(feature = "signing")]
+    #[must_use]
+    pub fn refused_frames(&self) -> u64 {
+        self.refused
     }
 
     /// The next frame, and who sent it; waits for it as the socket does.
     ///
-    /// Datagrams without a frame do not make a timeout longer, but for what the last wait takes: at most twice the time.
+    /// One call does bounded work: after 64 KiB without a frame it says [`ErrorKind::WouldBlock`], "nothing yet", also on a
+    /// socket that blocks. Datagrams without a frame do not make a timeout longer, but for what the last wait takes: at most
+    /// twice the time.
     ///
     /// # Errors
     ///
-    /// What the socket says: a timeout or [`ErrorKind::WouldBlock`] where one was asked for. Interruptions are not among
-    /// them, and neither is the news that a datagram of ours reached nobody (Windows gives that to the receiver).
+    /// [`ErrorKind::WouldBlock`] or a timeout: nothing is lost, call it again. Else what the socket says; interruptions are not
+    /// among it, and neither is the news that a datagram of ours reached nobody (Windows gives that to the receiver).
     pub fn receive(&mut self) -> Result<(Frame<'_>, SocketAddr)> {
         self.receive_reporting_bad_checksums(not_told)
     }
@@ -100,87 +161,96 @@ impl<'t> Endpoint<'t> {
         &mut self,
         mut bad_checksum: impl FnMut(u32),
     ) -> Result<(Frame<'_>, SocketAddr)> {
-        let mut began: Option<Instant> = None;
-        loop {
-            if let Some(from) = self.from {
-                if let Some(found) = self.incoming.find(&mut bad_checksum) {
-                    let frame = self.incoming.frame(&found);
-                    if frame.is_verified() {
-                        self.peers.hear(from);
-                    }
-                    return Ok((frame, from));
-                }
-                self.incoming.take_end();
-                self.from = None;
-            }
-            match began {
-                None => began = Some(Instant::now()),
-                Some(began) if has_timed_out(&self.socket, began)? => return Err(ErrorKind::TimedOut.into()),
+        let mut work = Work::NONE;
+        let (place, found) = loop {
+            match self.find(&mut bad_checksum) {
+                Some((place, found)) if self.accept(place, &found) => break (place, found),
                 Some(_) => {}
+                None => self.wait(&mut work)?,
             }
-            match self.socket.recv_from(self.incoming.space()) {
-                Ok((length, from)) => {
-                    self.incoming.fill(length, true);
-                    self.from = Some(from);
+        };
+        // There is somebody at every place where something was found.
+        self.peers.frame(place, &found, self.datagram.used()).ok_or_else(|| ErrorKind::WouldBlock.into())
+    }
+
+    /// The next frame in what was received, and the place of who sent it.
+    fn find(&mut self, bad_checksum: &mut impl FnMut(u32)) -> Option<(usize, Found)> {
+        if let Some(found) = self.peers.finish(bad_checksum) {
+            return Some(found);
+        }
+        let place = self.peers.place_of(self.datagram.from?)?;
+        let mut input = self.datagram.rest();
+        let found = Found::next(&mut self.peers.at_mut(place)?.parser, &mut input, bad_checksum);
+        let rest = input.len();
+        self.datagram.leave(rest);
+        if found.is_none() {
+            self.datagram.from = None;
+        }
+        found.map(|found| (place, found))
+    }
+
+    /// Waits for the next datagram, or until the rest of a frame has been waited for long enough.
+    fn wait(&mut self, work: &mut Work) -> Result<()> {
+        let began = Instant::now();
+        work.check(&self.socket, began)?;
+        let limit = self.peers.are_waiting().then_some(SILENCE);
+        let came = self.datagram.wait(&self.socket, limit);
+        let now = Instant::now();
+        let waited = now.saturating_duration_since(began);
+        match came {
+            Ok(Wait::Came(length, from)) => {
+                // Only a wait shows that there was nothing: what came meanwhile may have lain in the socket.
+                if waited >= SILENCE {
+                    self.peers.give_up(SILENCE, now);
                 }
-                Err(error) if is_passing(error.kind()) => {}
-                Err(error) => return Err(error),
+                self.peers.receive(from, now);
+                work.count(length);
+                Ok(())
             }
+            Ok(Wait::Nothing) => Ok(()),
+            Err(error) if matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::TimedOut) => {
+                // The caller may want to wait longer than for the rest of a frame: the next check says.
+                let ours = limit.is_some_and(|limit| waited >= limit);
+                if self.peers.give_up(SILENCE, now) || ours { Ok(()) } else { Err(error) }
+            }
+            Err(error) => Err(error),
         }
     }
 
-    /// Sends a message to this address, a peer or not.
-    ///
-    /// # Errors
-    ///
-    /// [`ErrorKind::InvalidInput`] around an [`EncodeError`] if the sender cannot carry the message;
-    /// else what the socket says.
-    pub fn send_to(&mut self, message: &(impl Encode + ?Sized), to: SocketAddr) -> Result<()> {
-        let mut buffer = [0; MAX_FRAME];
-        self.socket.send_to(encode(&mut self.sender, message, &mut buffer)?, to).map(drop)
+    /// Whether a frame is to be handed over; makes a peer of who sent it.
+    fn accept(&mut self, place: usize, found: &Found) -> bool {
+        let Some((frame, _)) = self.peers.frame(place, found, self.datagram.used()) else { return false };
+        let (proven, version) = (frame.is_verified(), frame.version());
+        #[cfg(feature = "signing")]
+        let proven = match self.verifier.as_mut().map(|verifier| verifier.check(&frame, clock::now())) {
+            None | Some(Ok(Trust::Signed | Trust::Unchecked)) => proven,
+            Some(Ok(Trust::Allowed)) => false,
+            Some(Err(_)) => {
+                self.refused += 1;
+                return false;
+            }
+        };
+        if proven {
+            self.peers.hear(place, version, Instant::now());
+        }
+        true
     }
 
-    /// Sends a message to all peers, as one frame with one number.
-    ///
-    /// # Errors
-    ///
-    /// As of [`send_to`](Self::send_to). What fails for one peer is still sent to the others; the first error is given.
-    pub fn send_to_all(&mut self, message: &(impl Encode + ?Sized)) -> Result<()> {
-        let mut buffer = [0; MAX_FRAME];
-        let frame = encode(&mut self.sender, message, &mut buffer)?;
-        send_all(&self.socket, frame, self.peers.iter())
-    }
-
-    /// Sends a frame as it came, to the byte, to this address.
-    ///
-    /// # Errors
-    ///
-    /// [`ErrorKind::InvalidInput`] around an [`EncodeError`] if it carries a [key](Frame::carries_key); else what the socket
-    /// says.
-    pub fn send_frame_to(&mut self, frame: &Frame<'_>, to: SocketAddr) -> Result<()> {
-        self.socket.send_to(forwarded(frame)?, to).map(drop)
-    }
-
-    /// Sends a frame as it came, to the byte, to all peers.
-    ///
-    /// # Errors
-    ///
-    /// As of [`send_frame_to`](Self::send_frame_to). What fails for one peer is still sent to the others; the first error is
-    /// given.
-    pub fn send_frame_to_all(&mut self, frame: &Frame<'_>) -> Result<()> {
-        send_all(&self.socket, forwarded(frame)?, self.peers.iter())
-    }
-
-    /// Who was heard, the last one first.
+    /// The peers, the one that was heard last in front.
     #[must_use]
-    pub fn peers(&self) -> impl ExactSizeIterator<Item = SocketAddr> {
-        self.peers.iter()
+    pub fn peers(&self) -> impl ExactSizeIterator<Item = SocketAddr> + use<'t> {
+        self.peers.peers(Instant::now()).into_iter().map(|peer| peer.address)
+    }
+
+    /// Forgets a peer, and what its parser holds; whether it was one. If it sends again, it is a peer again.
+    pub fn remove_peer(&mut self, peer: SocketAddr) -> bool {
+        self.peers.remove(peer)
     }
 
     /// What was found so far in all datagrams, and what could not be read.
     #[must_use]
     pub fn statistics(&self) -> Statistics {
-        self.incoming.statistics()
+        self.peers.statistics()
     }
 
     /// What makes the frames.
@@ -193,34 +263,4 @@ impl<'t> Endpoint<'t> {
     pub fn socket(&self) -> &UdpSocket {
         &self.socket
     }
-}
-
-/// Whether to go on receiving as if nothing had happened.
-fn is_passing(kind: ErrorKind) -> bool {
-    matches!(kind, ErrorKind::Interrupted | ErrorKind::ConnectionReset | ErrorKind::ConnectionRefused)
-}
-
-/// Whether this began longer ago than the socket is to wait.
-fn has_timed_out(socket: &UdpSocket, began: Instant) -> Result<bool> {
-    Ok(socket.read_timeout()?.is_some_and(|timeout| began.elapsed() >= timeout))
-}
-
-fn encode<'b>(
-    sender: &mut Sender,
-    message: &(impl Encode + ?Sized),
-    buffer: &'b mut [u8; MAX_FRAME],
-) -> Result<&'b [u8]> {
-    sender.encode(message, buffer).map_err(|error| Error::new(ErrorKind::InvalidInput, error))
-}
-
-fn forwarded<'b>(frame: &Frame<'b>) -> Result<&'b [u8]> {
-    if frame.carries_key() {
-        Err(Error::new(ErrorKind::InvalidInput, EncodeError::CarriesKey))
-    } else {
-        Ok(frame.bytes())
-    }
-}
-
-fn send_all(socket: &UdpSocket, frame: &[u8], to: impl Iterator<Item = SocketAddr>) -> Result<()> {
-    to.map(|peer| socket.send_to(frame, peer).map(drop)).fold(Ok(()), Result::and)
 }

@@ -23,4 +23,15 @@ pub struct Statistics {
 impl Statistics {
     /// Nothing so far.
     pub(crate) const NONE: Self = Self { frames: 0, unverified: 0, bad_checksums: 0, skipped_bytes: 0 };
+
+    /// Of two parsers together.
+    #[cfg(feature = "std")]
+    pub(crate) const fn plus(self, other: Self) -> Self {
+        Self {
+            frames: self.frames + other.frames,
+            unverified: self.unverified + other.unverified,
+            bad_checksums: self.bad_checksums + other.bad_checksums,
+            skipped_bytes: self.skipped_bytes + other.skipped_bytes,
+        }
+    }
 }

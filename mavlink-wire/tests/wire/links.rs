@@ -4,6 +4,8 @@ mod bad_checksums;
 mod scripted;
 mod std_io;
 mod udp;
+#[cfg(feature = "signing")]
+mod udp_signed;
 
 #[cfg(feature = "embedded-io")]
 mod embedded_io;
