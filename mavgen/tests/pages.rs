@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use mavgen::diag::{Code, Diagnostic, Diagnostics};
+use mavgen::diag::{Code, Diagnostic, Diagnostics, Severity};
 use mavgen::read::load;
 use mavgen::resolve::resolve;
 use mavgen::source::Sources;
@@ -237,4 +237,17 @@ fn every_code_has_a_golden() {
         .map(Code::to_string)
         .collect();
     assert!(missing.is_empty(), "{missing:?} are in no tests/ui/*.stderr");
+}
+
+/// The table that says why something is an error has every error, and no other.
+#[test]
+fn errors_are_argued_for() {
+    let table = fs::read_to_string("../docs/errors.md").unwrap();
+    let rows: Vec<&str> = table.lines().filter(|line| line.starts_with("| M")).collect();
+    let errors = Code::ALL.iter().filter(|code| code.severity() == Severity::Error && code.number() < 700);
+    let expected: Vec<String> = errors.map(|code| format!("| {code} | {} |", code.title())).collect();
+    assert_eq!(rows.len(), expected.len());
+    for (row, expected) in rows.iter().zip(&expected) {
+        assert!(row.starts_with(expected), "{row}\n{expected}");
+    }
 }

@@ -31,7 +31,7 @@ class Refused(Exception):
     """pymavlink does not accept the definition; the text is what it says about it."""
 
 
-def _run_mavgen(xml, output, wire_protocol, validate, language="Python"):
+def run_mavgen(xml, output, wire_protocol, validate, language="Python"):
     """Run the generator; it reports by printing, by returning false and by leaving the process."""
     log = io.StringIO()
     options = mavgen.Opts(str(output), wire_protocol, language=language, validate=validate)
@@ -59,7 +59,7 @@ def resolve(xml, validate=True):
     Wire protocol 2.0, because 1.0 drops extensions and ids above 255.
     """
     with mock.patch.object(mavgen_python, "generate") as back_end:
-        _run_mavgen(xml, "unused", "2.0", validate)
+        run_mavgen(xml, "unused", "2.0", validate)
     return back_end.call_args.args[1]
 
 
@@ -113,7 +113,7 @@ def load_module(xml, wire_protocol, folder):
     """Generate and import the Python module of a dialect."""
     name = f"pymavlink_{wire_protocol.replace('.', '_')}"
     path = Path(folder) / f"{name}.py"
-    _run_mavgen(xml, path, wire_protocol, validate=True)
+    run_mavgen(xml, path, wire_protocol, validate=True)
     spec = importlib.util.spec_from_file_location(name, path)
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
@@ -122,7 +122,7 @@ def load_module(xml, wire_protocol, folder):
 
 def generate_c(xml, folder):
     """Generate the C library of a dialect."""
-    _run_mavgen(xml, folder, "2.0", validate=True, language="C")
+    run_mavgen(xml, folder, "2.0", validate=True, language="C")
 
 
 def _python_value(field, patterns):

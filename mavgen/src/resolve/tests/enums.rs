@@ -170,3 +170,16 @@ fn commands() {
     assert!(no.command.as_ref().is_some_and(|command| command.params.is_empty()));
     assert!(outcome.find_enum("E").entries[0].command.is_none());
 }
+
+/// pymavlink takes the last of two params with one index, and has no use for one beyond the seven.
+#[test]
+fn the_last_param_of_an_index_counts() {
+    let params = [(1, "first"), (2, "other"), (1, "last"), (8, "beyond")]
+        .map(|(index, text)| format!("<param index='{index}'>{text}</param>"));
+    let entry = format!("<entry name='MAV_CMD_A' value='1'>{}</entry>", params.concat());
+    let outcome = of(&format!("<enums><enum name='MAV_CMD'>{entry}</enum></enums>"));
+    assert_eq!(outcome.codes(), [Code::ParamIndex; 2]);
+    let command = outcome.find_enum("MAV_CMD").entries[0].command.as_ref().unwrap();
+    let params: Vec<_> = command.params.iter().map(|param| (param.index, &*param.origin.description)).collect();
+    assert_eq!(params, [(1, "last"), (2, "other")]);
+}

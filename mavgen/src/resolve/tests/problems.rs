@@ -100,6 +100,7 @@ fn flags_without_a_bitmask() {
     for (entries, expected) in [
         (&["A=1", "B=2", "C=4", "D=8", "E=16"] as &[&str], &[Code::LikelyBitmask] as &[Code]),
         (&["A=0", "B=4", "C=8", "D=16"], &[Code::LikelyBitmask]),
+        (&["A=1", "B=2", "C=4", "D=128"], &[Code::LikelyBitmask]),
         (&["A=0", "B=1", "C=2", "D=4"], &[]),
         (&["A=1", "B=2", "C=4", "D=24", "E=32"], &[]),
     ] {
