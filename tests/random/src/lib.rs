@@ -20,7 +20,7 @@ mod xml;
 pub use case::{Case, case};
 pub use chance::Random;
 pub use construct::Construct;
-pub use mutate::mutant;
+pub use mutate::{elements, mutant};
 
 #[cfg(test)]
 mod tests {

@@ -79,8 +79,8 @@ fn replaced(text: &str, range: Range<usize>, with: &str) -> String {
     format!("{}{with}{}", &text[..range.start], &text[range.end..])
 }
 
-/// Elements from tag to tag; without those around everything.
-fn elements(text: &str) -> Vec<Range<usize>> {
+/// The elements of a text, from tag to tag; without those around everything.
+pub fn elements(text: &str) -> Vec<Range<usize>> {
     let starts = text.match_indices('<').map(|(start, _)| start);
     let found = starts.filter_map(|start| {
         let rest = text.get(start + 1..)?;
