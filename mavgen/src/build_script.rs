@@ -4,12 +4,14 @@ mod place;
 
 use std::path::{PathBuf, absolute};
 
-use crate::builder::{Builder, Failure, Resolved};
+use crate::builder::{Builder, Failure};
 use crate::diag::{Diagnostic, Diagnostics, Severity, Style, render};
 use crate::emit::MARK;
-use crate::ir::{Dialect, Union};
-use crate::names::dialect_module_name;
+use crate::ir::Dialect;
+use crate::lower::link::Union;
+use crate::lower::spelling::dialect_module_name;
 use crate::output::{write, write_file};
+use crate::resolved::Resolved;
 use crate::source::Sources;
 
 use place::{Claim, Place};

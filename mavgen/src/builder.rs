@@ -7,10 +7,10 @@ use std::path::{Path, PathBuf};
 
 use crate::diag::{Diagnostics, Style, render};
 use crate::emit::{GeneratedFile, Options, emit, emit_union};
-use crate::ir::{Dialect, Union};
 use crate::output::{Differences, OutputError, Report, check, write};
 use crate::read::load_all;
-use crate::roots;
+use crate::resolved::Resolved;
+use crate::roots::{self, Named};
 use crate::select::Selection;
 use crate::source::Sources;
 
@@ -41,23 +41,6 @@ pub struct Builder {
     pub(crate) deny_warnings: bool,
     allowed: Vec<String>,
     lint: bool,
-}
-
-/// A dialect that was read and resolved without errors.
-#[derive(Clone, Debug)]
-pub struct Resolved {
-    /// The model; of several dialects, the first.
-    pub dialect: Dialect,
-    /// The models of the other dialects, in the order in which they were named.
-    pub others: Vec<Dialect>,
-    /// What becomes of several dialects together; `None` if there is one.
-    pub union: Option<Union>,
-    /// What is worth a look: warnings and notes.
-    pub diagnostics: Diagnostics,
-    /// The texts that the spans point into.
-    pub sources: Sources,
-    /// Every file that was read.
-    pub watched: Vec<PathBuf>,
 }
 
 /// Why nothing was generated. `Display` shows every problem with its place.
@@ -185,8 +168,8 @@ impl Builder {
     ///
     /// # Errors
     /// [`Failure::Definitions`] with every problem, [`Failure::Denied`] if [`Builder::deny_warnings`] was asked for and there
-    /// are some, [`Failure::Usage`] if [`Builder::messages`] or [`Builder::allow`] names what there is not, if two dialects have
-    /// one name, or if several are given one that is no name for a module.
+    /// are some, [`Failure::Usage`] if [`Builder::messages`] or [`Builder::allow`] names what there is not, if a dialect is
+    /// given twice, or if several are given a name that is none for a module.
     pub fn resolve(&self) -> Result<Resolved, Failure> {
         let (selection, tree) = (self.selection()?, self.name.as_deref().unwrap_or(roots::TREE));
         if let Some(conflict) = roots::conflict(&self.roots, tree) {
@@ -200,19 +183,22 @@ impl Builder {
         if let ([only], Some(name)) = (all.as_mut_slice(), &self.name) {
             only.name.clone_from(name);
         }
-        let mut dialects = roots::resolve_all(&all, &sources, &mut diagnostics);
+        let mut dialects = roots::resolve_all(&all, tree, &sources, &mut diagnostics);
         if let Some(selection) = selection.filter(|_| !dialects.is_empty()) {
-            selection.check(&dialects.iter().collect::<Vec<_>>()).map_err(Failure::Usage)?;
-            dialects = dialects.into_iter().map(|dialect| selection.apply(dialect)).collect();
+            selection
+                .check(&dialects.iter().map(|named| &named.dialect).collect::<Vec<_>>())
+                .map_err(Failure::Usage)?;
+            dialects.iter_mut().for_each(|named| named.select(&selection));
         }
-        let union = roots::unite_all(&dialects, &all, tree, &mut diagnostics);
+        let union = roots::link_all(&dialects, &all, tree, &mut diagnostics);
         let watched = roots::watched(all);
         let mut dialects = dialects.into_iter();
-        let Some(dialect) = dialects.next().filter(|_| !diagnostics.has_errors()) else {
+        let Some(Named { dialect, names }) = dialects.next().filter(|_| !diagnostics.has_errors()) else {
             return Err(Failure::Definitions(Box::new(Problems { diagnostics, sources, watched })));
         };
         self.check_denied(&diagnostics, &sources, &watched)?;
-        Ok(Resolved { dialect, others: dialects.collect(), union, diagnostics, sources, watched })
+        let others = dialects.map(|named| named.dialect).collect();
+        Ok(Resolved { dialect, others, names, union, diagnostics, sources, watched })
     }
 
     /// Generates into memory.
@@ -263,7 +249,7 @@ impl Builder {
         let options = Options { runtime: self.runtime.clone(), deprecated: self.deprecated, sources };
         let files = match &resolved.union {
             Some(union) => emit_union(union, &options),
-            None => emit(&resolved.dialect, &options),
+            None => emit(&resolved.dialect, &resolved.names, &options),
         };
         files.map_err(|internal| Failure::Internal(internal.to_string()))
     }

@@ -35,10 +35,13 @@ use pairs::Pairs;
 ///
 /// # Errors
 /// [`Failure::Usage`] if a name means no message of either state: one that was added or removed is only in one of them.
-pub fn select(old: Dialect, new: Dialect, messages: &[String]) -> Result<(Dialect, Dialect), Failure> {
+pub fn select(mut old: Dialect, mut new: Dialect, messages: &[String]) -> Result<(Dialect, Dialect), Failure> {
     let selection = Selection::new(messages.iter().map(String::as_str)).map_err(Failure::Usage)?;
     selection.check(&[&old, &new]).map_err(Failure::Usage)?;
-    Ok((selection.apply(old), selection.apply(new)))
+    for dialect in [&mut old, &mut new] {
+        dialect.cut(&selection.kept(dialect));
+    }
+    Ok((old, new))
 }
 
 /// The changes from `old` to `new`, group by group, in each by message or enum; nothing if they are the same but for their prose.

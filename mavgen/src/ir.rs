@@ -4,23 +4,27 @@
 //! spelled out: wire order, offsets, checksums, merged enums with every value filled in, and the Rust name beside the name
 //! in the XML.
 
+mod kept;
 mod label;
 mod message;
 mod name;
-mod union;
+mod partial;
 mod values;
 mod view;
+mod visit;
 
+pub(crate) use kept::Kept;
 pub use label::Label;
 pub(crate) use label::unit_words;
 pub use message::{Field, FieldType, Invalid, Limits, Message, Scalar, Scope, Sentinel, Values};
 pub use name::Name;
-pub use union::{Home, MessageHome, Root, Union, ViewHome};
+pub use partial::{LostMessage, LostView, Partial};
 pub use values::{Command, Entry, Enum, Param, Repr};
 pub use view::{
     Access, Binding, Blank, Condition, Exact, FieldIndex, Key, Meaning, Member, Place, Presence, Repeat, Scaled, Slots,
     Switch, SwitchOn, View, Word,
 };
+pub(crate) use visit::{enums_of_enum_mut, enums_of_message_mut};
 
 use crate::source::Span;
 

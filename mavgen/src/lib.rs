@@ -57,23 +57,23 @@ mod emit;
 mod format;
 pub mod ir;
 mod lower;
-mod names;
 pub mod output;
 #[doc = include_str!("overlay.md")]
 pub mod overlay {}
 mod provenance;
 pub mod read;
 pub mod resolve;
+mod resolved;
 mod roots;
 mod rust;
 mod select;
 pub mod source;
 pub mod syntax;
-mod unite;
 #[cfg(feature = "uorb")]
 pub mod uorb;
 #[cfg(feature = "vendor")]
 pub mod vendor;
 
-pub use builder::{Builder, Failure, Problems, Resolved};
+pub use builder::{Builder, Failure, Problems};
 pub use emit::GeneratedFile;
+pub use resolved::Resolved;

@@ -1,10 +1,20 @@
 //! The *lower* stage: from the wire model to the Rust model.
 //!
-//! It decides every item, and nothing can be wrong with what a user wrote any more: the model says only legal things. What it names
-//! and cannot find is a mistake of ours ([`Internal`]).
+//! Its first half is names. [`names`] gives every item one and reports what collides; it sees the whole dialect, also one with
+//! errors, and runs before a selection is made, so that no name hangs on what else is selected. [`link`] makes one tree of
+//! several dialects.
+//!
+//! The second half decides every item, and nothing can be wrong with what a user wrote any more: the model says only legal things.
+//! What it names and cannot find is a mistake of ours ([`Internal`]).
 
 mod binding;
+mod collision;
 mod idents;
+pub(crate) mod link;
+mod methods;
+pub(crate) mod names;
+mod namespace;
+pub(crate) mod spelling;
 mod types;
 mod view;
 

@@ -4,7 +4,6 @@
 //! This file is the order of the passes. Each collects every problem it finds; what depends on a broken part is left out, so
 //! that one mistake is reported once.
 
-mod accessors;
 mod boolean;
 mod check;
 mod command;
@@ -18,14 +17,15 @@ mod layout;
 mod lifecycle;
 mod limits;
 mod losses;
+mod lost;
 mod merge;
 mod message;
-mod naming;
 mod number;
 mod origin;
 mod overlay;
 mod owner;
 mod reserved;
+mod spelling;
 mod suggest;
 mod units;
 mod uses;
@@ -37,7 +37,7 @@ mod width;
 mod tests;
 
 use crate::diag::Diagnostics;
-use crate::ir::{Dialect, EnumId, File};
+use crate::ir::{Dialect, EnumId, File, Partial};
 use crate::read::Loaded;
 use crate::source::Sources;
 
@@ -48,14 +48,22 @@ use uses::Use;
 use version::Version;
 use width::Width;
 
-pub(crate) use view::getters as view_methods;
 #[cfg(feature = "vendor")]
 pub(crate) use width::integer;
 
 /// Resolves the files of a dialect; `None` if there was an error, here or in reading them, or if there is no file.
+///
+/// What this finds is about the definitions. What collides in Rust alone is found by [`crate::Builder::resolve`].
 pub fn resolve(loaded: &Loaded, sources: &Sources, diagnostics: &mut Diagnostics) -> Option<Dialect> {
+    let partial = passes(loaded, sources, diagnostics);
+    diagnostics.arrange();
+    partial.filter(|_| !diagnostics.has_errors()).map(|partial| partial.dialect)
+}
+
+/// The passes: what can be resolved, also where there are errors; `None` if there is no file. Diagnostics are in the order in
+/// which they were found.
+pub(crate) fn passes(loaded: &Loaded, sources: &Sources, diagnostics: &mut Diagnostics) -> Option<Partial> {
     if loaded.files.is_empty() {
-        diagnostics.arrange();
         return None;
     }
     let mut losses = Losses::behind(diagnostics);
@@ -77,31 +85,22 @@ pub fn resolve(loaded: &Loaded, sources: &Sources, diagnostics: &mut Diagnostics
     invalid::link(&mut drafts, &enums, diagnostics);
     invalid::check(&lost, &enums, diagnostics);
 
-    let types = naming::types(loaded, &enums, diagnostics);
-    naming::check(loaded, &enums, &widths, diagnostics);
-    accessors::check(loaded, &drafts, diagnostics);
+    spelling::check_all(loaded, diagnostics);
     check::check_entry_names(loaded, &enums.list, diagnostics);
     for ((merged, &width), uses) in enums.list.iter().zip(&widths).zip(&uses) {
         check::check(loaded, merged, width, uses, diagnostics);
     }
 
-    let named = enums.list.iter().zip(widths).zip(types.enums);
-    let models =
-        named.map(|((merged, width), rust)| enums::model(loaded, merged, width, rust, &enums, diagnostics)).collect();
+    let sized = enums.list.iter().zip(widths);
+    let models = sized.map(|(merged, width)| enums::model(loaded, merged, width, &enums, diagnostics)).collect();
     let mut messages: Vec<_> = drafts.into_iter().map(|draft| draft.message).collect();
     messages.sort_by_key(|message| message.id);
     let version = versions.first().map_or(0, |version| version.number());
-    let mut dialect = Dialect {
-        name: loaded.name.clone(),
-        type_name: types.dialect,
-        version,
-        files: files(loaded, sources),
-        enums: models,
-        messages,
-    };
+    let (name, type_name) = (loaded.name.clone(), String::new());
+    let mut dialect = Dialect { name, type_name, version, files: files(loaded, sources), enums: models, messages };
     overlay::note(loaded, &mut dialect, &losses, diagnostics);
-    diagnostics.arrange();
-    if diagnostics.has_errors() { None } else { Some(dialect) }
+    let (lost, lost_views) = (lost::messages(loaded, &dialect), lost::views(loaded, &dialect));
+    Some(Partial { dialect, lost, lost_views })
 }
 
 /// Owner and integer of every enum.
@@ -128,9 +127,9 @@ fn widths(
 
 /// The files of the model: those of the dialect, then the overlays.
 fn files(loaded: &Loaded, sources: &Sources) -> Vec<File> {
-    let files = loaded.files.iter().zip(&loaded.includes);
+    let files = loaded.files.iter().zip(loaded.includes.iter().cloned().chain(std::iter::repeat_with(Vec::new)));
     let files =
-        files.map(|(file, includes)| File { name: sources.name(file.id), includes: includes.clone(), overlay: false });
+        files.map(|(file, includes)| File { name: sources.name(file.id), includes, overlay: false });
     let overlays = loaded.overlays.iter().map(|overlay| File {
         name: sources.name(overlay.id),
         includes: Vec::new(),

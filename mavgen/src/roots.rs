@@ -1,43 +1,62 @@
-//! Several dialects at once: each is resolved for itself, then they are united.
+//! From what was read to what is emitted: every dialect is resolved and named for itself, then several are linked.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 
 use crate::diag::Diagnostics;
-use crate::ir::{Dialect, Union};
-use crate::names::{dialect_module_name, root_module_name};
+use crate::ir::Dialect;
+use crate::lower::link::{self, Part, Union};
+use crate::lower::names::Names;
+use crate::lower::spelling::dialect_module_name;
 use crate::read::Loaded;
-use crate::resolve::resolve;
-use crate::source::Sources;
-use crate::unite::{Part, unite};
+use crate::resolve::passes;
+use crate::select::Selection;
+use crate::source::{FileId, Sources};
 
 /// What a tree with several dialects is called unless it is given a name.
 pub(crate) const TREE: &str = "dialects";
+
+/// A resolved dialect, and what everything in it is called in Rust.
+#[derive(Clone, Debug)]
+pub(crate) struct Named {
+    pub(crate) dialect: Dialect,
+    pub(crate) names: Names,
+}
+
+impl Named {
+    /// Drops what is not selected. What stays keeps its name: those are given before.
+    pub(crate) fn select(&mut self, selection: &Selection) {
+        let kept = selection.kept(&self.dialect);
+        self.dialect.cut(&kept);
+        self.names.cut(&kept);
+    }
+}
 
 /// Why these files cannot be the dialects of one tree of this name, if they cannot.
 pub(crate) fn conflict(roots: &[PathBuf], tree: &str) -> Option<String> {
     if roots.len() > 1 && syn::parse_str::<syn::Ident>(&dialect_module_name(tree)).is_err() {
         return Some(format!("`{tree}` makes no Rust name for a module: use letters and digits"));
     }
-    let mut modules: HashMap<String, &Path> = HashMap::new();
-    for root in roots {
-        let name = root.file_stem().unwrap_or_default().to_string_lossy();
-        let module = root_module_name(&name, tree);
-        let Some(first) = modules.insert(module.clone(), root) else { continue };
-        let same =
-            first == root || first.canonicalize().ok().is_some_and(|path| root.canonicalize().ok() == Some(path));
-        let (first, second) = (first.display(), root.display());
-        return Some(if same {
-            format!("`{second}` is given twice: name each dialect once")
-        } else {
-            format!("`{first}` and `{second}` would both be the module `{module}`: rename one of them")
-        });
-    }
-    None
+    let mut known: HashSet<PathBuf> = HashSet::new();
+    let mut twice = roots.iter().filter(|root| !known.insert(root.canonicalize().unwrap_or_else(|_| (*root).clone())));
+    twice.next().map(|root| format!("`{}` is given twice: name each dialect once", root.display()))
+}
+
+/// Resolves a dialect and names everything in it; `None` if there was an error, also in reading it. One run finds all that is
+/// wrong: names are checked also where resolving found errors.
+pub(crate) fn resolve(loaded: &Loaded, sources: &Sources, diagnostics: &mut Diagnostics) -> Option<Named> {
+    let named = passes(loaded, sources, diagnostics).map(|partial| {
+        let names = Names::check(&partial, diagnostics);
+        let mut dialect = partial.dialect;
+        names.write_into(&mut dialect);
+        Named { dialect, names }
+    });
+    diagnostics.arrange();
+    named.filter(|_| !diagnostics.has_errors())
 }
 
 /// Resolves dialects, each for itself; none if there was an error. `diagnostics` holds what was found in reading them.
-pub(crate) fn resolve_all(all: &[Loaded], sources: &Sources, diagnostics: &mut Diagnostics) -> Vec<Dialect> {
+pub(crate) fn resolve_all(all: &[Loaded], tree: &str, sources: &Sources, diagnostics: &mut Diagnostics) -> Vec<Named> {
     let (mut dialects, mut found) = (Vec::with_capacity(all.len()), Vec::with_capacity(all.len()));
     for loaded in all {
         let mut own = diagnostics.clone();
@@ -45,26 +64,28 @@ pub(crate) fn resolve_all(all: &[Loaded], sources: &Sources, diagnostics: &mut D
         found.push(own);
     }
     *diagnostics = once(found);
-    if dialects.len() == all.len() { dialects } else { Vec::new() }
+    link::check_modules(tree, all.iter().filter_map(|loaded| top(loaded, sources)), diagnostics);
+    if dialects.len() == all.len() && !diagnostics.has_errors() { dialects } else { Vec::new() }
 }
 
-/// Unites dialects into a tree of this name; nothing if there is only one, or none. `all` is what they were resolved from.
-pub(crate) fn unite_all(
-    dialects: &[Dialect],
-    all: &[Loaded],
-    tree: &str,
-    diagnostics: &mut Diagnostics,
-) -> Option<Union> {
+/// The name of a dialect and its top file, if that could be read.
+fn top<'a>(loaded: &'a Loaded, sources: &'a Sources) -> Option<(&'a str, (FileId, &'a Path))> {
+    let id = loaded.files.first()?.id;
+    Some((&loaded.name, (id, sources.get(id)?.path())))
+}
+
+/// Links dialects into a tree of this name; nothing if there is only one, or none. `all` is what they were resolved from.
+pub(crate) fn link_all(dialects: &[Named], all: &[Loaded], tree: &str, diagnostics: &mut Diagnostics) -> Option<Union> {
     if dialects.len() < 2 {
         return None;
     }
-    let parts = dialects.iter().zip(all).map(|(dialect, loaded)| {
+    let parts = dialects.iter().cloned().zip(all).map(|(Named { dialect, names }, loaded)| {
         let files = loaded.files.iter().map(|file| file.id);
         let sources = files.chain(loaded.overlays.iter().map(|overlay| overlay.id)).collect();
-        Part { dialect: dialect.clone(), sources }
+        Part { dialect, names, sources }
     });
     let mut found = Diagnostics::default();
-    let union = unite(tree, parts.collect(), &mut found);
+    let union = link::link(tree, parts.collect(), &mut found);
     found.arrange();
     diagnostics.extend(found.iter().cloned());
     Some(union)

@@ -1,15 +1,14 @@
-//! The *select* pass: a dialect with fewer messages, and only what those need.
+//! Selections: a dialect with fewer messages, and only what those need ([`Kept`]).
 //!
 //! It works on the resolved model. So what is kept is what it is in the whole dialect: the same types, the same bytes.
 
-mod needs;
 mod pattern;
 
 #[cfg(test)]
 mod tests;
 
 use crate::diag::nearest;
-use crate::ir::{Dialect, Enum, Message};
+use crate::ir::{Dialect, Kept, Message};
 
 use pattern::Pattern;
 
@@ -59,28 +58,15 @@ impl Selection {
         Err(format!("no message of {} is called {}", files.join(", "), unmatched.join(", ")))
     }
 
-    /// The dialect with the selected messages, their views and bindings, and the enums that those need.
-    ///
-    /// Files stay, also those that nothing is kept of: they were read.
-    pub(crate) fn apply(&self, dialect: Dialect) -> Dialect {
-        keep(dialect, |message| self.means(message), |_| false)
+    /// The selected messages, their views and bindings, and the enums that those need.
+    pub(crate) fn kept(&self, dialect: &Dialect) -> Kept {
+        Kept::of(dialect, |message| self.means(message), |_| false)
     }
 
     /// Whether the message is one of them.
     pub(crate) fn means(&self, message: &Message) -> bool {
         self.patterns.iter().any(|pattern| pattern.matches(&message.name.text))
     }
-}
-
-/// The dialect with the wanted messages, the wanted enums, and what those need.
-pub(crate) fn keep(
-    mut dialect: Dialect,
-    wants_message: impl Fn(&Message) -> bool,
-    wants_enum: impl Fn(&Enum) -> bool,
-) -> Dialect {
-    dialect.messages.retain(wants_message);
-    needs::keep_needed(&mut dialect, wants_enum);
-    dialect
 }
 
 /// The list as one would write it: by name, separated by commas.

@@ -107,7 +107,7 @@ fn layouts() {
         ("num_in_seq", 46), ("escid", 47), ("data_version", 51),
     ]);
     let telemetry = message(&dialect, "AQ_TELEMETRY_F");
-    assert_eq!((telemetry.fields[0].name.rust.as_str(), telemetry.fields[0].offset), ("index", 80));
+    assert_eq!((telemetry.fields[0].name.text.as_str(), telemetry.fields[0].offset), ("Index", 80));
 }
 
 #[test]
@@ -138,7 +138,7 @@ fn nothing_else_is_odd() {
     let (dialect, problems) = autoquad();
     let streams = &find_enum(&dialect, "MAV_DATA_STREAM").entries;
     let last = streams.last().unwrap();
-    assert_eq!((last.name.rust.as_str(), last.value, last.auto), ("PROPULSION", 13, true));
+    assert_eq!((last.name.text.as_str(), last.value, last.auto), ("MAV_DATA_STREAM_PROPULSION", 13, true));
     let mut codes: Vec<Code> = problems.iter().map(|(code, _)| *code).collect();
     codes.sort_unstable();
     let expected = [

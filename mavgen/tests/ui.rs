@@ -14,9 +14,8 @@ use std::path::{Path, PathBuf};
 
 use mavgen::diag::{Diagnostics, Style, one_line, render};
 use mavgen::read::load;
-use mavgen::resolve::resolve;
 use mavgen::source::Sources;
-use mavgen::{Builder, Failure};
+use mavgen::{Builder, Failure, Resolved};
 
 /// Relative to the crate, which is where cargo runs tests: no rendering names a folder of the machine.
 const FOLDER: &str = "tests/ui";
@@ -60,9 +59,13 @@ fn of_one(top: &Path) -> (Diagnostics, Sources) {
     let mut diagnostics = if is_for_lint { diagnostics.for_lint() } else { diagnostics };
     let mut sources = Sources::default();
     let loaded = load(top, &[], &beside(top, ".overlay.xml"), &mut sources, &mut diagnostics);
-    let dialect = resolve(&loaded, &sources, &mut diagnostics);
-    assert_eq!(dialect.is_none(), diagnostics.has_errors(), "{}", top.display());
-    (diagnostics, sources)
+    match Resolved::of(loaded, sources, diagnostics) {
+        Ok(Resolved { diagnostics, sources, .. }) => {
+            assert!(!diagnostics.has_errors(), "{}", top.display());
+            (diagnostics, sources)
+        }
+        Err(problems) => (problems.diagnostics, problems.sources),
+    }
 }
 
 fn of_several(top: &Path, others: &[PathBuf]) -> (Diagnostics, Sources) {

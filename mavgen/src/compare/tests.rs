@@ -11,7 +11,7 @@ use super::{Change, Group, compare};
 use crate::diag::Diagnostics;
 use crate::ir::{Dialect, FileIndex};
 use crate::read::{Loaded, read, read_overlay};
-use crate::resolve::resolve;
+use crate::roots::resolve;
 use crate::source::Sources;
 
 /// Resolves files, given as name and text; the first is the dialect's own, and the others are those that it includes.
@@ -29,6 +29,7 @@ fn dialect(files: &[(&str, &str)], overlay: Option<&str>) -> Dialect {
     loaded.includes = vec![Vec::new(); files.len()];
     loaded.includes[0] = (1..files.len()).map(FileIndex).collect();
     resolve(&loaded, &sources, &mut diagnostics)
+        .map(|named| named.dialect)
         .unwrap_or_else(|| panic!("{:#?}", diagnostics.iter().map(|problem| &problem.message).collect::<Vec<_>>()))
 }
 

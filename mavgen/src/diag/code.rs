@@ -201,8 +201,9 @@ catalogue! {
     767 SecondDefault Error "A switch has two defaults.";
     768 LayoutDiffers Error "A name stands for different bits in two cases.";
 
-    800 SecondValue Error "An entry has different values in two dialects.";
+    800 SecondValue Warning "An entry has different values in two dialects, so that its enum is a type in each.";
     801 HomelessOverlay Error "An overlay belongs to a file that is part of none of the dialects.";
+    802 RootModule Error "Two dialects of one tree would be one module.";
     900 UorbLine Error "A line of a `.msg` file is neither a field nor a constant.";
     901 UorbName Error "A name in a `.msg` file is not one.";
     902 UorbType Error "A `.msg` file names a type that does not exist.";

@@ -15,10 +15,7 @@
 //!
 //! All of them are inlined: there are hundreds, of which a program uses a few, and code that is not made costs no build time.
 //!
-//! A field `set_temperature` beside it has no accessors, because its getter would have the name of that setter; nor has a field
-//! whose getter would have the name of something that every message has ([`MESSAGE_METHODS`]).
-
-use std::collections::HashSet;
+//! Which fields have them is decided where methods are named: [`crate::lower`].
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
@@ -27,19 +24,12 @@ use crate::emit::field::{converted_enum, element_type, typed_enum};
 use crate::emit::token::{decimal, float, ident, integer, repr, scalar};
 use crate::emit::{Context, doc};
 use crate::ir::{Enum, Field, Invalid, Message, Repr, Scalar, Scope, Sentinel};
-use crate::names::MESSAGE_METHODS;
 
 /// The `impl` with a message's accessors; nothing if it has none.
 pub(crate) fn accessors(context: &Context<'_>, message: &Message) -> TokenStream {
-    let mut taken = HashSet::from(MESSAGE_METHODS.map(str::to_owned));
-    let mut accessors = Vec::new();
-    for field in &message.fields {
-        let names = [field.name.rust.clone(), format!("set_{}", field.name.rust)];
-        if let Some(tokens) = accessor(context, field).filter(|_| names.iter().all(|name| !taken.contains(name))) {
-            taken.extend(names);
-            accessors.push(tokens);
-        }
-    }
+    let decided = context.names_of(message).map(|names| names.accessors.as_slice()).unwrap_or_default();
+    let fields = decided.iter().filter_map(|index| message.fields.get(index.0));
+    let accessors: Vec<TokenStream> = fields.filter_map(|field| accessor(context, field)).collect();
     if accessors.is_empty() {
         return TokenStream::new();
     }

@@ -10,7 +10,9 @@
 //! The modules of a dialect export all that it has. What is declared there is what another dialect has something else for.
 
 use crate::emit::views;
-use crate::ir::{Dialect, Enum, Home, Message, Root, Union, View};
+use crate::ir::{Dialect, Enum, Message, View};
+use crate::lower::link::{Home, Root, Union};
+use crate::lower::names::Names;
 
 /// A module with the modules `messages`, `enums` and `views`, as far as it has something for them.
 pub(crate) struct Folder<'a> {
@@ -55,10 +57,10 @@ impl<T> Listed<T> {
 
 impl<'a> Folder<'a> {
     /// The whole tree of one dialect.
-    pub(crate) fn of_one(dialect: &'a Dialect) -> Self {
+    pub(crate) fn of_one(dialect: &'a Dialect, names: &'a Names) -> Self {
         Self {
             home: Home::Shared,
-            dialect: Some(Titled { name: &dialect.name, type_name: &dialect.type_name }),
+            dialect: Some(Titled { name: &dialect.name, type_name: &names.dialect }),
             file: "mod.rs".to_owned(),
             prefix: String::new(),
             sources: dialect.files.first().map_or_else(String::new, |file| file.name.clone()),

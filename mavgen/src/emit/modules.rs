@@ -10,9 +10,10 @@ use crate::emit::folder::{Folder, Listed};
 use crate::emit::place::path;
 use crate::emit::token::{decimal, ident};
 use crate::emit::{Context, dialect as dialects, doc};
-use crate::ir::{Access, Home, Message, Name, Origin, View};
+use crate::ir::{Access, Message, Name, Origin, View};
 use crate::lower::Internal;
-use crate::names::item_module_name;
+use crate::lower::link::Home;
+use crate::lower::spelling::item_module_name;
 use crate::rust::Mentions;
 
 /// `mod.rs`: modules and flat names, of what there is. It begins with an item, so that `include!` takes it.

@@ -11,7 +11,8 @@ use quote::quote;
 
 use crate::emit::Context;
 use crate::emit::token::ident;
-use crate::ir::{EnumId, Home, Message};
+use crate::ir::{EnumId, Message};
+use crate::lower::link::Home;
 
 impl Context<'_> {
     /// The way from a file that stands `depth` modules below its folder to the folder `to`: `super::super::acme::`.

@@ -4,7 +4,8 @@
 use std::ptr;
 
 use crate::emit::Context;
-use crate::ir::{Enum, Home, Message};
+use crate::ir::{Enum, Message};
+use crate::lower::link::Home;
 
 /// The lines about a message; none if no other dialect has anything else in its place.
 pub(crate) fn of_message(context: &Context<'_>, message: &Message) -> Vec<String> {

@@ -21,6 +21,21 @@ pub struct Name {
 }
 
 impl Name {
+    /// What keeps a text from being a name in the definitions, or from leaving something to be a name in Rust.
+    pub(crate) fn fault(text: &str) -> Option<&'static str> {
+        if text.is_empty() {
+            Some("empty")
+        } else if !text.bytes().all(|byte| byte == b'_' || byte.is_ascii_alphanumeric()) {
+            Some("has other characters")
+        } else if text.starts_with(|first: char| first.is_ascii_digit()) {
+            Some("begins with a digit")
+        } else if text.bytes().all(|byte| byte == b'_') {
+            Some("nothing but underscores")
+        } else {
+            None
+        }
+    }
+
     /// What two names are compared by.
     fn key(&self) -> (&str, &str) {
         (&self.text, &self.rust)
@@ -56,5 +71,20 @@ impl Hash for Name {
 impl fmt::Debug for Name {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Name").field("text", &self.text).field("rust", &self.rust).finish()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn spellings() {
+        for name in ["A", "_a", "a1", "GPS_RAW_INT", "_1"] {
+            assert_eq!(Name::fault(name), None, "{name}");
+        }
+        for name in ["", "_", "__", "1A", "a-b", "a b", "é", "a.b"] {
+            assert!(Name::fault(name).is_some(), "{name}");
+        }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::Items;
 use crate::ir::{Binding, Entry, Enum, Field, Key, Label, Member, Message, Name, Slots, Switch, View};
-use crate::names::field_name;
+use crate::lower::spelling::field_name;
 
 impl<'d> Items<'d> {
     pub(super) fn message_type(self, message: &'d Message) -> &'d str {

@@ -5,9 +5,9 @@ use super::losses::Losses;
 use super::merge::{Enums, Merged};
 use super::origin::Described;
 use super::width::Width;
-use super::{command, lifecycle, naming, number};
+use super::{command, lifecycle, number, spelling};
 use crate::diag::{Code, Diagnostic, Diagnostics};
-use crate::ir::{self, FileIndex, Lifecycle, Name, Origin};
+use crate::ir::{self, FileIndex, Lifecycle, Origin};
 use crate::read::Loaded;
 use crate::syntax;
 
@@ -102,19 +102,17 @@ fn meant(text: &str) -> Option<String> {
     })
 }
 
-/// The model of an enum, which is called `rust` in Rust.
+/// The model of an enum.
 pub(super) fn model(
     loaded: &Loaded,
     merged: &Merged<'_>,
     width: Width,
-    rust: String,
     enums: &Enums<'_>,
     diagnostics: &mut Diagnostics,
 ) -> ir::Enum {
     let Width { owner, repr, .. } = width;
-    let constants = naming::constants(merged, owner);
     let mut entries = Vec::with_capacity(merged.entries.len());
-    for (entry, rust) in merged.entries.iter().zip(constants) {
+    for entry in &merged.entries {
         let syntax = entry.syntax;
         let described = Described {
             file: entry.file,
@@ -123,7 +121,7 @@ pub(super) fn model(
             lifecycle: syntax.lifecycle.as_ref(),
         };
         entries.push(ir::Entry {
-            name: Name { text: syntax.name.value.clone(), rust, span: syntax.name.span },
+            name: spelling::name(&syntax.name),
             // What does not fit has been refused, and no model comes out.
             value: u64::try_from(entry.value).unwrap_or(u64::MAX),
             auto: entry.auto,
@@ -132,12 +130,19 @@ pub(super) fn model(
         });
     }
     let (named_in, oldest) = merged.oldest(loaded);
-    let name = Name { text: oldest.value.clone(), rust, span: oldest.span };
     let mut origin = origin(merged, owner, diagnostics);
     if merged.refined.in_use {
         lifecycle::tell(&mut origin);
     }
-    ir::Enum { name, named_in, bitmask: merged.bitmask(owner), repr, entries, defined_in: owner, origin }
+    ir::Enum {
+        name: spelling::name(oldest),
+        named_in,
+        bitmask: merged.bitmask(owner),
+        repr,
+        entries,
+        defined_in: owner,
+        origin,
+    }
 }
 
 /// Place of the first definition, first description that is not empty, stage of life of the owner's.

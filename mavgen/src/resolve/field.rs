@@ -2,7 +2,7 @@
 
 use super::boolean::{self, Attribute};
 use super::origin::{self, Described};
-use super::{field_type, limits, naming, units};
+use super::{field_type, limits, spelling, units};
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{Field, FieldType, FileIndex, Scalar};
 use crate::syntax;
@@ -29,7 +29,7 @@ pub(super) fn resolve(field: &syntax::Field, around: Surroundings, diagnostics: 
     let ty = field_type::resolve(&field.ty, around.version, diagnostics)?;
     check_target(field, ty, diagnostics);
     Some(Field {
-        name: naming::field(&field.name),
+        name: spelling::name(&field.name),
         ty,
         offset: 0,
         extension: around.extension,

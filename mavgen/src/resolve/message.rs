@@ -8,7 +8,7 @@ use super::layout::{self, Lengths};
 use super::losses::Losses;
 use super::origin::Described;
 use super::version::Version;
-use super::{crc, field_type, naming, number};
+use super::{crc, field_type, number, spelling};
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{self, Field, FieldType, FileIndex, Scalar};
 use crate::read::Loaded;
@@ -100,7 +100,7 @@ fn resolve(syntax: &Message, around: Surroundings, whole: bool, diagnostics: &mu
     let (len_v1, len_v2) = lengths(syntax, &mut fields, diagnostics)?;
     let mut message = ir::Message {
         id: id?,
-        name: naming::message(&syntax.name),
+        name: spelling::name(&syntax.name),
         crc_extra: 0,
         len_v1,
         len_v2,

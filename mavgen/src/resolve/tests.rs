@@ -10,7 +10,7 @@ mod problems;
 use crate::diag::{Code, Diagnostics};
 use crate::ir::{Dialect, Enum, FileIndex};
 use crate::read::{Loaded, read, read_overlay};
-use crate::resolve::resolve;
+use crate::roots::resolve;
 use crate::source::Sources;
 
 /// What became of a dialect.
@@ -62,7 +62,7 @@ fn overlaid(files: &[(&str, &str)], overlays: &[&str]) -> Outcome {
     let position = |path: &str| files.iter().position(|(name, _)| *name == path).map(FileIndex);
     let includes = loaded.files.iter().map(|file| &file.includes);
     loaded.includes = includes.map(|list| list.iter().filter_map(|path| position(&path.value)).collect()).collect();
-    let dialect = resolve(&loaded, &sources, &mut diagnostics);
+    let dialect = resolve(&loaded, &sources, &mut diagnostics).map(|named| named.dialect);
     let problems = diagnostics.iter().map(|problem| (problem.code, problem.message.clone()));
     Outcome { dialect, problems: problems.collect() }
 }

@@ -6,7 +6,6 @@ mod coverage;
 mod exact;
 mod layout;
 mod meaning;
-mod names;
 mod piece;
 mod place;
 mod ranges;
@@ -18,14 +17,10 @@ mod units;
 mod words;
 
 use super::overlay::{Carrier, Scene, condition};
-use super::{naming, origin};
+use super::{origin, spelling};
 use crate::diag::{Code, Diagnostic, Diagnostics};
-use crate::ir::{Name, Origin, View};
-use crate::names::type_name;
-use crate::syntax::Text;
+use crate::ir::{Origin, View};
 use crate::syntax::overlay::{self, Part, Piece};
-
-pub(crate) use names::of as getters;
 
 /// Resolves a view; what is wrong with it is reported. Where the words are not clear, the rest is not looked at.
 pub(super) fn resolve<'a>(
@@ -40,8 +35,8 @@ pub(super) fn resolve<'a>(
     let access = slots::access(scene, element, &words, diagnostics);
     let invalid = sentinel::blanks(scene, element, &words, diagnostics);
     let layout = layout::resolve(scene, element, &words, carriers, diagnostics);
-    let view = View {
-        name: named(&element.name),
+    Some(View {
+        name: spelling::name(&element.name),
         words: words.list,
         width: words.width,
         access: access?,
@@ -55,13 +50,7 @@ pub(super) fn resolve<'a>(
             description: origin::or_empty(element.description.as_ref()),
             lifecycle: None,
         },
-    };
-    names::check(&view, element, diagnostics);
-    Some(view)
-}
-
-fn named(text: &Text) -> Name {
-    Name { text: text.value.clone(), rust: type_name(&text.value), span: text.span }
+    })
 }
 
 /// Every `<bits>` of a view.
@@ -82,15 +71,15 @@ pub(super) fn all_bits(element: &overlay::View) -> impl Iterator<Item = &overlay
 
 /// A view has something to say, and its names are names.
 fn check_members(scene: &Scene<'_, '_>, element: &overlay::View, diagnostics: &mut Diagnostics) {
-    naming::check_spelling(&element.name, "a view", diagnostics);
+    spelling::check(&element.name, "a view", diagnostics);
     if scene.whole && all_bits(element).next().is_none() {
         let message = format!("view `{}` has no members", element.name.value);
         let problem = Diagnostic::new(Code::EmptyView, element.name.span, message);
         diagnostics.push(problem.help("add `<bits name=\"…\" at=\"…\" width=\"…\"/>`"));
     }
-    all_bits(element).for_each(|bits| naming::check_spelling(&bits.name, "bits", diagnostics));
-    element.keys.iter().for_each(|key| naming::check_spelling(&key.name, "a key", diagnostics));
+    all_bits(element).for_each(|bits| spelling::check(&bits.name, "bits", diagnostics));
+    element.keys.iter().for_each(|key| spelling::check(&key.name, "a key", diagnostics));
     for (name, what) in [(&element.item, "an item"), (&element.items, "an iterator")] {
-        name.iter().for_each(|name| naming::check_spelling(name, what, diagnostics));
+        name.iter().for_each(|name| spelling::check(name, what, diagnostics));
     }
 }

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::*;
 use crate::Builder;
-use crate::ir::{Enum, Meaning};
+use crate::ir::{Enum, Meaning, enums_of_message_mut};
 
 const XML: &str = r#"<mavlink>
   <enums>
@@ -132,7 +132,7 @@ fn names_of(dialect: &Dialect, id: u32) -> Vec<String> {
     let mut message = dialect.messages.iter().find(|message| message.id == id).unwrap().clone();
     let named = format!("{message:?}").matches("EnumId(").count();
     let mut names = Vec::new();
-    needs::each_of_message(&mut message, |id| names.push(dialect.enum_by_id(*id).unwrap().name.text.clone()));
+    enums_of_message_mut(&mut message, &mut |id| names.push(dialect.enum_by_id(*id).unwrap().name.text.clone()));
     assert_eq!(names.len(), named, "the visit forgets none");
     names
 }
@@ -144,7 +144,8 @@ fn every_message_of_a_real_dialect_finds_its_enums_alone() {
     let whole = builder.resolve().unwrap().dialect;
     let mut carrying = 0;
     for message in &whole.messages {
-        let one = Selection::new([&*message.name.text]).unwrap().apply(whole.clone());
+        let mut one = whole.clone();
+        one.cut(&Selection::new([&*message.name.text]).unwrap().kept(&whole));
         assert_eq!(names_of(&one, message.id), names_of(&whole, message.id), "{}", message.name.text);
         carrying += usize::from(!one.enums.is_empty());
         for values in &one.enums {

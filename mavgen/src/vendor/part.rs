@@ -17,11 +17,12 @@ use std::sync::Arc;
 
 use crate::builder::{Failure, Problems};
 use crate::diag::Diagnostics;
-use crate::ir::{Dialect, Enum, Message};
-use crate::names;
+use crate::ir::{Dialect, Enum, Kept, Message};
+use crate::lower::spelling;
 use crate::read::Loaded;
-use crate::resolve::{integer, resolve};
-use crate::select::{Selection, keep};
+use crate::resolve::integer;
+use crate::roots::resolve;
+use crate::select::Selection;
 use crate::source::Sources;
 use crate::syntax;
 
@@ -84,7 +85,9 @@ impl Part {
     /// The model as it should be: cut out of that of the whole.
     fn model(&self, whole: &Dialect) -> Dialect {
         let wants_enum = |values: &Enum| self.enums.contains(&values.name.text);
-        keep(whole.clone(), |message| self.messages.contains(&message.name.text), wants_enum)
+        let mut model = whole.clone();
+        model.cut(&Kept::of(whole, |message| self.messages.contains(&message.name.text), wants_enum));
+        model
     }
 
     /// Keeps the enums that the XML names, of which the model need not know.
@@ -120,13 +123,13 @@ impl Part {
     /// Keeps what enums and the dialect are not called after.
     fn keep_names(&mut self, whole: &Dialect, model: &Dialect) {
         for values in &model.enums {
-            let rust = names::type_name(&values.name.text);
+            let rust = spelling::type_name(&values.name.text);
             let why = || format!("without it, enum `{}` would have another name in Rust", values.name.text);
             if rust != values.name.rust {
                 self.keep_called(&rust, whole, why);
             }
         }
-        let rust = names::dialect_type_name(&whole.name);
+        let rust = spelling::dialect_type_name(&whole.name);
         if rust != whole.type_name {
             self.keep_called(&rust, whole, || "without it, the dialect's type would have another name in Rust".into());
         }
@@ -151,7 +154,7 @@ impl Part {
             let (sources, watched) = (sources.clone(), loaded.watched.clone());
             return Err(Failure::Definitions(Box::new(Problems { diagnostics, sources, watched })));
         };
-        for (values, anew) in model.enums.iter().zip(&anew.enums) {
+        for (values, anew) in model.enums.iter().zip(&anew.dialect.enums) {
             if (values.repr, values.defined_in) != (anew.repr, anew.defined_in)
                 && let Some(message) = decider(whole, values)
             {

@@ -15,7 +15,6 @@ use std::sync::LazyLock;
 
 use mavgen::diag::{Diagnostics, Severity, Style, one_line, render};
 use mavgen::read::{Loaded, read, read_overlay};
-use mavgen::resolve::resolve;
 use mavgen::source::Sources;
 use mavgen::{Builder, Resolved};
 use proptest::prelude::*;
@@ -54,18 +53,21 @@ fn fate(dialect: &str, overlay: Option<&str>) -> Result<Fate, TestCaseError> {
         let id = sources.add("autoquad.overlay.xml", overlay);
         loaded.overlays.push(read_overlay(id, &sources, &mut diagnostics));
     }
-    let dialect = resolve(&loaded, &sources, &mut diagnostics);
-    prop_assert_eq!(dialect.is_none(), diagnostics.has_errors());
-    for problem in diagnostics.iter() {
-        prop_assert!(problem.span.is_some(), "{}", one_line(problem, &sources));
-        prop_assert!(render(problem, &sources, Style::Plain).contains("--> autoquad."));
-    }
-    let Some(dialect) = dialect else {
-        let mut errors = diagnostics.iter().filter(|problem| problem.severity() == Severity::Error);
-        return Ok(Fate::Refused(errors.next().map(|error| one_line(error, &sources)).unwrap()));
+    let outcome = Resolved::of(loaded, sources, diagnostics);
+    let (diagnostics, sources) = match &outcome {
+        Ok(resolved) => (&resolved.diagnostics, &resolved.sources),
+        Err(problems) => (&problems.diagnostics, &problems.sources),
     };
-    let resolved = Resolved { dialect, others: Vec::new(), union: None, diagnostics, sources, watched: Vec::new() };
-    for file in Builder::new("autoquad.xml").emit(&resolved).unwrap() {
+    prop_assert_eq!(outcome.is_err(), diagnostics.has_errors());
+    for problem in diagnostics.iter() {
+        prop_assert!(problem.span.is_some(), "{}", one_line(problem, sources));
+        prop_assert!(render(problem, sources, Style::Plain).contains("--> autoquad."));
+    }
+    let Ok(resolved) = &outcome else {
+        let mut errors = diagnostics.iter().filter(|problem| problem.severity() == Severity::Error);
+        return Ok(Fate::Refused(errors.next().map(|error| one_line(error, sources)).unwrap()));
+    };
+    for file in Builder::new("autoquad.xml").emit(resolved).unwrap() {
         let parsed = syn::parse_file(&file.text);
         prop_assert!(parsed.is_ok(), "{}: {:?}\n{}", file.path, parsed.err(), file.text);
     }

@@ -2,7 +2,6 @@
 
 use mavgen::diag::{Diagnostics, Style, render};
 use mavgen::read::{Loaded, read, read_overlay};
-use mavgen::resolve::resolve;
 use mavgen::source::Sources;
 use mavgen::{Builder, Resolved};
 
@@ -24,15 +23,18 @@ pub fn compile(dialect: &str, overlay: Option<&str>) {
         let id = sources.add("a.overlay.xml", overlay);
         loaded.overlays.push(read_overlay(id, &sources, &mut diagnostics));
     }
-    let dialect = resolve(&loaded, &sources, &mut diagnostics);
-    assert_eq!(dialect.is_none(), diagnostics.has_errors());
+    let outcome = Resolved::of(loaded, sources, diagnostics);
+    let (diagnostics, sources) = match &outcome {
+        Ok(resolved) => (&resolved.diagnostics, &resolved.sources),
+        Err(problems) => (&problems.diagnostics, &problems.sources),
+    };
+    assert_eq!(outcome.is_err(), diagnostics.has_errors());
     for problem in diagnostics.iter().take(DRAWN) {
         assert!(problem.span.is_some());
-        render(problem, &sources, Style::Plain);
+        render(problem, sources, Style::Plain);
     }
-    let Some(dialect) = dialect else { return };
-    let resolved = Resolved { dialect, others: Vec::new(), union: None, diagnostics, sources, watched: Vec::new() };
-    for file in Builder::new("a.xml").emit(&resolved).unwrap_or_default() {
+    let Ok(resolved) = &outcome else { return };
+    for file in Builder::new("a.xml").emit(resolved).unwrap_or_default() {
         assert!(syn::parse_file(&file.text).is_ok(), "{}", file.text);
     }
 }

@@ -1,7 +1,7 @@
 //! `<bind>`: an enum on a field that the definitions give none.
 
 use super::super::width::integer;
-use super::super::{naming, origin};
+use super::super::{origin, spelling};
 use super::carrier::{Carrier, CarrierPlace};
 use super::{Found, Scene, condition};
 use crate::diag::{Code, Diagnostic, Diagnostics};
@@ -16,7 +16,7 @@ pub(super) fn resolve<'a>(
     carriers: &mut Vec<Carrier<'a>>,
     diagnostics: &mut Diagnostics,
 ) -> Option<Binding> {
-    naming::check_spelling(&element.name, "a binding", diagnostics);
+    spelling::check(&element.name, "a binding", diagnostics);
     let condition = condition(scene, &element.condition, diagnostics);
     let values = scene.values(&element.values, diagnostics);
     let found = scene.field(&element.field, diagnostics)?;
@@ -32,7 +32,7 @@ pub(super) fn resolve<'a>(
     let place = CarrierPlace::Field(repr, found.syntax.ty.span);
     carriers.push(Carrier { values, name: &element.values, place });
     Some(Binding {
-        name: naming::label(&element.name),
+        name: spelling::label(&element.name),
         field: found.index,
         values,
         condition,

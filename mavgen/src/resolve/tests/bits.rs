@@ -6,7 +6,7 @@ use super::{Outcome, enumeration, message, overlaid};
 use crate::diag::{Code, Diagnostics};
 use crate::ir::{Access, Blank, Dialect, Meaning, Member, Presence, Scaled, SwitchOn, View, Word};
 use crate::read::load;
-use crate::resolve::resolve;
+use crate::roots::resolve;
 use crate::source::Sources;
 
 /// A member in short: `temperature 52+9 (raw * 1 + -128) / 4 degC cdegC [3..=9, 30..=255]`.
@@ -73,7 +73,7 @@ fn autoquad() -> Dialect {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../xml");
     let overlays = [folder.join("overlay/autoquad.xml")];
     let loaded = load(&folder.join("autoquad.xml"), &[], &overlays, &mut sources, &mut diagnostics);
-    let dialect = resolve(&loaded, &sources, &mut diagnostics);
+    let dialect = resolve(&loaded, &sources, &mut diagnostics).map(|named| named.dialect);
     let about_overlay = diagnostics.iter().filter(|problem| problem.code.number() >= 600);
     assert_eq!(about_overlay.map(|problem| &problem.message).collect::<Vec<_>>(), [&""; 0]);
     dialect.unwrap()

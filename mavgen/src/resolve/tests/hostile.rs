@@ -3,7 +3,7 @@
 use super::{enumeration, message};
 use crate::diag::{Diagnostics, Style, render};
 use crate::read::{Loaded, read, read_overlay};
-use crate::resolve::resolve;
+use crate::roots::resolve;
 use crate::source::Sources;
 
 /// One of everything.

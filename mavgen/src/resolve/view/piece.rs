@@ -3,7 +3,7 @@
 use std::ops::RangeInclusive;
 
 use super::words::Words;
-use super::{meaning, naming, origin, ranges};
+use super::{meaning, origin, ranges, spelling};
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{Member, Presence, Repeat};
 use crate::resolve::boolean;
@@ -83,7 +83,7 @@ fn member<'a>(
     let signed = bits.signed.as_ref().and_then(|text| boolean::of_overlay(text, diagnostics)) == Some(true);
     let meaning = meaning::resolve(scene, bits, (extent.width, signed), carriers, diagnostics)?;
     Some(Member {
-        name: naming::label(&bits.name),
+        name: spelling::label(&bits.name),
         at: extent.at,
         width: extent.width,
         signed,

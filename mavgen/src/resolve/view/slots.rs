@@ -3,7 +3,7 @@
 use super::place;
 use super::sentinel;
 use super::words::{Shape, Words};
-use super::{named, naming, origin};
+use super::{origin, spelling};
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{Access, FieldIndex, Key, Label, Scalar, Slots, unit_words};
 use crate::resolve::overlay::Scene;
@@ -40,7 +40,7 @@ fn once(element: &View, words: &Words, diagnostics: &mut Diagnostics) -> Option<
         let problem = Diagnostic::new(Code::Slots, element.span, message);
         diagnostics.push(problem.help("`item=\"…\"` names the getter that the message has for it"));
     }
-    Some(Access::Once { getter: naming::label(item?) })
+    Some(Access::Once { getter: spelling::label(item?) })
 }
 
 fn slots(
@@ -62,7 +62,7 @@ fn slots(
     let items = required(&element.items, "items", "the iterator over the slots: `escs`");
     let count = element.count.as_ref().and_then(|text| count(scene, text, diagnostics));
     let keys = element.keys.iter().filter_map(|key| self::key(scene, key, words, diagnostics)).collect();
-    Some(Slots { item: named(&item?), items: naming::label(&items?), length: shape.length, count, keys })
+    Some(Slots { item: spelling::name(&item?), items: spelling::label(&items?), length: shape.length, count, keys })
 }
 
 fn count(scene: &Scene<'_, '_>, text: &Text, diagnostics: &mut Diagnostics) -> Option<FieldIndex> {
@@ -86,7 +86,7 @@ fn key(scene: &Scene<'_, '_>, element: &overlay::Key, words: &Words, diagnostics
     let units = element.units.as_ref().filter(|units| !units.value.trim().is_empty());
     let suffix = units.filter(|_| !found.field.ty.scalar.is_float()).map(|units| unit_words(&units.value));
     Some(Key {
-        name: Label { name: naming::field(&element.name), suffix },
+        name: Label { name: spelling::name(&element.name), suffix },
         place,
         units: units.map(|units| units.value.clone()).or_else(|| found.field.units.clone()),
         invalid,

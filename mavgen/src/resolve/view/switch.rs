@@ -6,7 +6,7 @@ use super::case::{self, Values};
 use super::piece::{self, Piece};
 use super::ranges::{complement, joined, list};
 use super::words::Words;
-use super::{naming, place, ranges};
+use super::{place, ranges, spelling};
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{EnumId, Label, Meaning, Scalar, SwitchOn};
 use crate::resolve::overlay::{Carrier, Scene};
@@ -73,7 +73,7 @@ fn on_field(scene: &Scene<'_, '_>, text: &Text, words: &Words, diagnostics: &mut
         return None;
     };
     Some(Selector {
-        name: naming::label(name),
+        name: spelling::label(name),
         title: format!("`{}`", name.value),
         on: SwitchOn::Field(place, repr),
         most: repr.highest(),
@@ -84,7 +84,7 @@ fn on_field(scene: &Scene<'_, '_>, text: &Text, words: &Words, diagnostics: &mut
 }
 
 fn on_bits(text: &Text, common: &[Piece<'_>], diagnostics: &mut Diagnostics) -> Option<Selector> {
-    let name = naming::label(text);
+    let name = spelling::label(text);
     let members = || common.iter().filter_map(|piece| piece.member.as_ref());
     let Some((member, bits)) = members().find(|(member, _)| member.name == name) else {
         let message = format!("`{}` is not in every layout of the view", text.value);

@@ -7,7 +7,7 @@ use super::*;
 use crate::diag::Diagnostics;
 use crate::ir::Dialect;
 use crate::read::load;
-use crate::resolve::resolve;
+use crate::roots::{Named, resolve};
 use crate::select::Selection;
 use crate::source::Sources;
 use crate::vendor::part::Part;
@@ -78,7 +78,7 @@ fn parts_of_real_dialects_are_what_they_are_in_the_whole() {
 fn every_message_alone_is_what_it_is_in_the_whole() {
     let (mut sources, mut diagnostics) = (Sources::default(), Diagnostics::default());
     let loaded = load(&xml().join("autoquad.xml"), &[], &[], &mut sources, &mut diagnostics);
-    let whole = resolve(&loaded, &sources, &mut diagnostics).unwrap();
+    let Named { dialect: whole, .. } = resolve(&loaded, &sources, &mut diagnostics).unwrap();
     let originals = originals(&loaded, &sources).unwrap();
     let (mut besides, mut sizes) = (BTreeSet::new(), Vec::new());
     for (index, message) in whole.messages.iter().enumerate() {
@@ -91,7 +91,8 @@ fn every_message_alone_is_what_it_is_in_the_whole() {
             put(&folder.path().join(copy.name), &copy.text);
         }
         let copy = Builder::new(folder.path().join("autoquad.xml")).messages([name]);
-        let (copied, expected) = (resolved(&copy), Selection::new([name]).unwrap().apply(whole.clone()));
+        let (copied, mut expected) = (resolved(&copy), whole.clone());
+        expected.cut(&Selection::new([name]).unwrap().kept(&whole));
         let words = prose == Prose::Keep;
         sizes.push(copied.enums.len());
         assert!(shown(copied, words) == shown(expected, words), "{name}");

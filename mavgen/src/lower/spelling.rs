@@ -1,15 +1,27 @@
 //! Names: from the spelling of the XML to the spelling of Rust.
 //!
-//! Decides every identifier of the generated code, and only that; whether two of them collide is for `resolve` to see.
+//! Decides every identifier of the generated code, and only that; whether two of them collide is for [`super::namespace`] to see.
 
 use heck::{ToShoutySnakeCase, ToSnakeCase, ToUpperCamelCase};
 
+use crate::ir::Label;
+
 /// The word that no identifier can be, raw or not, and names of the prelude that the generated code itself needs.
-const RESERVED_TYPES: [&str; 8] = ["Self", "Option", "Some", "None", "Result", "Ok", "Err", "Into"];
+const RESERVED_TYPES: [&str; 9] = ["Self", "Option", "Some", "None", "Result", "Ok", "Err", "Into", "Iterator"];
 
 /// Methods that every message has, and names that readers and lints take for something else: no getter can be called so.
 pub(crate) const MESSAGE_METHODS: [&str; 9] =
     ["clone", "cmp", "decode", "default", "info", "new", "payload", "to", "write"];
+
+/// Methods that every view has, and names that readers and lints take for something else: no bits can be called so.
+pub(crate) const VIEW_METHODS: [&str; 9] =
+    ["bits", "from_bits", "clone", "cmp", "default", "hash", "neg", "new", "not"];
+
+/// The methods of operators with two sides: a method with such a name that takes an index looks like one.
+pub(crate) const OPERATORS: [&str; 10] = ["add", "bitand", "bitor", "bitxor", "div", "mul", "rem", "shl", "shr", "sub"];
+
+/// The field of a slot that holds the view.
+pub(crate) const SLOT_VIEW: &str = "status";
 
 /// The type name of a message or enum: `GPS_RAW_INT` becomes `GpsRawInt`.
 ///
@@ -17,6 +29,13 @@ pub(crate) const MESSAGE_METHODS: [&str; 9] =
 pub(crate) fn type_name(xml: &str) -> String {
     let name = xml.to_upper_camel_case();
     if RESERVED_TYPES.contains(&name.as_str()) { name + "_" } else { not_a_digit(name) }
+}
+
+/// A type name that something else has, with what sets it apart.
+///
+/// `Option_` is spelled so only to differ from `Option`, which `OptionEnum` does anyway.
+pub(crate) fn suffixed(name: &str, suffix: &str) -> String {
+    name.trim_end_matches('_').to_owned() + suffix
 }
 
 /// The type name of a dialect's message enum, from the stem of its file: `my-dialect.v2` becomes `MyDialectV2`.
@@ -28,7 +47,15 @@ pub(crate) fn dialect_type_name(stem: &str) -> String {
 ///
 /// Keywords stay as they are, because they can be written raw (`r#type`), except the four that cannot.
 pub(crate) fn field_name(xml: &str) -> String {
-    let name = xml.to_snake_case();
+    member(xml.to_snake_case())
+}
+
+/// The name of a method or field that an overlay names: `age` in milliseconds becomes `age_ms`.
+pub(crate) fn label(label: &Label) -> String {
+    member(label.shown())
+}
+
+fn member(name: String) -> String {
     if is_path_keyword(&name) { name + "_" } else { not_a_digit(name) }
 }
 
@@ -144,6 +171,7 @@ mod tests {
             ("DEBUG", "Debug"),
             ("OPTION", "Option_"),
             ("SELF", "Self_"),
+            ("ITERATOR", "Iterator_"),
         ] {
             assert_eq!(type_name(xml), rust);
         }

@@ -2,7 +2,8 @@
 
 use std::fs;
 
-use crate::ir::{EnumId, Home, Lifecycle, Root, Union};
+use super::{Home, Root, Union};
+use crate::ir::{EnumId, Lifecycle};
 use crate::{Builder, Failure, Resolved};
 
 /// Resolves dialects together: each a name and what stands in its `<mavlink>`. A name that ends in `.overlay` is that of an

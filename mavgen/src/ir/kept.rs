@@ -1,0 +1,68 @@
+//! A part of a dialect: which messages and enums stay, and what the enums are called then.
+
+use std::collections::BTreeMap;
+
+use super::visit::{enums_of_enum, enums_of_enum_mut, enums_of_message, enums_of_message_mut};
+use super::{Dialect, Enum, EnumId, Message};
+
+/// What stays of a dialect, by the places in its vectors; in their order.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Kept {
+    messages: Vec<bool>,
+    enums: Vec<bool>,
+}
+
+impl Kept {
+    /// The wanted messages, the wanted enums, and the enums that those need: of fields, bindings, views and the params of
+    /// commands.
+    pub(crate) fn of(
+        dialect: &Dialect,
+        wants_message: impl Fn(&Message) -> bool,
+        wants_enum: impl Fn(&Enum) -> bool,
+    ) -> Self {
+        let messages: Vec<bool> = dialect.messages.iter().map(wants_message).collect();
+        let wanted = dialect.enums.iter().enumerate().filter(|(_, values)| wants_enum(values));
+        let mut open: Vec<EnumId> = wanted.map(|(index, _)| EnumId(index)).collect();
+        for (message, _) in dialect.messages.iter().zip(&messages).filter(|(_, stays)| **stays) {
+            enums_of_message(message, &mut |id| open.push(*id));
+        }
+        let mut enums = vec![false; dialect.enums.len()];
+        while let Some(id) = open.pop() {
+            let (Some(seen), Some(values)) = (enums.get_mut(id.0), dialect.enum_by_id(id)) else { continue };
+            if !std::mem::replace(seen, true) {
+                enums_of_enum(values, &mut |id| open.push(*id));
+            }
+        }
+        Self { messages, enums }
+    }
+
+    /// What stays of a vector that is parallel to [`Dialect::messages`].
+    pub(crate) fn cut_messages<T>(&self, items: &mut Vec<T>) {
+        retain(items, &self.messages);
+    }
+
+    /// What stays of a vector that is parallel to [`Dialect::enums`].
+    pub(crate) fn cut_enums<T>(&self, items: &mut Vec<T>) {
+        retain(items, &self.enums);
+    }
+}
+
+fn retain<T>(items: &mut Vec<T>, stays: &[bool]) {
+    debug_assert_eq!(items.len(), stays.len(), "what is cut is parallel to the model");
+    let mut stays = stays.iter();
+    items.retain(|_| stays.next() == Some(&true));
+}
+
+impl Dialect {
+    /// Drops what does not stay, and numbers the enums anew. Files stay, also those that nothing is kept of: they were read.
+    pub(crate) fn cut(&mut self, kept: &Kept) {
+        kept.cut_messages(&mut self.messages);
+        kept.cut_enums(&mut self.enums);
+        let old = kept.enums.iter().enumerate().filter(|(_, stays)| **stays).map(|(old, _)| EnumId(old));
+        let numbers: BTreeMap<EnumId, EnumId> = old.enumerate().map(|(new, old)| (old, EnumId(new))).collect();
+        // Whatever names an enum had it among its needs, so that it has a new number.
+        let mut renumber = |id: &mut EnumId| *id = numbers.get(id).copied().unwrap_or(*id);
+        self.messages.iter_mut().for_each(|message| enums_of_message_mut(message, &mut renumber));
+        self.enums.iter_mut().for_each(|values| enums_of_enum_mut(values, &mut renumber));
+    }
+}

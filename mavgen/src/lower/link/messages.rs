@@ -1,0 +1,132 @@
+//! Messages of several dialects: those of one definition are one type, with what the overlays of all dialects add to it.
+
+use std::collections::{HashMap, HashSet};
+
+use super::enums::{Enums, join};
+use super::{Class, definition};
+use crate::ir::{Binding, EnumId, Meaning, Message, View, enums_of_message_mut};
+use crate::lower::methods::{binding_methods, view_methods};
+use crate::lower::names::{MessageNames, ViewNames};
+
+/// The messages so far.
+#[derive(Default)]
+pub(super) struct Messages {
+    pub(super) list: Vec<Class<Joined, MessageNames>>,
+    by_name: HashMap<String, Vec<usize>>,
+}
+
+/// A message, and for each of its views the dialects that have it.
+pub(super) struct Joined {
+    pub(super) message: Message,
+    pub(super) views: Vec<Vec<usize>>,
+}
+
+impl Messages {
+    /// Takes in the messages of a dialect, whose enums are now `ids`, and returns for each its place.
+    pub(super) fn take(
+        &mut self,
+        root: usize,
+        messages: impl Iterator<Item = (Message, MessageNames)>,
+        ids: &[EnumId],
+        enums: &Enums,
+    ) -> Vec<usize> {
+        let mut take = |(mut message, names): (Message, MessageNames)| {
+            enums_of_message_mut(&mut message, &mut |id| *id = ids.get(id.0).copied().unwrap_or(*id));
+            self.take_one(root, message, names, enums)
+        };
+        messages.map(&mut take).collect()
+    }
+
+    fn take_one(&mut self, root: usize, message: Message, names: MessageNames, enums: &Enums) -> usize {
+        let places = self.by_name.entry(names.ty.clone()).or_default();
+        for &place in places.iter() {
+            let Some(class) = self.list.get_mut(place) else { continue };
+            let known = &class.item.message;
+            if definition::same(known, &message) && additions_agree((known, &class.names), (&message, &names), enums) {
+                class.add(root, message, names);
+                return place;
+            }
+        }
+        let place = self.list.len();
+        places.push(place);
+        let views = message.views.iter().map(|_| vec![root]).collect();
+        self.list.push(Class { item: Joined { message, views }, names, roots: vec![root] });
+        place
+    }
+}
+
+impl Class<Joined, MessageNames> {
+    /// Takes in what another dialect says of the same message.
+    fn add(&mut self, root: usize, other: Message, names: MessageNames) {
+        let Joined { message, views } = &mut self.item;
+        for (field, other) in message.fields.iter_mut().zip(other.fields) {
+            join(&mut field.origin, other.origin);
+        }
+        join(&mut message.origin, other.origin);
+        for (view, own) in other.views.into_iter().zip(names.views) {
+            match message.views.iter().position(|known| same_view(known, &view)) {
+                Some(at) => views.get_mut(at).into_iter().for_each(|roots| roots.push(root)),
+                None => {
+                    message.views.push(view);
+                    self.names.views.push(own);
+                    views.push(vec![root]);
+                }
+            }
+        }
+        for (binding, own) in other.bindings.into_iter().zip(names.bindings) {
+            if !message.bindings.iter().any(|known| same_binding(known, &binding)) {
+                message.bindings.push(binding);
+                self.names.bindings.push(own);
+            }
+        }
+        self.roots.push(root);
+    }
+}
+
+/// Whether the views and bindings of two messages of one definition can stand on one type: no two methods of one name, and
+/// no two enums of one name in the bindings.
+fn additions_agree(
+    (a, a_names): (&Message, &MessageNames),
+    (b, b_names): (&Message, &MessageNames),
+    enums: &Enums,
+) -> bool {
+    let mut methods: HashSet<String> = a_names.views.iter().flat_map(view_methods).collect();
+    methods.extend(a_names.bindings.iter().flat_map(|name| binding_methods(name)));
+    let new_view = |(view, names): (&View, &'_ ViewNames)| -> Vec<String> {
+        if a.views.iter().any(|known| same_view(known, view)) { Vec::new() } else { view_methods(names) }
+    };
+    let new_binding = |(binding, name): (&Binding, &String)| {
+        let known = a.bindings.iter().any(|known| same_binding(known, binding));
+        if known { Vec::new() } else { binding_methods(name).to_vec() }
+    };
+    let views = b.views.iter().zip(&b_names.views).flat_map(new_view);
+    let mut added = views.chain(b.bindings.iter().zip(&b_names.bindings).flat_map(new_binding));
+    let mut named: HashMap<&str, EnumId> = HashMap::new();
+    let mut ids = imported(a).chain(imported(b)).filter_map(|id| Some((id, enums.ty(id)?)));
+    ids.all(|(id, ty)| *named.entry(ty).or_insert(id) == id) && !added.any(|name| methods.contains(&name))
+}
+
+/// The enums that the file of a message names.
+fn imported(message: &Message) -> impl Iterator<Item = EnumId> {
+    let fields = message.fields.iter().filter_map(|field| Some(field.values?.id()));
+    fields.chain(message.bindings.iter().map(|binding| binding.values))
+}
+
+/// Whether two bindings say the same.
+fn same_binding(a: &Binding, b: &Binding) -> bool {
+    (&a.name, a.field, a.values, a.condition) == (&b.name, b.field, b.values, b.condition)
+}
+
+/// Whether two views of one message are the same element of an overlay, with the same enums.
+fn same_view(a: &View, b: &View) -> bool {
+    let enums =
+        |view: &View| -> Vec<EnumId> { view.members.iter().filter_map(|member| values(&member.meaning)).collect() };
+    a.origin.span == b.origin.span && a.condition == b.condition && enums(a) == enums(b)
+}
+
+fn values(meaning: &Meaning) -> Option<EnumId> {
+    match meaning {
+        Meaning::Values(id) => Some(*id),
+        _ => None,
+    }
+}

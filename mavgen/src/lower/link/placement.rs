@@ -1,0 +1,98 @@
+//! Where types are declared: beside the dialects, or in the module of one, where two have different things under one name.
+
+use std::collections::HashMap;
+
+use super::Class;
+use super::messages::Joined;
+use crate::ir::Enum;
+use crate::lower::names::{AccessNames, EnumNames, MessageNames, ViewNames};
+
+/// Where a type is declared. Every dialect that has it exports it, wherever that is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Home {
+    /// Beside the dialects: no dialect has anything else under its name.
+    Shared,
+    /// In the module of this dialect, by its place in [`super::Union::roots`]: the first of those that have the type.
+    Root(usize),
+}
+
+/// Where a message and its views are declared.
+#[derive(Clone, Debug)]
+pub(crate) struct MessageHome {
+    /// Of the message.
+    pub(crate) home: Home,
+    /// Of its views, in their order.
+    pub(crate) views: Vec<ViewHome>,
+}
+
+/// Where a view is declared, and who knows it.
+#[derive(Clone, Debug)]
+pub(crate) struct ViewHome {
+    /// Of the view.
+    pub(crate) home: Home,
+    /// The dialects whose overlays have it, by their places in [`super::Union::roots`].
+    pub(crate) roots: Vec<usize>,
+}
+
+/// Where the enums are declared.
+pub(super) fn of_enums(enums: &[Class<Enum, EnumNames>]) -> Vec<Home> {
+    let claims: Vec<_> = enums
+        .iter()
+        .map(|class| Claim { file: &class.names.module, types: vec![&class.names.ty], roots: &class.roots })
+        .collect();
+    homes(&claims)
+}
+
+/// Where the messages and their views are declared.
+pub(super) fn of_messages(messages: &[Class<Joined, MessageNames>]) -> Vec<MessageHome> {
+    let claims: Vec<_> = messages
+        .iter()
+        .map(|class| Claim { file: &class.names.module, types: vec![&class.names.ty], roots: &class.roots })
+        .collect();
+    let views: Vec<(&ViewNames, &Vec<usize>)> =
+        messages.iter().flat_map(|class| class.names.views.iter().zip(&class.item.views)).collect();
+    let view_claims: Vec<_> = views.iter().map(|(names, roots)| Claim::of_view(names, roots)).collect();
+    let mut view_homes =
+        homes(&view_claims).into_iter().zip(views).map(|(home, (_, roots))| ViewHome { home, roots: roots.clone() });
+    let each = homes(&claims).into_iter().zip(messages);
+    each.map(|(home, class)| {
+        let views = view_homes.by_ref().take(class.item.message.views.len()).collect();
+        MessageHome { home, views }
+    })
+    .collect()
+}
+
+/// The names that a declaration takes in its folder.
+struct Claim<'a> {
+    file: &'a str,
+    types: Vec<&'a str>,
+    /// The dialects that have it.
+    roots: &'a [usize],
+}
+
+impl<'a> Claim<'a> {
+    fn of_view(names: &'a ViewNames, roots: &'a [usize]) -> Self {
+        let mut types = vec![names.ty.as_str()];
+        if let AccessNames::Slots { item, .. } = &names.access {
+            types.push(item);
+        }
+        Self { file: &names.module, types, roots }
+    }
+}
+
+/// A declaration that shares a name with another goes to the first dialect that has it.
+fn homes(claims: &[Claim<'_>]) -> Vec<Home> {
+    let (mut files, mut types) = (HashMap::<&str, usize>::new(), HashMap::<&str, usize>::new());
+    for claim in claims {
+        *files.entry(claim.file).or_default() += 1;
+        claim.types.iter().for_each(|name| *types.entry(name).or_default() += 1);
+    }
+    let alone = |claim: &Claim<'_>| {
+        files.get(claim.file) == Some(&1) && claim.types.iter().all(|name| types.get(name) == Some(&1))
+    };
+    let home = |claim: &Claim<'_>| match claim.roots.first() {
+        Some(&root) if !alone(claim) => Home::Root(root),
+        _ => Home::Shared,
+    };
+    claims.iter().map(home).collect()
+}

@@ -1,0 +1,109 @@
+//! Methods: those that a message has for its fields and by overlays, those of a view, and the fields of a slot.
+
+use super::names::{AccessNames, MessageNames, ViewNames};
+use super::namespace::{Claim, Collision, Namespace, Scope, What};
+use super::{collision, spelling};
+use crate::diag::Diagnostics;
+use crate::ir::{Access, Field, FieldIndex, Label, Meaning, Member, Message, Name, Scalar, Values, View};
+
+/// Checks the methods of a message and of its views, and decides which fields have a getter and a setter.
+pub(super) fn check(message: &Message, names: &MessageNames, diagnostics: &mut Diagnostics) -> Vec<FieldIndex> {
+    let mut methods = Namespace::of(Scope::Methods);
+    let mut found: Vec<Collision<'_>> = Vec::new();
+    let mut accessors = Vec::new();
+    for (index, (field, name)) in message.fields.iter().zip(&names.fields).enumerate() {
+        if has_accessors(field) {
+            match methods.claim_all(&[name.clone(), setter(name)], claim(What::Accessors, &field.name)) {
+                None => accessors.push(FieldIndex(index)),
+                Some(collision) => found.push(collision),
+            }
+        }
+    }
+    for (binding, name) in message.bindings.iter().zip(&names.bindings) {
+        found.extend(methods.claim_all(&binding_methods(name), claim(What::Binding, &binding.name.name)));
+    }
+    for (view, names) in message.views.iter().zip(&names.views) {
+        let span = match &view.access {
+            Access::Once { getter } => getter.name.span,
+            Access::Slots(slots) => slots.item.span,
+        };
+        let by = Claim { span: Some(span), ..claim(What::View, &view.name) };
+        found.extend(methods.claim_all(&view_methods(names), by));
+        of_view(view, names, &mut found);
+    }
+    diagnostics.extend(found.iter().filter_map(collision::diagnostic));
+    accessors
+}
+
+/// Whether a field has a getter and a setter, if their names are free: because it may be unknown, or because it carries an enum
+/// that is not its type.
+fn has_accessors(field: &Field) -> bool {
+    let text = field.ty.scalar == Scalar::Char && field.ty.array.is_some();
+    matches!(field.values, Some(Values::Converted(_))) || field.invalid.is_some() && !text
+}
+
+/// The methods that a binding gives to its message.
+pub(super) fn binding_methods(name: &str) -> [String; 2] {
+    [setter(name), name.to_owned()]
+}
+
+/// The methods that a view gives to its message, also those that nobody else sees.
+pub(super) fn view_methods(names: &ViewNames) -> Vec<String> {
+    match &names.access {
+        AccessNames::Once { getter } => vec![getter.clone(), setter(getter)],
+        AccessNames::Slots { getter, items, .. } => {
+            let prefixed = ["set_", "push_", "store_"].map(|prefix| format!("{prefix}{getter}"));
+            [items.clone()].into_iter().chain(prefixed).chain([getter.clone()]).collect()
+        }
+    }
+}
+
+/// The methods of a view, and the fields of its slot.
+fn of_view<'a>(view: &'a View, names: &ViewNames, found: &mut Vec<Collision<'a>>) {
+    let mut methods = Namespace::of(Scope::ViewMethods);
+    if let (Some(name), Some(switch)) = (&names.switch, &view.switch) {
+        let by = Claim { span: Some(switch.span), ..claim(What::Switch, &switch.name.name) };
+        found.extend(methods.claim(name.clone(), by));
+    }
+    for (member, name) in view.members.iter().zip(&names.members) {
+        let by = of_label(What::Member, &member.name);
+        let collision = methods.claim_each(&member_methods(member, name), by);
+        found.extend(collision.or_else(|| operator(member, name, by)));
+    }
+    if let (Access::Slots(slots), AccessNames::Slots { keys, .. }) = (&view.access, &names.access) {
+        let mut fields = Namespace::of(Scope::SlotFields);
+        for (key, name) in slots.keys.iter().zip(keys) {
+            found.extend(fields.claim(name.clone(), of_label(What::Key, &key.name)));
+        }
+    }
+}
+
+/// The methods of bits.
+fn member_methods(member: &Member, name: &str) -> Vec<String> {
+    let Meaning::Scaled(scaled) = &member.meaning else { return vec![name.to_owned(), setter(name)] };
+    let raw = format!("{name}_raw");
+    let exact = scaled.exact.as_ref().map(|exact| format!("{name}_{}", exact.suffix()));
+    let setters = [setter(name), setter(&raw)];
+    [name.to_owned(), raw].into_iter().chain(exact).chain(setters).collect()
+}
+
+/// The getter of a scaled number is no `const fn`: with the name of an operator, clippy takes it for one.
+fn operator<'a>(member: &Member, name: &str, by: Claim<'a>) -> Option<Collision<'a>> {
+    let scaled = matches!(member.meaning, Meaning::Scaled(_));
+    let names: &[&str] = if member.repeat.is_some() { &spelling::OPERATORS } else { &["into_iter"] };
+    let first = Claim { what: What::Reserved("the method of an operator"), text: "", span: None, age: 0 };
+    let is_operator = scaled && names.contains(&name);
+    is_operator.then(|| Collision { scope: Scope::ViewMethods, name: name.to_owned(), first, second: by })
+}
+
+fn setter(name: &str) -> String {
+    format!("set_{name}")
+}
+
+fn claim(what: What, name: &Name) -> Claim<'_> {
+    Claim { what, text: &name.text, span: Some(name.span), age: 0 }
+}
+
+fn of_label(what: What, label: &Label) -> Claim<'_> {
+    claim(what, &label.name)
+}

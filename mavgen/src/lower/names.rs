@@ -1,0 +1,199 @@
+//! What everything of a dialect is called in Rust: decided here once, for the whole dialect, and read by all that comes later.
+//!
+//! The spelling is [`super::spelling`]'s; here is what depends on other names.
+
+mod check;
+
+use std::collections::HashSet;
+
+use super::{methods, spelling};
+use crate::diag::Diagnostics;
+use crate::ir::{Access, Dialect, Enum, FieldIndex, Kept, Label, Message, Partial, Slots, Switch, SwitchOn, View};
+
+/// The names of a dialect, in the order of its model. A keyword is not raw here: `type`, not `r#type`.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Names {
+    /// The type that holds any message: `Autoquad`. One that a type has already takes the suffix `Dialect`.
+    pub(crate) dialect: String,
+    /// Of [`Dialect::messages`].
+    pub(crate) messages: Vec<MessageNames>,
+    /// Of [`Dialect::enums`].
+    pub(crate) enums: Vec<EnumNames>,
+}
+
+/// The names of a message.
+#[derive(Clone, Debug)]
+pub(crate) struct MessageNames {
+    /// The type: `GpsRawInt`.
+    pub(crate) ty: String,
+    /// The module and file: `gps_raw_int`.
+    pub(crate) module: String,
+    /// Of [`Message::fields`].
+    pub(crate) fields: Vec<String>,
+    /// The fields that have a getter and a setter beside them, in their order.
+    pub(crate) accessors: Vec<FieldIndex>,
+    /// The getters of [`Message::bindings`].
+    pub(crate) bindings: Vec<String>,
+    /// Of [`Message::views`].
+    pub(crate) views: Vec<ViewNames>,
+}
+
+/// The names of a view.
+#[derive(Clone, Debug)]
+pub(crate) struct ViewNames {
+    /// The type: `Esc32Status`.
+    pub(crate) ty: String,
+    /// The module and file: `esc32_status`.
+    pub(crate) module: String,
+    /// How the message gives it.
+    pub(crate) access: AccessNames,
+    /// The getter of the field that its switch looks at; `None` if there is no switch, or it looks at bits.
+    pub(crate) switch: Option<String>,
+    /// The getters of [`View::members`].
+    pub(crate) members: Vec<String>,
+}
+
+/// What the methods of a message are called that give a view.
+#[derive(Clone, Debug)]
+pub(crate) enum AccessNames {
+    /// A getter; `set_` before it is the setter.
+    Once {
+        /// `flight_sw`.
+        getter: String,
+    },
+    /// Slots.
+    Slots {
+        /// The type of a slot: `Esc`.
+        item: String,
+        /// The getter: `esc`; `set_`, `push_` and, in private, `store_` stand before it.
+        getter: String,
+        /// The iterator: `escs`.
+        items: String,
+        /// The fields of a slot beside the view.
+        keys: Vec<String>,
+    },
+}
+
+/// The names of an enum.
+#[derive(Clone, Debug)]
+pub(crate) struct EnumNames {
+    /// The type: `MavState`. One that a message has already takes the suffix `Enum`.
+    pub(crate) ty: String,
+    /// The module and file: `mav_state`.
+    pub(crate) module: String,
+    /// Of [`Enum::entries`], without what they share.
+    pub(crate) constants: Vec<String>,
+}
+
+impl Names {
+    /// Names a dialect, also one with errors, and reports what collides.
+    pub(crate) fn check(partial: &Partial, diagnostics: &mut Diagnostics) -> Self {
+        let Partial { dialect, lost, .. } = partial;
+        let mut messages: Vec<_> = dialect.messages.iter().map(MessageNames::of).collect();
+        let lost = lost.iter().map(|message| spelling::type_name(&message.name.text));
+        let taken: HashSet<String> = messages.iter().map(|message| message.ty.clone()).chain(lost).collect();
+        let enums: Vec<_> = dialect.enums.iter().map(|values| EnumNames::of(values, &taken)).collect();
+        let types = check::types(partial, &messages, &enums, diagnostics);
+        let dialect_name = check::dialect(&dialect.name, &types, diagnostics);
+        check::fields(partial, &messages, diagnostics);
+        check::constants(dialect, &enums, diagnostics);
+        for (message, names) in dialect.messages.iter().zip(&mut messages) {
+            names.accessors = methods::check(message, names, diagnostics);
+        }
+        Self { dialect: dialect_name, messages, enums }
+    }
+
+    /// The names of a dialect without errors.
+    #[cfg(feature = "compare")]
+    pub(crate) fn of(dialect: &Dialect) -> Self {
+        let partial = Partial { dialect: dialect.clone(), lost: Vec::new(), lost_views: Vec::new() };
+        Self::check(&partial, &mut Diagnostics::default())
+    }
+
+    /// Puts the names into the model, for those who still look for them there.
+    pub(crate) fn write_into(&self, dialect: &mut Dialect) {
+        let label = |label: &mut Label| label.name.rust = spelling::field_name(&label.name.text);
+        dialect.type_name.clone_from(&self.dialect);
+        for (values, names) in dialect.enums.iter_mut().zip(&self.enums) {
+            values.name.rust.clone_from(&names.ty);
+            let entries = values.entries.iter_mut().zip(&names.constants);
+            entries.for_each(|(entry, constant)| entry.name.rust.clone_from(constant));
+        }
+        for (message, names) in dialect.messages.iter_mut().zip(&self.messages) {
+            message.name.rust.clone_from(&names.ty);
+            message.fields.iter_mut().zip(&names.fields).for_each(|(field, name)| field.name.rust.clone_from(name));
+            message.bindings.iter_mut().for_each(|binding| label(&mut binding.name));
+            for view in &mut message.views {
+                view.name.rust = spelling::type_name(&view.name.text);
+                view.members.iter_mut().for_each(|member| label(&mut member.name));
+                view.switch.iter_mut().for_each(|switch| label(&mut switch.name));
+                match &mut view.access {
+                    Access::Once { getter } => label(getter),
+                    Access::Slots(slots) => {
+                        slots.item.rust = spelling::type_name(&slots.item.text);
+                        label(&mut slots.items);
+                        slots.keys.iter_mut().for_each(|key| label(&mut key.name));
+                    }
+                }
+            }
+        }
+    }
+
+    /// Drops the names of what does not stay.
+    pub(crate) fn cut(&mut self, kept: &Kept) {
+        kept.cut_messages(&mut self.messages);
+        kept.cut_enums(&mut self.enums);
+    }
+}
+
+impl MessageNames {
+    /// The names of a message, without accessors so far: those hang on its other methods.
+    fn of(message: &Message) -> Self {
+        Self {
+            ty: spelling::type_name(&message.name.text),
+            module: spelling::item_module_name(&message.name.text),
+            fields: message.fields.iter().map(|field| spelling::field_name(&field.name.text)).collect(),
+            accessors: Vec::new(),
+            bindings: message.bindings.iter().map(|binding| spelling::label(&binding.name)).collect(),
+            views: message.views.iter().map(ViewNames::of).collect(),
+        }
+    }
+}
+
+impl ViewNames {
+    fn of(view: &View) -> Self {
+        let switch = view.switch.as_ref().and_then(|Switch { name, on, .. }| match on {
+            SwitchOn::Field(..) => Some(spelling::label(name)),
+            SwitchOn::Bits { .. } => None,
+        });
+        Self {
+            ty: spelling::type_name(&view.name.text),
+            module: spelling::item_module_name(&view.name.text),
+            access: match &view.access {
+                Access::Once { getter } => AccessNames::Once { getter: spelling::label(getter) },
+                Access::Slots(Slots { item, items, keys, .. }) => AccessNames::Slots {
+                    item: spelling::type_name(&item.text),
+                    getter: spelling::field_name(&item.text),
+                    items: spelling::label(items),
+                    keys: keys.iter().map(|key| spelling::label(&key.name)).collect(),
+                },
+            },
+            switch,
+            members: view.members.iter().map(|member| spelling::label(&member.name)).collect(),
+        }
+    }
+}
+
+impl EnumNames {
+    fn of(values: &Enum, messages: &HashSet<String>) -> Self {
+        let ty = spelling::type_name(&values.name.text);
+        let entries = values.entries.iter().map(|entry| entry.name.text.as_str());
+        let own = values.entries.iter().filter(|entry| entry.origin.file == values.defined_in);
+        let own: Vec<&str> = own.map(|entry| entry.name.text.as_str()).collect();
+        Self {
+            ty: if messages.contains(&ty) { spelling::suffixed(&ty, "Enum") } else { ty },
+            module: spelling::item_module_name(&values.name.text),
+            constants: spelling::constant_names(&values.name.text, &own, &entries.collect::<Vec<_>>()),
+        }
+    }
+}

@@ -1,0 +1,88 @@
+//! That no two types, fields or constants become one in Rust.
+
+use super::{EnumNames, MessageNames};
+use crate::diag::Diagnostics;
+use crate::ir::{Access, Dialect, FileIndex, Name, Partial};
+use crate::lower::names::AccessNames;
+use crate::lower::namespace::{Claim, Collision, Namespace, Scope, What};
+use crate::lower::{collision, spelling};
+
+/// Checks the types of a dialect, and gives what has which name.
+pub(super) fn types<'a>(
+    partial: &'a Partial,
+    messages: &[MessageNames],
+    enums: &[EnumNames],
+    diagnostics: &mut Diagnostics,
+) -> Namespace<'a> {
+    let Partial { dialect, lost, lost_views } = partial;
+    let claim = |what, name: &'a Name, file: FileIndex| Claim { age: dialect.age(file), ..claim(what, name) };
+    let mut claims: Vec<(String, Claim<'a>)> = Vec::new();
+    for (message, names) in dialect.messages.iter().zip(messages) {
+        claims.push((names.ty.clone(), claim(What::Message, &message.name, message.origin.file)));
+        for (view, names) in message.views.iter().zip(&names.views) {
+            claims.push((names.ty.clone(), claim(What::View, &view.name, view.origin.file)));
+            if let (Access::Slots(slots), AccessNames::Slots { item, .. }) = (&view.access, &names.access) {
+                claims.push((item.clone(), claim(What::View, &slots.item, view.origin.file)));
+            }
+        }
+    }
+    for (values, names) in dialect.enums.iter().zip(enums) {
+        claims.push((names.ty.clone(), claim(What::Enum, &values.name, values.named_in)));
+    }
+    let lost = lost.iter().map(|lost| (&lost.name, lost.file, What::Message));
+    let lost_views = lost_views.iter().map(|lost| (&lost.name, lost.file, What::View));
+    claims.extend(
+        lost.chain(lost_views).map(|(name, file, what)| (spelling::type_name(&name.text), claim(what, name, file))),
+    );
+    claims.sort_by_key(|(_, claim)| (claim.what, claim.span.map(|span| span.start)));
+    let mut types = Namespace::of(Scope::Types);
+    report(&types.claim_by_age(claims), diagnostics);
+    types
+}
+
+/// Names the dialect's own type, which is called after its file, and a file can be called anything.
+pub(super) fn dialect(name: &str, types: &Namespace<'_>, diagnostics: &mut Diagnostics) -> String {
+    let own = spelling::dialect_type_name(name);
+    let own = if types.get(&own).is_some() { spelling::suffixed(&own, "Dialect") } else { own };
+    match types.get(&own) {
+        Some(first) => diagnostics.push(collision::of_dialect(name, &own, first)),
+        None if Name::fault(&own).is_some() => diagnostics.push(collision::no_name(name)),
+        None => {}
+    }
+    own
+}
+
+/// Checks the fields of all messages, also of those that could not be resolved.
+pub(super) fn fields(partial: &Partial, messages: &[MessageNames], diagnostics: &mut Diagnostics) {
+    for (message, names) in partial.dialect.messages.iter().zip(messages) {
+        let fields = message.fields.iter().zip(&names.fields);
+        apart(Scope::Fields, fields.map(|(field, own)| (own.clone(), claim(What::Field, &field.name))), diagnostics);
+    }
+    for message in &partial.lost {
+        let fields = message.fields.iter();
+        let claims = fields.map(|name| (spelling::field_name(&name.text), claim(What::Field, name)));
+        apart(Scope::Fields, claims, diagnostics);
+    }
+}
+
+/// Checks the constants of all enums.
+pub(super) fn constants(dialect: &Dialect, enums: &[EnumNames], diagnostics: &mut Diagnostics) {
+    for (values, names) in dialect.enums.iter().zip(enums) {
+        let claims = values.entries.iter().zip(&names.constants).map(|(entry, own)| {
+            (own.clone(), Claim { age: dialect.age(entry.origin.file), ..claim(What::Entry, &entry.name) })
+        });
+        apart(Scope::Constants, claims, diagnostics);
+    }
+}
+
+fn claim(what: What, name: &Name) -> Claim<'_> {
+    Claim { what, text: &name.text, span: Some(name.span), age: 0 }
+}
+
+fn apart<'a>(scope: Scope, claims: impl Iterator<Item = (String, Claim<'a>)>, diagnostics: &mut Diagnostics) {
+    report(&Namespace::of(scope).claim_by_age(claims.collect()), diagnostics);
+}
+
+fn report(collisions: &[Collision<'_>], diagnostics: &mut Diagnostics) {
+    diagnostics.extend(collisions.iter().filter_map(collision::diagnostic));
+}

@@ -1,0 +1,205 @@
+//! Names that have to differ from each other: one [`Namespace`] for every scope, which finds each collision and says none.
+//! [`super::collision`] does that.
+//!
+//! | scope | what has names there | on a collision |
+//! |---|---|---|
+//! | [`Scope::Types`] | messages, enums (suffix `Enum`), views, slots, the dialect (suffix `Dialect`) | M601 |
+//! | [`Scope::Fields`] | the fields of a message | M601 |
+//! | [`Scope::Constants`] | the entries of an enum | M601 |
+//! | [`Scope::Methods`] | accessors of fields, bindings, how a message gives its views | M603 for accessors, else M601 |
+//! | [`Scope::ViewMethods`] | the getter of the switch, and all methods of members | M601 |
+//! | [`Scope::SlotFields`] | the view, and the keys | M601 |
+//! | [`Scope::Modules`] | the dialects of a tree | M802 |
+//!
+//! Other names follow from these: variants of the dialect are its message types, flat exports are all types. Files are
+//! named after types; where two of several dialects would share one, each goes to its own dialect ([`super::link`]). Two bits
+//! of one name in one case are a fact of the overlay, which `resolve` reports.
+
+use std::collections::HashMap;
+
+use super::spelling;
+use crate::source::Span;
+
+/// What has to differ.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Scope {
+    /// The types of a dialect.
+    Types,
+    /// The fields of a message.
+    Fields,
+    /// The constants of an enum.
+    Constants,
+    /// The methods of a message.
+    Methods,
+    /// The methods of a view.
+    ViewMethods,
+    /// The fields of a slot.
+    SlotFields,
+    /// The modules of the dialects in one tree.
+    Modules,
+}
+
+/// What has a name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum What {
+    /// Nothing of the definitions: this is what has it.
+    Reserved(&'static str),
+    /// A message.
+    Message,
+    /// An enum.
+    Enum,
+    /// A view, or the slot that it is in.
+    View,
+    /// A field.
+    Field,
+    /// An entry of an enum.
+    Entry,
+    /// A field with a getter and a setter beside it.
+    Accessors,
+    /// An enum that an overlay binds to a field.
+    Binding,
+    /// The field that the switch of a view looks at.
+    Switch,
+    /// Bits of a view.
+    Member,
+    /// A field that is copied into a slot.
+    Key,
+    /// A dialect in a tree of several.
+    Root,
+}
+
+/// Something that would like to have a name.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Claim<'a> {
+    /// What it is.
+    pub(super) what: What,
+    /// How it is spelled where it was written.
+    pub(super) text: &'a str,
+    /// Where that is.
+    pub(super) span: Option<Span>,
+    /// The age of its file: [`crate::ir::Dialect::age`].
+    pub(super) age: usize,
+}
+
+/// A name that two things would like to have.
+#[derive(Clone, Debug)]
+pub(super) struct Collision<'a> {
+    /// Where.
+    pub(super) scope: Scope,
+    /// The name.
+    pub(super) name: String,
+    /// What has it.
+    pub(super) first: Claim<'a>,
+    /// What came later.
+    pub(super) second: Claim<'a>,
+}
+
+/// The names of a scope, and what has each.
+pub(super) struct Namespace<'a> {
+    scope: Scope,
+    taken: HashMap<String, Claim<'a>>,
+}
+
+impl<'a> Namespace<'a> {
+    /// A scope in which nothing has a name but what is in every one of its kind.
+    pub(super) fn of(scope: Scope) -> Self {
+        let mut namespace = Self { scope, taken: HashMap::new() };
+        let reserved: &[(&str, &[&str])] = match scope {
+            Scope::Methods => &[("a method of every message", &spelling::MESSAGE_METHODS)],
+            Scope::ViewMethods => &[("a method of every view", &spelling::VIEW_METHODS)],
+            Scope::SlotFields => &[("the field of every slot that holds the view", &[spelling::SLOT_VIEW])],
+            Scope::Types | Scope::Fields | Scope::Constants | Scope::Modules => &[],
+        };
+        for (what, names) in reserved {
+            namespace.reserve(what, names);
+        }
+        namespace
+    }
+
+    /// Takes names that nothing of the definitions can have here.
+    pub(super) fn reserve(&mut self, what: &'static str, names: &[&str]) {
+        let claim = Claim { what: What::Reserved(what), text: "", span: None, age: 0 };
+        self.taken.extend(names.iter().map(|name| ((*name).to_owned(), claim)));
+    }
+
+    /// What has a name.
+    pub(super) fn get(&self, name: &str) -> Option<&Claim<'a>> {
+        self.taken.get(name)
+    }
+
+    /// Takes a name; if something has it, the collision.
+    #[must_use]
+    pub(super) fn claim(&mut self, name: String, second: Claim<'a>) -> Option<Collision<'a>> {
+        if let Some(&first) = self.taken.get(&name) {
+            return Some(Collision { scope: self.scope, name, first, second });
+        }
+        self.taken.insert(name, second);
+        None
+    }
+
+    /// Takes all of these names, or none: then the collision of one that something else has.
+    #[must_use]
+    pub(super) fn claim_all(&mut self, names: &[String], second: Claim<'a>) -> Option<Collision<'a>> {
+        if let Some((name, &first)) = names.iter().find_map(|name| self.taken.get_key_value(name)) {
+            return Some(Collision { scope: self.scope, name: name.clone(), first, second });
+        }
+        self.taken.extend(names.iter().map(|name| (name.clone(), second)));
+        None
+    }
+
+    /// Takes those of these names that are free; the collision is that of the first that is not.
+    #[must_use]
+    pub(super) fn claim_each(&mut self, names: &[String], by: Claim<'a>) -> Option<Collision<'a>> {
+        names.iter().fold(None, |found, name| {
+            let collision = self.claim(name.clone(), by);
+            found.or(collision)
+        })
+    }
+
+    /// Takes names, those of older files first; of one file in the order in which they come.
+    #[must_use]
+    pub(super) fn claim_by_age(&mut self, mut claims: Vec<(String, Claim<'a>)>) -> Vec<Collision<'a>> {
+        claims.sort_by_key(|(_, claim)| claim.age);
+        claims.into_iter().filter_map(|(name, claim)| self.claim(name, claim)).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn by(what: What, text: &str, age: usize) -> Claim<'_> {
+        Claim { what, text, span: None, age }
+    }
+
+    fn names(names: &[&str]) -> Vec<String> {
+        names.iter().map(|name| (*name).to_owned()).collect()
+    }
+
+    #[test]
+    fn all_or_none() {
+        let mut methods = Namespace::of(Scope::Methods);
+        assert!(methods.claim_all(&names(&["x", "set_x"]), by(What::Accessors, "x", 0)).is_none());
+        let lost = methods.claim_all(&names(&["set_set_x", "set_x"]), by(What::Accessors, "set_x", 0)).unwrap();
+        assert_eq!((lost.name.as_str(), lost.first.text), ("set_x", "x"));
+        assert!(methods.get("set_set_x").is_none());
+        assert!(matches!(methods.get("info"), Some(Claim { what: What::Reserved(_), .. })));
+    }
+
+    #[test]
+    fn each_that_is_free() {
+        let mut view = Namespace::of(Scope::ViewMethods);
+        let collision = view.claim_each(&names(&["bits", "a", "a"]), by(What::Member, "bits", 0)).unwrap();
+        assert_eq!(collision.name, "bits");
+        assert_eq!(view.get("a").map(|claim| claim.text), Some("bits"));
+    }
+
+    #[test]
+    fn the_younger_one_collides() {
+        let claims = [("X", "young", 1), ("X", "old", 0), ("Y", "young", 1), ("Y", "younger", 1)];
+        let claims = claims.map(|(name, text, age)| (name.to_owned(), by(What::Message, text, age))).to_vec();
+        let found = Namespace::of(Scope::Types).claim_by_age(claims);
+        let found: Vec<_> = found.iter().map(|collision| (collision.first.text, collision.second.text)).collect();
+        assert_eq!(found, [("old", "young"), ("young", "younger")]);
+    }
+}
