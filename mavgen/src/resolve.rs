@@ -128,8 +128,7 @@ fn widths(
 /// The files of the model: those of the dialect, then the overlays.
 fn files(loaded: &Loaded, sources: &Sources) -> Vec<File> {
     let files = loaded.files.iter().zip(loaded.includes.iter().cloned().chain(std::iter::repeat_with(Vec::new)));
-    let files =
-        files.map(|(file, includes)| File { name: sources.name(file.id), includes, overlay: false });
+    let files = files.map(|(file, includes)| File { name: sources.name(file.id), includes, overlay: false });
     let overlays = loaded.overlays.iter().map(|overlay| File {
         name: sources.name(overlay.id),
         includes: Vec::new(),
