@@ -21,6 +21,8 @@ mod token;
 mod ty;
 mod view;
 
+use std::collections::BTreeSet;
+
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -233,15 +235,16 @@ impl Job<'_> {
 
     /// The first line; in the root module also what it was made of.
     fn header(&self, context: &Context<'_>) -> String {
-        let origin: Option<&Origin> = match self.file {
-            File::View(_, view) => Some(&view.origin),
-            File::Message(message) => Some(&message.origin),
-            File::Enum(values) => Some(&values.origin),
-            _ => None,
+        let files = match self.file {
+            File::View(message, view) => message.origin.files().chain(view.origin.files()).collect(),
+            File::Message(message) => message.files(),
+            File::Enum(values) => values.files(),
+            _ => BTreeSet::new(),
         };
-        let file = origin.and_then(|origin| context.dialect.file(origin.file));
-        let name = file.map_or(self.folder.sources.as_str(), |file| file.name.as_str());
-        let head = format!("{MARK} from {name}; do not edit.");
+        let names: Vec<&str> =
+            files.iter().filter_map(|file| Some(context.dialect.file(*file)?.name.as_str())).collect();
+        let names = if names.is_empty() { self.folder.sources.clone() } else { names.join(", ") };
+        let head = format!("{MARK} from {names}; do not edit.");
         match self.file {
             File::Root if self.folder.home == Home::Shared => {
                 format!("{head}\n{ROOT_MARK}{}, {}", env!("CARGO_PKG_VERSION"), context.options.sources)

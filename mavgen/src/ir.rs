@@ -110,6 +110,8 @@ pub struct Successor {
 pub struct Origin {
     /// The file.
     pub file: FileIndex,
+    /// The overlays that add to it.
+    pub overlays: Vec<FileIndex>,
     /// The start tag.
     pub span: Span,
     /// The description as the XML has it, with entities expanded; empty where there is none.
@@ -119,6 +121,17 @@ pub struct Origin {
 }
 
 impl Origin {
+    /// The file and the overlays.
+    pub fn files(&self) -> impl Iterator<Item = FileIndex> {
+        std::iter::once(self.file).chain(self.overlays.iter().copied())
+    }
+
+    /// Changes every mention of a file.
+    pub(crate) fn map_files(&mut self, change: impl Fn(&mut FileIndex)) {
+        change(&mut self.file);
+        self.overlays.iter_mut().for_each(change);
+    }
+
     /// Adds a paragraph to the description.
     pub(crate) fn append(&mut self, paragraph: &str) {
         if !self.description.trim().is_empty() {

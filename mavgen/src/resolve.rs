@@ -99,6 +99,7 @@ pub(crate) fn passes(loaded: &Loaded, sources: &Sources, diagnostics: &mut Diagn
     let (name, type_name) = (loaded.name.clone(), String::new());
     let mut dialect = Dialect { name, type_name, version, files: files(loaded, sources), enums: models, messages };
     overlay::note(loaded, &mut dialect, &losses, diagnostics);
+    overlay::credit(loaded, &mut dialect);
     let (lost, lost_views) = (lost::messages(loaded, &dialect), lost::views(loaded, &dialect));
     Some(Partial { dialect, lost, lost_views })
 }

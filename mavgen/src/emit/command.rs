@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! impl MavCmd {
-//!     /// The parameters that the command documents, by index; those left out are reserved.
+//!     /// What is known of the command's parameters, by index: those left out are reserved, or have nothing but a description.
 //!     pub fn params(self) -> &'static [wire::ParamInfo] {
 //!         …
 //!     }
@@ -31,7 +31,7 @@ pub(crate) fn params(context: &Context<'_>, values: &Enum) -> TokenStream {
     let (name, int, count) = (ident(&values.name.rust), repr(values.repr), decimal(rows.len() as u64));
     quote! {
         impl #name {
-            /// The parameters that the command documents, by index; those left out are reserved.
+            /// What is known of the command's parameters, by index: those left out are reserved, or have nothing but a description.
             pub fn params(self) -> &'static [wire::ParamInfo] {
                 let found = PARAMS.binary_search_by_key(&self.0, |&(command, _)| command);
                 found.ok().and_then(|at| PARAMS.get(at)).map_or(&[], |&(_, params)| params)
@@ -42,13 +42,14 @@ pub(crate) fn params(context: &Context<'_>, values: &Enum) -> TokenStream {
 }
 
 fn row(context: &Context<'_>, entry: &Entry) -> Option<TokenStream> {
-    let params = &entry.command.as_ref().filter(|command| !command.params.is_empty())?.params;
-    let (value, params) = (decimal(entry.value), params.iter().map(|param| info(context, param)));
-    Some(quote!((#value, &[#(#params),*])))
+    let infos: Vec<TokenStream> =
+        entry.command.as_ref()?.params.iter().filter_map(|param| info(context, param)).collect();
+    let value = decimal(entry.value);
+    (!infos.is_empty()).then(|| quote!((#value, &[#(#infos),*])))
 }
 
-/// `wire::ParamInfo::new(1).label("Hold").units("s").min(0.0)`
-fn info(context: &Context<'_>, param: &Param) -> TokenStream {
+/// `wire::ParamInfo::new(1).label("Hold").units("s").min(0.0)`; nothing where nothing is known.
+fn info(context: &Context<'_>, param: &Param) -> Option<TokenStream> {
     let index = decimal(param.index);
     let label = param.label.as_ref().map(|label| quote!(.label(#label)));
     let units = param.units.as_ref().map(|units| quote!(.units(#units)));
@@ -65,7 +66,8 @@ fn info(context: &Context<'_>, param: &Param) -> TokenStream {
     let increment = number("increment", param.limits.increment);
     let default = number("default", param.default);
     let reserved = param.reserved.then(|| quote!(.reserved()));
-    quote!(wire::ParamInfo::new(#index)#label #units #values #min #max #increment #default #reserved)
+    let facts = quote!(#label #units #values #min #max #increment #default #reserved);
+    (!facts.is_empty()).then(|| quote!(wire::ParamInfo::new(#index) #facts))
 }
 
 fn enum_of<'a>(context: &Context<'a>, param: &Param) -> Option<&'a Enum> {

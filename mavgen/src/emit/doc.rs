@@ -123,7 +123,17 @@ pub(crate) fn link(name: &Name) -> String {
 }
 
 /// A markdown table with aligned columns: the first to the right, the last as it is.
+///
+/// A column without content is left out.
 pub(crate) fn table(head: &[&str], rows: &[Vec<String>]) -> Vec<String> {
+    let told = |column: &usize| rows.iter().filter_map(|row| row.get(*column)).any(|cell| !cell.is_empty());
+    let columns: Vec<usize> = (0..head.len()).filter(told).collect();
+    let head: Vec<&str> = columns.iter().filter_map(|&column| head.get(column).copied()).collect();
+    let chosen = |row: &Vec<String>| columns.iter().filter_map(|&column| row.get(column).cloned()).collect();
+    aligned(&head, &rows.iter().map(chosen).collect::<Vec<_>>())
+}
+
+fn aligned(head: &[&str], rows: &[Vec<String>]) -> Vec<String> {
     let last = head.len().saturating_sub(1);
     let width = |(column, title): (usize, &&str)| {
         let cells = rows.iter().filter_map(|row| row.get(column)).map(|cell| cell.chars().count());
@@ -193,6 +203,13 @@ mod tests {
             "|      0 | `time` | us |",
             "|     10 | `x`    |  |",
         ];
+        assert_eq!(table(&["offset", "field", "units"], &rows), lines);
+    }
+
+    #[test]
+    fn a_table_has_no_empty_column() {
+        let rows = [["0", "`time`", ""], ["10", "`x`", ""]].map(|row| row.map(str::to_owned).to_vec());
+        let lines = ["| offset | field |", "|-------:|---|", "|      0 | `time` |", "|     10 | `x` |"];
         assert_eq!(table(&["offset", "field", "units"], &rows), lines);
     }
 }

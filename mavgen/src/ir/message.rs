@@ -1,8 +1,9 @@
 //! Messages and fields of the resolved dialect.
 
+use std::collections::BTreeSet;
 use std::num::NonZeroU8;
 
-use super::{Binding, EnumId, Name, Origin, View};
+use super::{Binding, EnumId, FileIndex, Name, Origin, View};
 
 /// A message.
 #[derive(Clone, Debug)]
@@ -28,6 +29,12 @@ pub struct Message {
 }
 
 impl Message {
+    /// Every file that it is written in: its own, and the overlays.
+    pub fn files(&self) -> BTreeSet<FileIndex> {
+        let fields = self.fields.iter().flat_map(|field| field.origin.files());
+        self.origin.files().chain(fields).collect()
+    }
+
     /// The fields in wire order: by offset.
     pub fn wire_order(&self) -> Vec<&Field> {
         let mut fields: Vec<&Field> = self.fields.iter().collect();

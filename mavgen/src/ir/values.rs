@@ -1,5 +1,7 @@
 //! Enums, entries and command parameters of the resolved dialect.
 
+use std::collections::BTreeSet;
+
 use super::{EnumId, FileIndex, Limits, Name, Origin};
 
 /// An enum or, with [`Enum::bitmask`], a set of flags.
@@ -22,6 +24,14 @@ pub struct Enum {
     pub defined_in: FileIndex,
     /// Where it comes from: its first definition in merge order, with the first description that is not empty.
     pub origin: Origin,
+}
+
+impl Enum {
+    /// Every file that it is written in: that which owns it, those that add entries, and the overlays.
+    pub fn files(&self) -> BTreeSet<FileIndex> {
+        let entries = self.entries.iter().flat_map(|entry| entry.origin.files());
+        self.origin.files().chain(entries).chain([self.defined_in]).collect()
+    }
 }
 
 /// An entry of an enum.

@@ -167,7 +167,13 @@ fn origin(merged: &Merged<'_>, owner: FileIndex, diagnostics: &mut Diagnostics) 
             description = &text.value;
         }
     }
-    Origin { file: merged.file, span: merged.span, description: description.to_owned(), lifecycle }
+    Origin {
+        file: merged.file,
+        overlays: Vec::new(),
+        span: merged.span,
+        description: description.to_owned(),
+        lifecycle,
+    }
 }
 
 #[cfg(test)]

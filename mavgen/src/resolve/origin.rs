@@ -32,6 +32,12 @@ impl Described<'_> {
     /// The origin.
     pub(super) fn origin(self, diagnostics: &mut Diagnostics) -> Origin {
         let lifecycle = self.lifecycle.map(|element| lifecycle::resolve(element, diagnostics));
-        Origin { file: self.file, span: self.span, description: or_empty(self.description), lifecycle }
+        Origin {
+            file: self.file,
+            overlays: Vec::new(),
+            span: self.span,
+            description: or_empty(self.description),
+            lifecycle,
+        }
     }
 }

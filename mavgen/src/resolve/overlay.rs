@@ -3,6 +3,7 @@
 mod bind;
 mod carrier;
 mod condition;
+mod credit;
 mod head;
 mod list;
 mod note;
@@ -26,6 +27,7 @@ use crate::syntax::overlay::Additions;
 
 pub(super) use carrier::{Carrier, CarrierPlace, check as check_carriers};
 pub(super) use condition::resolve as condition;
+pub(super) use credit::credit;
 pub(super) use head::check as check_heads;
 pub(super) use list::parts;
 pub(super) use note::apply as note;

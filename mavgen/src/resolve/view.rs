@@ -46,6 +46,7 @@ pub(super) fn resolve<'a>(
         members: layout.members,
         origin: Origin {
             file: scene.file,
+            overlays: Vec::new(),
             span: element.span,
             description: origin::or_empty(element.description.as_ref()),
             lifecycle: None,

@@ -36,16 +36,16 @@ impl Files {
 fn each(dialect: &mut Dialect, change: impl Fn(&mut FileIndex)) {
     for values in &mut dialect.enums {
         change(&mut values.defined_in);
-        change(&mut values.origin.file);
+        values.origin.map_files(&change);
         for entry in &mut values.entries {
-            change(&mut entry.origin.file);
+            entry.origin.map_files(&change);
             let params = entry.command.iter_mut().flat_map(|command| &mut command.params);
-            params.for_each(|param| change(&mut param.origin.file));
+            params.for_each(|param| param.origin.map_files(&change));
         }
     }
     for message in &mut dialect.messages {
-        change(&mut message.origin.file);
-        message.fields.iter_mut().for_each(|field| change(&mut field.origin.file));
-        message.views.iter_mut().for_each(|view| change(&mut view.origin.file));
+        message.origin.map_files(&change);
+        message.fields.iter_mut().for_each(|field| field.origin.map_files(&change));
+        message.views.iter_mut().for_each(|view| view.origin.map_files(&change));
     }
 }

@@ -48,18 +48,30 @@ fn is_broken(subject: &Subject<'_>, loaded: &Loaded, dialect: &Dialect) -> bool 
 
 /// What the attributes say.
 fn subject<'n>(note: &'n Note, diagnostics: &mut Diagnostics) -> Option<Subject<'n>> {
+    read(note)
+        .map_err(|wrong| {
+            let problem = Diagnostic::new(Code::Note, note.span, wrong);
+            diagnostics
+                .push(problem.help("write `message=`, with or without `field=`, or `enum=`, with or without `entry=`"));
+        })
+        .ok()
+}
+
+fn read(note: &Note) -> Result<Subject<'_>, &'static str> {
     let Note { message, field, values, entry, .. } = note;
-    let wrong = match (message, field, values, entry) {
-        (Some(message), field, None, None) => return Some(Subject::Message(message, field.as_ref())),
-        (None, None, Some(values), entry) => return Some(Subject::Enum(values, entry.as_ref())),
-        (None, None, None, None) => "a note does not say what it is about",
-        (None, Some(_), _, _) => "a note about a field does not say of which message",
-        (_, _, None, Some(_)) => "a note about an entry does not say of which enum",
-        (Some(_), _, Some(_), _) => "a note is about a message and an enum",
-    };
-    let problem = Diagnostic::new(Code::Note, note.span, wrong);
-    diagnostics.push(problem.help("write `message=`, with or without `field=`, or `enum=`, with or without `entry=`"));
-    None
+    match (message, field, values, entry) {
+        (Some(message), field, None, None) => Ok(Subject::Message(message, field.as_ref())),
+        (None, None, Some(values), entry) => Ok(Subject::Enum(values, entry.as_ref())),
+        (None, None, None, None) => Err("a note does not say what it is about"),
+        (None, Some(_), _, _) => Err("a note about a field does not say of which message"),
+        (_, _, None, Some(_)) => Err("a note about an entry does not say of which enum"),
+        (Some(_), _, Some(_), _) => Err("a note is about a message and an enum"),
+    }
+}
+
+/// What a note is about, in the model.
+pub(super) fn origin_of<'d>(note: &Note, dialect: &'d mut Dialect) -> Option<&'d mut Origin> {
+    origin(&read(note).ok()?, dialect)
 }
 
 fn origin<'d>(subject: &Subject<'_>, dialect: &'d mut Dialect) -> Option<&'d mut Origin> {

@@ -8,9 +8,9 @@ use wire::generated::{get, put};
 /// `AUTH_KEY`, message 7 of `common.xml`: 32 bytes, CRC_EXTRA 119.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#AUTH_KEY).
 ///
-/// | offset | field | type       | units |
-/// |-------:|-------|------------|---|
-/// |      0 | `key` | `char[32]` |  |
+/// | offset | field | type |
+/// |-------:|-------|---|
+/// |      0 | `key` | `char[32]` |
 #[doc(alias = "AUTH_KEY")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AuthKey {

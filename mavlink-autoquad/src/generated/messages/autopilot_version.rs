@@ -9,20 +9,20 @@ use wire::generated::{get, put};
 /// `AUTOPILOT_VERSION`, message 148 of `standard.xml`: 78 bytes, 60 in MAVLink 1, CRC_EXTRA 178.
 /// See the [message reference](https://mavlink.io/en/messages/standard.html#AUTOPILOT_VERSION).
 ///
-/// | offset | field                       | type          | units |
-/// |-------:|-----------------------------|---------------|---|
-/// |      0 | `capabilities`              | `uint64_t`    |  |
-/// |      8 | `uid`                       | `uint64_t`    |  |
-/// |     16 | `flight_sw_version`         | `uint32_t`    |  |
-/// |     20 | `middleware_sw_version`     | `uint32_t`    |  |
-/// |     24 | `os_sw_version`             | `uint32_t`    |  |
-/// |     28 | `board_version`             | `uint32_t`    |  |
-/// |     32 | `vendor_id`                 | `uint16_t`    |  |
-/// |     34 | `product_id`                | `uint16_t`    |  |
-/// |     36 | `flight_custom_version`     | `uint8_t[8]`  |  |
-/// |     44 | `middleware_custom_version` | `uint8_t[8]`  |  |
-/// |     52 | `os_custom_version`         | `uint8_t[8]`  |  |
-/// |     60 | `uid2` (extension)          | `uint8_t[18]` |  |
+/// | offset | field                       | type |
+/// |-------:|-----------------------------|---|
+/// |      0 | `capabilities`              | `uint64_t` |
+/// |      8 | `uid`                       | `uint64_t` |
+/// |     16 | `flight_sw_version`         | `uint32_t` |
+/// |     20 | `middleware_sw_version`     | `uint32_t` |
+/// |     24 | `os_sw_version`             | `uint32_t` |
+/// |     28 | `board_version`             | `uint32_t` |
+/// |     32 | `vendor_id`                 | `uint16_t` |
+/// |     34 | `product_id`                | `uint16_t` |
+/// |     36 | `flight_custom_version`     | `uint8_t[8]` |
+/// |     44 | `middleware_custom_version` | `uint8_t[8]` |
+/// |     52 | `os_custom_version`         | `uint8_t[8]` |
+/// |     60 | `uid2` (extension)          | `uint8_t[18]` |
 #[doc(alias = "AUTOPILOT_VERSION")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AutopilotVersion {

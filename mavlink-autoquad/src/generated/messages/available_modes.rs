@@ -9,14 +9,14 @@ use wire::generated::{get, put};
 /// `AVAILABLE_MODES`, message 435 of `common.xml`: 46 bytes, CRC_EXTRA 134; MAVLink 2 only.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#AVAILABLE_MODES).
 ///
-/// | offset | field           | type       | units |
-/// |-------:|-----------------|------------|---|
-/// |      0 | `custom_mode`   | `uint32_t` |  |
-/// |      4 | `properties`    | `uint32_t` |  |
-/// |      8 | `number_modes`  | `uint8_t`  |  |
-/// |      9 | `mode_index`    | `uint8_t`  |  |
-/// |     10 | `standard_mode` | `uint8_t`  |  |
-/// |     11 | `mode_name`     | `char[35]` |  |
+/// | offset | field           | type |
+/// |-------:|-----------------|---|
+/// |      0 | `custom_mode`   | `uint32_t` |
+/// |      4 | `properties`    | `uint32_t` |
+/// |      8 | `number_modes`  | `uint8_t` |
+/// |      9 | `mode_index`    | `uint8_t` |
+/// |     10 | `standard_mode` | `uint8_t` |
+/// |     11 | `mode_name`     | `char[35]` |
 #[doc(alias = "AVAILABLE_MODES")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AvailableModes {

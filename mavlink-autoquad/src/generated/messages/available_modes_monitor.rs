@@ -8,9 +8,9 @@ use wire::generated::{get, put};
 /// `AVAILABLE_MODES_MONITOR`, message 437 of `common.xml`: 1 byte, CRC_EXTRA 30; MAVLink 2 only.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#AVAILABLE_MODES_MONITOR).
 ///
-/// | offset | field | type      | units |
-/// |-------:|-------|-----------|---|
-/// |      0 | `seq` | `uint8_t` |  |
+/// | offset | field | type |
+/// |-------:|-------|---|
+/// |      0 | `seq` | `uint8_t` |
 #[doc(alias = "AVAILABLE_MODES_MONITOR")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AvailableModesMonitor {

@@ -11,19 +11,19 @@ use wire::generated::{get, put};
 /// `CAMERA_TRACKING_IMAGE_STATUS`, message 275 of `common.xml`: 32 bytes, 31 without extensions, CRC_EXTRA 126; MAVLink 2 only.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#CAMERA_TRACKING_IMAGE_STATUS).
 ///
-/// | offset | field                          | type      | units |
-/// |-------:|--------------------------------|-----------|---|
-/// |      0 | `point_x`                      | `float`   |  |
-/// |      4 | `point_y`                      | `float`   |  |
-/// |      8 | `radius`                       | `float`   |  |
-/// |     12 | `rec_top_x`                    | `float`   |  |
-/// |     16 | `rec_top_y`                    | `float`   |  |
-/// |     20 | `rec_bottom_x`                 | `float`   |  |
-/// |     24 | `rec_bottom_y`                 | `float`   |  |
-/// |     28 | `tracking_status`              | `uint8_t` |  |
-/// |     29 | `tracking_mode`                | `uint8_t` |  |
-/// |     30 | `target_data`                  | `uint8_t` |  |
-/// |     31 | `camera_device_id` (extension) | `uint8_t` |  |
+/// | offset | field                          | type |
+/// |-------:|--------------------------------|---|
+/// |      0 | `point_x`                      | `float` |
+/// |      4 | `point_y`                      | `float` |
+/// |      8 | `radius`                       | `float` |
+/// |     12 | `rec_top_x`                    | `float` |
+/// |     16 | `rec_top_y`                    | `float` |
+/// |     20 | `rec_bottom_x`                 | `float` |
+/// |     24 | `rec_bottom_y`                 | `float` |
+/// |     28 | `tracking_status`              | `uint8_t` |
+/// |     29 | `tracking_mode`                | `uint8_t` |
+/// |     30 | `target_data`                  | `uint8_t` |
+/// |     31 | `camera_device_id` (extension) | `uint8_t` |
 #[doc(alias = "CAMERA_TRACKING_IMAGE_STATUS")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CameraTrackingImageStatus {

@@ -9,14 +9,14 @@ use wire::generated::{get, put};
 /// `CAN_FILTER_MODIFY`, message 388 of `common.xml`: 37 bytes, CRC_EXTRA 8; MAVLink 2 only.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#CAN_FILTER_MODIFY).
 ///
-/// | offset | field              | type           | units |
-/// |-------:|--------------------|----------------|---|
-/// |      0 | `ids`              | `uint16_t[16]` |  |
-/// |     32 | `target_system`    | `uint8_t`      |  |
-/// |     33 | `target_component` | `uint8_t`      |  |
-/// |     34 | `bus`              | `uint8_t`      |  |
-/// |     35 | `operation`        | `uint8_t`      |  |
-/// |     36 | `num_ids`          | `uint8_t`      |  |
+/// | offset | field              | type |
+/// |-------:|--------------------|---|
+/// |      0 | `ids`              | `uint16_t[16]` |
+/// |     32 | `target_system`    | `uint8_t` |
+/// |     33 | `target_component` | `uint8_t` |
+/// |     34 | `bus`              | `uint8_t` |
+/// |     35 | `operation`        | `uint8_t` |
+/// |     36 | `num_ids`          | `uint8_t` |
 #[doc(alias = "CAN_FILTER_MODIFY")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CanFilterModify {

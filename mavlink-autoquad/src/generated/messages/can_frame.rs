@@ -8,14 +8,14 @@ use wire::generated::{get, put};
 /// `CAN_FRAME`, message 386 of `common.xml`: 16 bytes, CRC_EXTRA 132; MAVLink 2 only.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#CAN_FRAME).
 ///
-/// | offset | field              | type         | units |
-/// |-------:|--------------------|--------------|---|
-/// |      0 | `id`               | `uint32_t`   |  |
-/// |      4 | `target_system`    | `uint8_t`    |  |
-/// |      5 | `target_component` | `uint8_t`    |  |
-/// |      6 | `bus`              | `uint8_t`    |  |
-/// |      7 | `len`              | `uint8_t`    |  |
-/// |      8 | `data`             | `uint8_t[8]` |  |
+/// | offset | field              | type |
+/// |-------:|--------------------|---|
+/// |      0 | `id`               | `uint32_t` |
+/// |      4 | `target_system`    | `uint8_t` |
+/// |      5 | `target_component` | `uint8_t` |
+/// |      6 | `bus`              | `uint8_t` |
+/// |      7 | `len`              | `uint8_t` |
+/// |      8 | `data`             | `uint8_t[8]` |
 #[doc(alias = "CAN_FRAME")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CanFrame {

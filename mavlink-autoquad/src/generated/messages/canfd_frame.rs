@@ -8,14 +8,14 @@ use wire::generated::{get, put};
 /// `CANFD_FRAME`, message 387 of `common.xml`: 72 bytes, CRC_EXTRA 4; MAVLink 2 only.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#CANFD_FRAME).
 ///
-/// | offset | field              | type          | units |
-/// |-------:|--------------------|---------------|---|
-/// |      0 | `id`               | `uint32_t`    |  |
-/// |      4 | `target_system`    | `uint8_t`     |  |
-/// |      5 | `target_component` | `uint8_t`     |  |
-/// |      6 | `bus`              | `uint8_t`     |  |
-/// |      7 | `len`              | `uint8_t`     |  |
-/// |      8 | `data`             | `uint8_t[64]` |  |
+/// | offset | field              | type |
+/// |-------:|--------------------|---|
+/// |      0 | `id`               | `uint32_t` |
+/// |      4 | `target_system`    | `uint8_t` |
+/// |      5 | `target_component` | `uint8_t` |
+/// |      6 | `bus`              | `uint8_t` |
+/// |      7 | `len`              | `uint8_t` |
+/// |      8 | `data`             | `uint8_t[64]` |
 #[doc(alias = "CANFD_FRAME")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CanfdFrame {

@@ -9,16 +9,16 @@ use wire::generated::{get, put};
 /// `CELLULAR_CONFIG`, message 336 of `common.xml`: 84 bytes, CRC_EXTRA 245; MAVLink 2 only.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#CELLULAR_CONFIG).
 ///
-/// | offset | field        | type       | units |
-/// |-------:|--------------|------------|---|
-/// |      0 | `enable_lte` | `uint8_t`  |  |
-/// |      1 | `enable_pin` | `uint8_t`  |  |
-/// |      2 | `pin`        | `char[16]` |  |
-/// |     18 | `new_pin`    | `char[16]` |  |
-/// |     34 | `apn`        | `char[32]` |  |
-/// |     66 | `puk`        | `char[16]` |  |
-/// |     82 | `roaming`    | `uint8_t`  |  |
-/// |     83 | `response`   | `uint8_t`  |  |
+/// | offset | field        | type |
+/// |-------:|--------------|---|
+/// |      0 | `enable_lte` | `uint8_t` |
+/// |      1 | `enable_pin` | `uint8_t` |
+/// |      2 | `pin`        | `char[16]` |
+/// |     18 | `new_pin`    | `char[16]` |
+/// |     34 | `apn`        | `char[32]` |
+/// |     66 | `puk`        | `char[16]` |
+/// |     82 | `roaming`    | `uint8_t` |
+/// |     83 | `response`   | `uint8_t` |
 #[doc(alias = "CELLULAR_CONFIG")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CellularConfig {

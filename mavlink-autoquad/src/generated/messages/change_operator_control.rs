@@ -8,12 +8,12 @@ use wire::generated::{get, put};
 /// `CHANGE_OPERATOR_CONTROL`, message 5 of `common.xml`: 28 bytes, CRC_EXTRA 217.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#CHANGE_OPERATOR_CONTROL).
 ///
-/// | offset | field             | type       | units |
-/// |-------:|-------------------|------------|---|
-/// |      0 | `target_system`   | `uint8_t`  |  |
-/// |      1 | `control_request` | `uint8_t`  |  |
-/// |      2 | `version`         | `uint8_t`  |  |
-/// |      3 | `passkey`         | `char[25]` |  |
+/// | offset | field             | type |
+/// |-------:|-------------------|---|
+/// |      0 | `target_system`   | `uint8_t` |
+/// |      1 | `control_request` | `uint8_t` |
+/// |      2 | `version`         | `uint8_t` |
+/// |      3 | `passkey`         | `char[25]` |
 #[doc(alias = "CHANGE_OPERATOR_CONTROL")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ChangeOperatorControl {

@@ -8,11 +8,11 @@ use wire::generated::{get, put};
 /// `CHANGE_OPERATOR_CONTROL_ACK`, message 6 of `common.xml`: 3 bytes, CRC_EXTRA 104.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#CHANGE_OPERATOR_CONTROL_ACK).
 ///
-/// | offset | field             | type      | units |
-/// |-------:|-------------------|-----------|---|
-/// |      0 | `gcs_system_id`   | `uint8_t` |  |
-/// |      1 | `control_request` | `uint8_t` |  |
-/// |      2 | `ack`             | `uint8_t` |  |
+/// | offset | field             | type |
+/// |-------:|-------------------|---|
+/// |      0 | `gcs_system_id`   | `uint8_t` |
+/// |      1 | `control_request` | `uint8_t` |
+/// |      2 | `ack`             | `uint8_t` |
 #[doc(alias = "CHANGE_OPERATOR_CONTROL_ACK")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ChangeOperatorControlAck {

@@ -11,11 +11,11 @@ use wire::generated::{get, put};
 /// `COMMAND_CANCEL`, message 80 of `common.xml`: 4 bytes, CRC_EXTRA 14.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#COMMAND_CANCEL).
 ///
-/// | offset | field              | type       | units |
-/// |-------:|--------------------|------------|---|
-/// |      0 | `command`          | `uint16_t` |  |
-/// |      2 | `target_system`    | `uint8_t`  |  |
-/// |      3 | `target_component` | `uint8_t`  |  |
+/// | offset | field              | type |
+/// |-------:|--------------------|---|
+/// |      0 | `command`          | `uint16_t` |
+/// |      2 | `target_system`    | `uint8_t` |
+/// |      3 | `target_component` | `uint8_t` |
 #[doc(alias = "COMMAND_CANCEL")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CommandCancel {

@@ -10,21 +10,21 @@ use wire::generated::{get, put};
 /// `COMMAND_INT`, message 75 of `common.xml`: 35 bytes, CRC_EXTRA 158.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#COMMAND_INT).
 ///
-/// | offset | field              | type       | units |
-/// |-------:|--------------------|------------|---|
-/// |      0 | `param1`           | `float`    |  |
-/// |      4 | `param2`           | `float`    |  |
-/// |      8 | `param3`           | `float`    |  |
-/// |     12 | `param4`           | `float`    |  |
-/// |     16 | `x`                | `int32_t`  |  |
-/// |     20 | `y`                | `int32_t`  |  |
-/// |     24 | `z`                | `float`    |  |
-/// |     28 | `command`          | `uint16_t` |  |
-/// |     30 | `target_system`    | `uint8_t`  |  |
-/// |     31 | `target_component` | `uint8_t`  |  |
-/// |     32 | `frame`            | `uint8_t`  |  |
-/// |     33 | `current`          | `uint8_t`  |  |
-/// |     34 | `autocontinue`     | `uint8_t`  |  |
+/// | offset | field              | type |
+/// |-------:|--------------------|---|
+/// |      0 | `param1`           | `float` |
+/// |      4 | `param2`           | `float` |
+/// |      8 | `param3`           | `float` |
+/// |     12 | `param4`           | `float` |
+/// |     16 | `x`                | `int32_t` |
+/// |     20 | `y`                | `int32_t` |
+/// |     24 | `z`                | `float` |
+/// |     28 | `command`          | `uint16_t` |
+/// |     30 | `target_system`    | `uint8_t` |
+/// |     31 | `target_component` | `uint8_t` |
+/// |     32 | `frame`            | `uint8_t` |
+/// |     33 | `current`          | `uint8_t` |
+/// |     34 | `autocontinue`     | `uint8_t` |
 #[doc(alias = "COMMAND_INT")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CommandInt {

@@ -9,19 +9,19 @@ use wire::generated::{get, put};
 /// `COMMAND_LONG`, message 76 of `common.xml`: 33 bytes, CRC_EXTRA 152.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#COMMAND_LONG).
 ///
-/// | offset | field              | type       | units |
-/// |-------:|--------------------|------------|---|
-/// |      0 | `param1`           | `float`    |  |
-/// |      4 | `param2`           | `float`    |  |
-/// |      8 | `param3`           | `float`    |  |
-/// |     12 | `param4`           | `float`    |  |
-/// |     16 | `param5`           | `float`    |  |
-/// |     20 | `param6`           | `float`    |  |
-/// |     24 | `param7`           | `float`    |  |
-/// |     28 | `command`          | `uint16_t` |  |
-/// |     30 | `target_system`    | `uint8_t`  |  |
-/// |     31 | `target_component` | `uint8_t`  |  |
-/// |     32 | `confirmation`     | `uint8_t`  |  |
+/// | offset | field              | type |
+/// |-------:|--------------------|---|
+/// |      0 | `param1`           | `float` |
+/// |      4 | `param2`           | `float` |
+/// |      8 | `param3`           | `float` |
+/// |     12 | `param4`           | `float` |
+/// |     16 | `param5`           | `float` |
+/// |     20 | `param6`           | `float` |
+/// |     24 | `param7`           | `float` |
+/// |     28 | `command`          | `uint16_t` |
+/// |     30 | `target_system`    | `uint8_t` |
+/// |     31 | `target_component` | `uint8_t` |
+/// |     32 | `confirmation`     | `uint8_t` |
 #[doc(alias = "COMMAND_LONG")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CommandLong {

@@ -11,10 +11,10 @@ use wire::generated::{get, put};
 /// `CURRENT_EVENT_SEQUENCE`, message 411 of `common.xml`: 3 bytes, CRC_EXTRA 106; MAVLink 2 only.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#CURRENT_EVENT_SEQUENCE).
 ///
-/// | offset | field      | type       | units |
-/// |-------:|------------|------------|---|
-/// |      0 | `sequence` | `uint16_t` |  |
-/// |      2 | `flags`    | `uint8_t`  |  |
+/// | offset | field      | type |
+/// |-------:|------------|---|
+/// |      0 | `sequence` | `uint16_t` |
+/// |      2 | `flags`    | `uint8_t` |
 #[doc(alias = "CURRENT_EVENT_SEQUENCE")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CurrentEventSequence {

@@ -9,11 +9,11 @@ use wire::generated::{get, put};
 /// `CURRENT_MODE`, message 436 of `common.xml`: 9 bytes, CRC_EXTRA 193; MAVLink 2 only.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#CURRENT_MODE).
 ///
-/// | offset | field                  | type       | units |
-/// |-------:|------------------------|------------|---|
-/// |      0 | `custom_mode`          | `uint32_t` |  |
-/// |      4 | `intended_custom_mode` | `uint32_t` |  |
-/// |      8 | `standard_mode`        | `uint8_t`  |  |
+/// | offset | field                  | type |
+/// |-------:|------------------------|---|
+/// |      0 | `custom_mode`          | `uint32_t` |
+/// |      4 | `intended_custom_mode` | `uint32_t` |
+/// |      8 | `standard_mode`        | `uint8_t` |
 #[doc(alias = "CURRENT_MODE")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CurrentMode {

@@ -8,10 +8,10 @@ use wire::generated::{get, put};
 /// `ENCAPSULATED_DATA`, message 131 of `common.xml`: 255 bytes, CRC_EXTRA 223.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#ENCAPSULATED_DATA).
 ///
-/// | offset | field   | type           | units |
-/// |-------:|---------|----------------|---|
-/// |      0 | `seqnr` | `uint16_t`     |  |
-/// |      2 | `data`  | `uint8_t[253]` |  |
+/// | offset | field   | type |
+/// |-------:|---------|---|
+/// |      0 | `seqnr` | `uint16_t` |
+/// |      2 | `data`  | `uint8_t[253]` |
 #[doc(alias = "ENCAPSULATED_DATA")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EncapsulatedData {

@@ -9,10 +9,10 @@ use wire::generated::{get, put};
 /// `EXTENDED_SYS_STATE`, message 245 of `common.xml`: 2 bytes, CRC_EXTRA 130.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#EXTENDED_SYS_STATE).
 ///
-/// | offset | field          | type      | units |
-/// |-------:|----------------|-----------|---|
-/// |      0 | `vtol_state`   | `uint8_t` |  |
-/// |      1 | `landed_state` | `uint8_t` |  |
+/// | offset | field          | type |
+/// |-------:|----------------|---|
+/// |      0 | `vtol_state`   | `uint8_t` |
+/// |      1 | `landed_state` | `uint8_t` |
 #[doc(alias = "EXTENDED_SYS_STATE")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ExtendedSysState {

@@ -8,12 +8,12 @@ use wire::generated::{get, put};
 /// `FILE_TRANSFER_PROTOCOL`, message 110 of `common.xml`: 254 bytes, CRC_EXTRA 84.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#FILE_TRANSFER_PROTOCOL).
 ///
-/// | offset | field              | type           | units |
-/// |-------:|--------------------|----------------|---|
-/// |      0 | `target_network`   | `uint8_t`      |  |
-/// |      1 | `target_system`    | `uint8_t`      |  |
-/// |      2 | `target_component` | `uint8_t`      |  |
-/// |      3 | `payload`          | `uint8_t[251]` |  |
+/// | offset | field              | type |
+/// |-------:|--------------------|---|
+/// |      0 | `target_network`   | `uint8_t` |
+/// |      1 | `target_system`    | `uint8_t` |
+/// |      2 | `target_component` | `uint8_t` |
+/// |      3 | `payload`          | `uint8_t[251]` |
 #[doc(alias = "FILE_TRANSFER_PROTOCOL")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FileTransferProtocol {

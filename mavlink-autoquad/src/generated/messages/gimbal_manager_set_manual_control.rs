@@ -9,16 +9,16 @@ use wire::generated::{get, put};
 /// `GIMBAL_MANAGER_SET_MANUAL_CONTROL`, message 288 of `common.xml`: 23 bytes, CRC_EXTRA 20; MAVLink 2 only.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#GIMBAL_MANAGER_SET_MANUAL_CONTROL).
 ///
-/// | offset | field              | type       | units |
-/// |-------:|--------------------|------------|---|
-/// |      0 | `flags`            | `uint32_t` |  |
-/// |      4 | `pitch`            | `float`    |  |
-/// |      8 | `yaw`              | `float`    |  |
-/// |     12 | `pitch_rate`       | `float`    |  |
-/// |     16 | `yaw_rate`         | `float`    |  |
-/// |     20 | `target_system`    | `uint8_t`  |  |
-/// |     21 | `target_component` | `uint8_t`  |  |
-/// |     22 | `gimbal_device_id` | `uint8_t`  |  |
+/// | offset | field              | type |
+/// |-------:|--------------------|---|
+/// |      0 | `flags`            | `uint32_t` |
+/// |      4 | `pitch`            | `float` |
+/// |      8 | `yaw`              | `float` |
+/// |     12 | `pitch_rate`       | `float` |
+/// |     16 | `yaw_rate`         | `float` |
+/// |     20 | `target_system`    | `uint8_t` |
+/// |     21 | `target_component` | `uint8_t` |
+/// |     22 | `gimbal_device_id` | `uint8_t` |
 #[doc(alias = "GIMBAL_MANAGER_SET_MANUAL_CONTROL")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GimbalManagerSetManualControl {

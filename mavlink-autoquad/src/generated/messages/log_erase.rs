@@ -8,10 +8,10 @@ use wire::generated::{get, put};
 /// `LOG_ERASE`, message 121 of `common.xml`: 2 bytes, CRC_EXTRA 237.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#LOG_ERASE).
 ///
-/// | offset | field              | type      | units |
-/// |-------:|--------------------|-----------|---|
-/// |      0 | `target_system`    | `uint8_t` |  |
-/// |      1 | `target_component` | `uint8_t` |  |
+/// | offset | field              | type |
+/// |-------:|--------------------|---|
+/// |      0 | `target_system`    | `uint8_t` |
+/// |      1 | `target_component` | `uint8_t` |
 #[doc(alias = "LOG_ERASE")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LogErase {

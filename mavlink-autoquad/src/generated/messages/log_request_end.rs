@@ -8,10 +8,10 @@ use wire::generated::{get, put};
 /// `LOG_REQUEST_END`, message 122 of `common.xml`: 2 bytes, CRC_EXTRA 203.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#LOG_REQUEST_END).
 ///
-/// | offset | field              | type      | units |
-/// |-------:|--------------------|-----------|---|
-/// |      0 | `target_system`    | `uint8_t` |  |
-/// |      1 | `target_component` | `uint8_t` |  |
+/// | offset | field              | type |
+/// |-------:|--------------------|---|
+/// |      0 | `target_system`    | `uint8_t` |
+/// |      1 | `target_component` | `uint8_t` |
 #[doc(alias = "LOG_REQUEST_END")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LogRequestEnd {

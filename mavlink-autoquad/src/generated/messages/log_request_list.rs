@@ -8,12 +8,12 @@ use wire::generated::{get, put};
 /// `LOG_REQUEST_LIST`, message 117 of `common.xml`: 6 bytes, CRC_EXTRA 128.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#LOG_REQUEST_LIST).
 ///
-/// | offset | field              | type       | units |
-/// |-------:|--------------------|------------|---|
-/// |      0 | `start`            | `uint16_t` |  |
-/// |      2 | `end`              | `uint16_t` |  |
-/// |      4 | `target_system`    | `uint8_t`  |  |
-/// |      5 | `target_component` | `uint8_t`  |  |
+/// | offset | field              | type |
+/// |-------:|--------------------|---|
+/// |      0 | `start`            | `uint16_t` |
+/// |      2 | `end`              | `uint16_t` |
+/// |      4 | `target_system`    | `uint8_t` |
+/// |      5 | `target_component` | `uint8_t` |
 #[doc(alias = "LOG_REQUEST_LIST")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LogRequestList {

@@ -8,11 +8,11 @@ use wire::generated::{get, put};
 /// `LOGGING_ACK`, message 268 of `common.xml`: 4 bytes, CRC_EXTRA 14; MAVLink 2 only.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#LOGGING_ACK).
 ///
-/// | offset | field              | type       | units |
-/// |-------:|--------------------|------------|---|
-/// |      0 | `sequence`         | `uint16_t` |  |
-/// |      2 | `target_system`    | `uint8_t`  |  |
-/// |      3 | `target_component` | `uint8_t`  |  |
+/// | offset | field              | type |
+/// |-------:|--------------------|---|
+/// |      0 | `sequence`         | `uint16_t` |
+/// |      2 | `target_system`    | `uint8_t` |
+/// |      3 | `target_component` | `uint8_t` |
 #[doc(alias = "LOGGING_ACK")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LoggingAck {

@@ -8,24 +8,24 @@ use wire::generated::{get, put};
 /// `MANUAL_CONTROL`, message 69 of `common.xml`: 30 bytes, 11 in MAVLink 1, CRC_EXTRA 243.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MANUAL_CONTROL).
 ///
-/// | offset | field                            | type       | units |
-/// |-------:|----------------------------------|------------|---|
-/// |      0 | `x`                              | `int16_t`  |  |
-/// |      2 | `y`                              | `int16_t`  |  |
-/// |      4 | `z`                              | `int16_t`  |  |
-/// |      6 | `r`                              | `int16_t`  |  |
-/// |      8 | `buttons`                        | `uint16_t` |  |
-/// |     10 | `target`                         | `uint8_t`  |  |
-/// |     11 | `buttons2` (extension)           | `uint16_t` |  |
-/// |     13 | `enabled_extensions` (extension) | `uint8_t`  |  |
-/// |     14 | `s` (extension)                  | `int16_t`  |  |
-/// |     16 | `t` (extension)                  | `int16_t`  |  |
-/// |     18 | `aux1` (extension)               | `int16_t`  |  |
-/// |     20 | `aux2` (extension)               | `int16_t`  |  |
-/// |     22 | `aux3` (extension)               | `int16_t`  |  |
-/// |     24 | `aux4` (extension)               | `int16_t`  |  |
-/// |     26 | `aux5` (extension)               | `int16_t`  |  |
-/// |     28 | `aux6` (extension)               | `int16_t`  |  |
+/// | offset | field                            | type |
+/// |-------:|----------------------------------|---|
+/// |      0 | `x`                              | `int16_t` |
+/// |      2 | `y`                              | `int16_t` |
+/// |      4 | `z`                              | `int16_t` |
+/// |      6 | `r`                              | `int16_t` |
+/// |      8 | `buttons`                        | `uint16_t` |
+/// |     10 | `target`                         | `uint8_t` |
+/// |     11 | `buttons2` (extension)           | `uint16_t` |
+/// |     13 | `enabled_extensions` (extension) | `uint8_t` |
+/// |     14 | `s` (extension)                  | `int16_t` |
+/// |     16 | `t` (extension)                  | `int16_t` |
+/// |     18 | `aux1` (extension)               | `int16_t` |
+/// |     20 | `aux2` (extension)               | `int16_t` |
+/// |     22 | `aux3` (extension)               | `int16_t` |
+/// |     24 | `aux4` (extension)               | `int16_t` |
+/// |     26 | `aux5` (extension)               | `int16_t` |
+/// |     28 | `aux6` (extension)               | `int16_t` |
 #[doc(alias = "MANUAL_CONTROL")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ManualControl {

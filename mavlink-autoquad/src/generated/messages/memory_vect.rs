@@ -8,12 +8,12 @@ use wire::generated::{get, put};
 /// `MEMORY_VECT`, message 249 of `common.xml`: 36 bytes, CRC_EXTRA 204.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MEMORY_VECT).
 ///
-/// | offset | field     | type         | units |
-/// |-------:|-----------|--------------|---|
-/// |      0 | `address` | `uint16_t`   |  |
-/// |      2 | `ver`     | `uint8_t`    |  |
-/// |      3 | `type`    | `uint8_t`    |  |
-/// |      4 | `value`   | `int8_t[32]` |  |
+/// | offset | field     | type |
+/// |-------:|-----------|---|
+/// |      0 | `address` | `uint16_t` |
+/// |      2 | `ver`     | `uint8_t` |
+/// |      3 | `type`    | `uint8_t` |
+/// |      4 | `value`   | `int8_t[32]` |
 #[doc(alias = "MEMORY_VECT")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MemoryVect {

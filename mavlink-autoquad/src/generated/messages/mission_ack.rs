@@ -9,13 +9,13 @@ use wire::generated::{get, put};
 /// `MISSION_ACK`, message 47 of `common.xml`: 8 bytes, 3 in MAVLink 1, CRC_EXTRA 153.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MISSION_ACK).
 ///
-/// | offset | field                      | type       | units |
-/// |-------:|----------------------------|------------|---|
-/// |      0 | `target_system`            | `uint8_t`  |  |
-/// |      1 | `target_component`         | `uint8_t`  |  |
-/// |      2 | `type`                     | `uint8_t`  |  |
-/// |      3 | `mission_type` (extension) | `uint8_t`  |  |
-/// |      4 | `opaque_id` (extension)    | `uint32_t` |  |
+/// | offset | field                      | type |
+/// |-------:|----------------------------|---|
+/// |      0 | `target_system`            | `uint8_t` |
+/// |      1 | `target_component`         | `uint8_t` |
+/// |      2 | `type`                     | `uint8_t` |
+/// |      3 | `mission_type` (extension) | `uint8_t` |
+/// |      4 | `opaque_id` (extension)    | `uint32_t` |
 #[doc(alias = "MISSION_ACK")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MissionAck {

@@ -9,13 +9,13 @@ use wire::generated::{get, put};
 /// `MISSION_COUNT`, message 44 of `common.xml`: 9 bytes, 4 in MAVLink 1, CRC_EXTRA 221.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MISSION_COUNT).
 ///
-/// | offset | field                      | type       | units |
-/// |-------:|----------------------------|------------|---|
-/// |      0 | `count`                    | `uint16_t` |  |
-/// |      2 | `target_system`            | `uint8_t`  |  |
-/// |      3 | `target_component`         | `uint8_t`  |  |
-/// |      4 | `mission_type` (extension) | `uint8_t`  |  |
-/// |      5 | `opaque_id` (extension)    | `uint32_t` |  |
+/// | offset | field                      | type |
+/// |-------:|----------------------------|---|
+/// |      0 | `count`                    | `uint16_t` |
+/// |      2 | `target_system`            | `uint8_t` |
+/// |      3 | `target_component`         | `uint8_t` |
+/// |      4 | `mission_type` (extension) | `uint8_t` |
+/// |      5 | `opaque_id` (extension)    | `uint32_t` |
 #[doc(alias = "MISSION_COUNT")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MissionCount {

@@ -9,15 +9,15 @@ use wire::generated::{get, put};
 /// `MISSION_CURRENT`, message 42 of `common.xml`: 18 bytes, 2 in MAVLink 1, CRC_EXTRA 28.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MISSION_CURRENT).
 ///
-/// | offset | field                         | type       | units |
-/// |-------:|-------------------------------|------------|---|
-/// |      0 | `seq`                         | `uint16_t` |  |
-/// |      2 | `total` (extension)           | `uint16_t` |  |
-/// |      4 | `mission_state` (extension)   | `uint8_t`  |  |
-/// |      5 | `mission_mode` (extension)    | `uint8_t`  |  |
-/// |      6 | `mission_id` (extension)      | `uint32_t` |  |
-/// |     10 | `fence_id` (extension)        | `uint32_t` |  |
-/// |     14 | `rally_points_id` (extension) | `uint32_t` |  |
+/// | offset | field                         | type |
+/// |-------:|-------------------------------|---|
+/// |      0 | `seq`                         | `uint16_t` |
+/// |      2 | `total` (extension)           | `uint16_t` |
+/// |      4 | `mission_state` (extension)   | `uint8_t` |
+/// |      5 | `mission_mode` (extension)    | `uint8_t` |
+/// |      6 | `mission_id` (extension)      | `uint32_t` |
+/// |     10 | `fence_id` (extension)        | `uint32_t` |
+/// |     14 | `rally_points_id` (extension) | `uint32_t` |
 #[doc(alias = "MISSION_CURRENT")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MissionCurrent {

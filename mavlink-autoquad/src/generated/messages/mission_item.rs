@@ -12,23 +12,23 @@ use wire::generated::{get, put};
 /// `MISSION_ITEM`, message 39 of `common.xml`: 38 bytes, 37 in MAVLink 1, CRC_EXTRA 254.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MISSION_ITEM).
 ///
-/// | offset | field                      | type       | units |
-/// |-------:|----------------------------|------------|---|
-/// |      0 | `param1`                   | `float`    |  |
-/// |      4 | `param2`                   | `float`    |  |
-/// |      8 | `param3`                   | `float`    |  |
-/// |     12 | `param4`                   | `float`    |  |
-/// |     16 | `x`                        | `float`    |  |
-/// |     20 | `y`                        | `float`    |  |
-/// |     24 | `z`                        | `float`    |  |
-/// |     28 | `seq`                      | `uint16_t` |  |
-/// |     30 | `command`                  | `uint16_t` |  |
-/// |     32 | `target_system`            | `uint8_t`  |  |
-/// |     33 | `target_component`         | `uint8_t`  |  |
-/// |     34 | `frame`                    | `uint8_t`  |  |
-/// |     35 | `current`                  | `uint8_t`  |  |
-/// |     36 | `autocontinue`             | `uint8_t`  |  |
-/// |     37 | `mission_type` (extension) | `uint8_t`  |  |
+/// | offset | field                      | type |
+/// |-------:|----------------------------|---|
+/// |      0 | `param1`                   | `float` |
+/// |      4 | `param2`                   | `float` |
+/// |      8 | `param3`                   | `float` |
+/// |     12 | `param4`                   | `float` |
+/// |     16 | `x`                        | `float` |
+/// |     20 | `y`                        | `float` |
+/// |     24 | `z`                        | `float` |
+/// |     28 | `seq`                      | `uint16_t` |
+/// |     30 | `command`                  | `uint16_t` |
+/// |     32 | `target_system`            | `uint8_t` |
+/// |     33 | `target_component`         | `uint8_t` |
+/// |     34 | `frame`                    | `uint8_t` |
+/// |     35 | `current`                  | `uint8_t` |
+/// |     36 | `autocontinue`             | `uint8_t` |
+/// |     37 | `mission_type` (extension) | `uint8_t` |
 #[doc(alias = "MISSION_ITEM")]
 #[deprecated(note = "since 2020-06: replaced by `MISSION_ITEM_INT`")]
 #[derive(Clone, Copy, Debug, PartialEq)]

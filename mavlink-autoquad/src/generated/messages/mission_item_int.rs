@@ -9,23 +9,23 @@ use wire::generated::{get, put};
 /// `MISSION_ITEM_INT`, message 73 of `common.xml`: 38 bytes, 37 in MAVLink 1, CRC_EXTRA 38.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MISSION_ITEM_INT).
 ///
-/// | offset | field                      | type       | units |
-/// |-------:|----------------------------|------------|---|
-/// |      0 | `param1`                   | `float`    |  |
-/// |      4 | `param2`                   | `float`    |  |
-/// |      8 | `param3`                   | `float`    |  |
-/// |     12 | `param4`                   | `float`    |  |
-/// |     16 | `x`                        | `int32_t`  |  |
-/// |     20 | `y`                        | `int32_t`  |  |
-/// |     24 | `z`                        | `float`    |  |
-/// |     28 | `seq`                      | `uint16_t` |  |
-/// |     30 | `command`                  | `uint16_t` |  |
-/// |     32 | `target_system`            | `uint8_t`  |  |
-/// |     33 | `target_component`         | `uint8_t`  |  |
-/// |     34 | `frame`                    | `uint8_t`  |  |
-/// |     35 | `current`                  | `uint8_t`  |  |
-/// |     36 | `autocontinue`             | `uint8_t`  |  |
-/// |     37 | `mission_type` (extension) | `uint8_t`  |  |
+/// | offset | field                      | type |
+/// |-------:|----------------------------|---|
+/// |      0 | `param1`                   | `float` |
+/// |      4 | `param2`                   | `float` |
+/// |      8 | `param3`                   | `float` |
+/// |     12 | `param4`                   | `float` |
+/// |     16 | `x`                        | `int32_t` |
+/// |     20 | `y`                        | `int32_t` |
+/// |     24 | `z`                        | `float` |
+/// |     28 | `seq`                      | `uint16_t` |
+/// |     30 | `command`                  | `uint16_t` |
+/// |     32 | `target_system`            | `uint8_t` |
+/// |     33 | `target_component`         | `uint8_t` |
+/// |     34 | `frame`                    | `uint8_t` |
+/// |     35 | `current`                  | `uint8_t` |
+/// |     36 | `autocontinue`             | `uint8_t` |
+/// |     37 | `mission_type` (extension) | `uint8_t` |
 #[doc(alias = "MISSION_ITEM_INT")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MissionItemInt {

@@ -8,9 +8,9 @@ use wire::generated::{get, put};
 /// `MISSION_ITEM_REACHED`, message 46 of `common.xml`: 2 bytes, CRC_EXTRA 11.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MISSION_ITEM_REACHED).
 ///
-/// | offset | field | type       | units |
-/// |-------:|-------|------------|---|
-/// |      0 | `seq` | `uint16_t` |  |
+/// | offset | field | type |
+/// |-------:|-------|---|
+/// |      0 | `seq` | `uint16_t` |
 #[doc(alias = "MISSION_ITEM_REACHED")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MissionItemReached {

@@ -11,12 +11,12 @@ use wire::generated::{get, put};
 /// `MISSION_REQUEST`, message 40 of `common.xml`: 5 bytes, 4 in MAVLink 1, CRC_EXTRA 230.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MISSION_REQUEST).
 ///
-/// | offset | field                      | type       | units |
-/// |-------:|----------------------------|------------|---|
-/// |      0 | `seq`                      | `uint16_t` |  |
-/// |      2 | `target_system`            | `uint8_t`  |  |
-/// |      3 | `target_component`         | `uint8_t`  |  |
-/// |      4 | `mission_type` (extension) | `uint8_t`  |  |
+/// | offset | field                      | type |
+/// |-------:|----------------------------|---|
+/// |      0 | `seq`                      | `uint16_t` |
+/// |      2 | `target_system`            | `uint8_t` |
+/// |      3 | `target_component`         | `uint8_t` |
+/// |      4 | `mission_type` (extension) | `uint8_t` |
 #[doc(alias = "MISSION_REQUEST")]
 #[deprecated(note = "since 2020-06: replaced by `MISSION_REQUEST_INT`")]
 #[derive(Clone, Copy, Debug, PartialEq)]

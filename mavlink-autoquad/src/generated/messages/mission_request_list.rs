@@ -9,11 +9,11 @@ use wire::generated::{get, put};
 /// `MISSION_REQUEST_LIST`, message 43 of `common.xml`: 3 bytes, 2 in MAVLink 1, CRC_EXTRA 132.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MISSION_REQUEST_LIST).
 ///
-/// | offset | field                      | type      | units |
-/// |-------:|----------------------------|-----------|---|
-/// |      0 | `target_system`            | `uint8_t` |  |
-/// |      1 | `target_component`         | `uint8_t` |  |
-/// |      2 | `mission_type` (extension) | `uint8_t` |  |
+/// | offset | field                      | type |
+/// |-------:|----------------------------|---|
+/// |      0 | `target_system`            | `uint8_t` |
+/// |      1 | `target_component`         | `uint8_t` |
+/// |      2 | `mission_type` (extension) | `uint8_t` |
 #[doc(alias = "MISSION_REQUEST_LIST")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MissionRequestList {

@@ -9,13 +9,13 @@ use wire::generated::{get, put};
 /// `MISSION_REQUEST_PARTIAL_LIST`, message 37 of `common.xml`: 7 bytes, 6 in MAVLink 1, CRC_EXTRA 212.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MISSION_REQUEST_PARTIAL_LIST).
 ///
-/// | offset | field                      | type      | units |
-/// |-------:|----------------------------|-----------|---|
-/// |      0 | `start_index`              | `int16_t` |  |
-/// |      2 | `end_index`                | `int16_t` |  |
-/// |      4 | `target_system`            | `uint8_t` |  |
-/// |      5 | `target_component`         | `uint8_t` |  |
-/// |      6 | `mission_type` (extension) | `uint8_t` |  |
+/// | offset | field                      | type |
+/// |-------:|----------------------------|---|
+/// |      0 | `start_index`              | `int16_t` |
+/// |      2 | `end_index`                | `int16_t` |
+/// |      4 | `target_system`            | `uint8_t` |
+/// |      5 | `target_component`         | `uint8_t` |
+/// |      6 | `mission_type` (extension) | `uint8_t` |
 #[doc(alias = "MISSION_REQUEST_PARTIAL_LIST")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MissionRequestPartialList {

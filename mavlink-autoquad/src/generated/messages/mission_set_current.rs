@@ -10,11 +10,11 @@ use wire::generated::{get, put};
 /// `MISSION_SET_CURRENT`, message 41 of `common.xml`: 4 bytes, CRC_EXTRA 28.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MISSION_SET_CURRENT).
 ///
-/// | offset | field              | type       | units |
-/// |-------:|--------------------|------------|---|
-/// |      0 | `seq`              | `uint16_t` |  |
-/// |      2 | `target_system`    | `uint8_t`  |  |
-/// |      3 | `target_component` | `uint8_t`  |  |
+/// | offset | field              | type |
+/// |-------:|--------------------|---|
+/// |      0 | `seq`              | `uint16_t` |
+/// |      2 | `target_system`    | `uint8_t` |
+/// |      3 | `target_component` | `uint8_t` |
 #[doc(alias = "MISSION_SET_CURRENT")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MissionSetCurrent {

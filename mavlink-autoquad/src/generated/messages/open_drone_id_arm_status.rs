@@ -9,10 +9,10 @@ use wire::generated::{get, put};
 /// `OPEN_DRONE_ID_ARM_STATUS`, message 12918 of `common.xml`: 51 bytes, CRC_EXTRA 139; MAVLink 2 only.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#OPEN_DRONE_ID_ARM_STATUS).
 ///
-/// | offset | field    | type       | units |
-/// |-------:|----------|------------|---|
-/// |      0 | `status` | `uint8_t`  |  |
-/// |      1 | `error`  | `char[50]` |  |
+/// | offset | field    | type |
+/// |-------:|----------|---|
+/// |      0 | `status` | `uint8_t` |
+/// |      1 | `error`  | `char[50]` |
 #[doc(alias = "OPEN_DRONE_ID_ARM_STATUS")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OpenDroneIdArmStatus {

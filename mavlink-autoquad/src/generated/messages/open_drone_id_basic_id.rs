@@ -9,14 +9,14 @@ use wire::generated::{get, put};
 /// `OPEN_DRONE_ID_BASIC_ID`, message 12900 of `common.xml`: 44 bytes, CRC_EXTRA 114; MAVLink 2 only.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#OPEN_DRONE_ID_BASIC_ID).
 ///
-/// | offset | field              | type          | units |
-/// |-------:|--------------------|---------------|---|
-/// |      0 | `target_system`    | `uint8_t`     |  |
-/// |      1 | `target_component` | `uint8_t`     |  |
-/// |      2 | `id_or_mac`        | `uint8_t[20]` |  |
-/// |     22 | `id_type`          | `uint8_t`     |  |
-/// |     23 | `ua_type`          | `uint8_t`     |  |
-/// |     24 | `uas_id`           | `uint8_t[20]` |  |
+/// | offset | field              | type |
+/// |-------:|--------------------|---|
+/// |      0 | `target_system`    | `uint8_t` |
+/// |      1 | `target_component` | `uint8_t` |
+/// |      2 | `id_or_mac`        | `uint8_t[20]` |
+/// |     22 | `id_type`          | `uint8_t` |
+/// |     23 | `ua_type`          | `uint8_t` |
+/// |     24 | `uas_id`           | `uint8_t[20]` |
 #[doc(alias = "OPEN_DRONE_ID_BASIC_ID")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OpenDroneIdBasicId {

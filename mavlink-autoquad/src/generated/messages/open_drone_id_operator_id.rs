@@ -9,13 +9,13 @@ use wire::generated::{get, put};
 /// `OPEN_DRONE_ID_OPERATOR_ID`, message 12905 of `common.xml`: 43 bytes, CRC_EXTRA 49; MAVLink 2 only.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#OPEN_DRONE_ID_OPERATOR_ID).
 ///
-/// | offset | field              | type          | units |
-/// |-------:|--------------------|---------------|---|
-/// |      0 | `target_system`    | `uint8_t`     |  |
-/// |      1 | `target_component` | `uint8_t`     |  |
-/// |      2 | `id_or_mac`        | `uint8_t[20]` |  |
-/// |     22 | `operator_id_type` | `uint8_t`     |  |
-/// |     23 | `operator_id`      | `char[20]`    |  |
+/// | offset | field              | type |
+/// |-------:|--------------------|---|
+/// |      0 | `target_system`    | `uint8_t` |
+/// |      1 | `target_component` | `uint8_t` |
+/// |      2 | `id_or_mac`        | `uint8_t[20]` |
+/// |     22 | `operator_id_type` | `uint8_t` |
+/// |     23 | `operator_id`      | `char[20]` |
 #[doc(alias = "OPEN_DRONE_ID_OPERATOR_ID")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OpenDroneIdOperatorId {

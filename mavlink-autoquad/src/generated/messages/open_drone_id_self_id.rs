@@ -9,13 +9,13 @@ use wire::generated::{get, put};
 /// `OPEN_DRONE_ID_SELF_ID`, message 12903 of `common.xml`: 46 bytes, CRC_EXTRA 249; MAVLink 2 only.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#OPEN_DRONE_ID_SELF_ID).
 ///
-/// | offset | field              | type          | units |
-/// |-------:|--------------------|---------------|---|
-/// |      0 | `target_system`    | `uint8_t`     |  |
-/// |      1 | `target_component` | `uint8_t`     |  |
-/// |      2 | `id_or_mac`        | `uint8_t[20]` |  |
-/// |     22 | `description_type` | `uint8_t`     |  |
-/// |     23 | `description`      | `char[23]`    |  |
+/// | offset | field              | type |
+/// |-------:|--------------------|---|
+/// |      0 | `target_system`    | `uint8_t` |
+/// |      1 | `target_component` | `uint8_t` |
+/// |      2 | `id_or_mac`        | `uint8_t[20]` |
+/// |     22 | `description_type` | `uint8_t` |
+/// |     23 | `description`      | `char[23]` |
 #[doc(alias = "OPEN_DRONE_ID_SELF_ID")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OpenDroneIdSelfId {

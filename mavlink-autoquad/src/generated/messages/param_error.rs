@@ -11,13 +11,13 @@ use wire::generated::{get, put};
 /// `PARAM_ERROR`, message 345 of `common.xml`: 21 bytes, CRC_EXTRA 209; MAVLink 2 only.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#PARAM_ERROR).
 ///
-/// | offset | field              | type       | units |
-/// |-------:|--------------------|------------|---|
-/// |      0 | `param_index`      | `int16_t`  |  |
-/// |      2 | `target_system`    | `uint8_t`  |  |
-/// |      3 | `target_component` | `uint8_t`  |  |
-/// |      4 | `param_id`         | `char[16]` |  |
-/// |     20 | `error`            | `uint8_t`  |  |
+/// | offset | field              | type |
+/// |-------:|--------------------|---|
+/// |      0 | `param_index`      | `int16_t` |
+/// |      2 | `target_system`    | `uint8_t` |
+/// |      3 | `target_component` | `uint8_t` |
+/// |      4 | `param_id`         | `char[16]` |
+/// |     20 | `error`            | `uint8_t` |
 #[doc(alias = "PARAM_ERROR")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParamError {

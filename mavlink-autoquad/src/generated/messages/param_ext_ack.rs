@@ -9,12 +9,12 @@ use wire::generated::{get, put};
 /// `PARAM_EXT_ACK`, message 324 of `common.xml`: 146 bytes, CRC_EXTRA 132; MAVLink 2 only.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#PARAM_EXT_ACK).
 ///
-/// | offset | field          | type        | units |
-/// |-------:|----------------|-------------|---|
-/// |      0 | `param_id`     | `char[16]`  |  |
-/// |     16 | `param_value`  | `char[128]` |  |
-/// |    144 | `param_type`   | `uint8_t`   |  |
-/// |    145 | `param_result` | `uint8_t`   |  |
+/// | offset | field          | type |
+/// |-------:|----------------|---|
+/// |      0 | `param_id`     | `char[16]` |
+/// |     16 | `param_value`  | `char[128]` |
+/// |    144 | `param_type`   | `uint8_t` |
+/// |    145 | `param_result` | `uint8_t` |
 #[doc(alias = "PARAM_EXT_ACK")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParamExtAck {

@@ -8,10 +8,10 @@ use wire::generated::{get, put};
 /// `PARAM_EXT_REQUEST_LIST`, message 321 of `common.xml`: 2 bytes, CRC_EXTRA 88; MAVLink 2 only.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#PARAM_EXT_REQUEST_LIST).
 ///
-/// | offset | field              | type      | units |
-/// |-------:|--------------------|-----------|---|
-/// |      0 | `target_system`    | `uint8_t` |  |
-/// |      1 | `target_component` | `uint8_t` |  |
+/// | offset | field              | type |
+/// |-------:|--------------------|---|
+/// |      0 | `target_system`    | `uint8_t` |
+/// |      1 | `target_component` | `uint8_t` |
 #[doc(alias = "PARAM_EXT_REQUEST_LIST")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParamExtRequestList {

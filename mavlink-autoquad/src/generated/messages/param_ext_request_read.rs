@@ -8,12 +8,12 @@ use wire::generated::{get, put};
 /// `PARAM_EXT_REQUEST_READ`, message 320 of `common.xml`: 20 bytes, CRC_EXTRA 243; MAVLink 2 only.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#PARAM_EXT_REQUEST_READ).
 ///
-/// | offset | field              | type       | units |
-/// |-------:|--------------------|------------|---|
-/// |      0 | `param_index`      | `int16_t`  |  |
-/// |      2 | `target_system`    | `uint8_t`  |  |
-/// |      3 | `target_component` | `uint8_t`  |  |
-/// |      4 | `param_id`         | `char[16]` |  |
+/// | offset | field              | type |
+/// |-------:|--------------------|---|
+/// |      0 | `param_index`      | `int16_t` |
+/// |      2 | `target_system`    | `uint8_t` |
+/// |      3 | `target_component` | `uint8_t` |
+/// |      4 | `param_id`         | `char[16]` |
 #[doc(alias = "PARAM_EXT_REQUEST_READ")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParamExtRequestRead {

@@ -9,13 +9,13 @@ use wire::generated::{get, put};
 /// `PARAM_EXT_SET`, message 323 of `common.xml`: 147 bytes, CRC_EXTRA 78; MAVLink 2 only.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#PARAM_EXT_SET).
 ///
-/// | offset | field              | type        | units |
-/// |-------:|--------------------|-------------|---|
-/// |      0 | `target_system`    | `uint8_t`   |  |
-/// |      1 | `target_component` | `uint8_t`   |  |
-/// |      2 | `param_id`         | `char[16]`  |  |
-/// |     18 | `param_value`      | `char[128]` |  |
-/// |    146 | `param_type`       | `uint8_t`   |  |
+/// | offset | field              | type |
+/// |-------:|--------------------|---|
+/// |      0 | `target_system`    | `uint8_t` |
+/// |      1 | `target_component` | `uint8_t` |
+/// |      2 | `param_id`         | `char[16]` |
+/// |     18 | `param_value`      | `char[128]` |
+/// |    146 | `param_type`       | `uint8_t` |
 #[doc(alias = "PARAM_EXT_SET")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParamExtSet {

@@ -9,13 +9,13 @@ use wire::generated::{get, put};
 /// `PARAM_EXT_VALUE`, message 322 of `common.xml`: 149 bytes, CRC_EXTRA 243; MAVLink 2 only.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#PARAM_EXT_VALUE).
 ///
-/// | offset | field         | type        | units |
-/// |-------:|---------------|-------------|---|
-/// |      0 | `param_count` | `uint16_t`  |  |
-/// |      2 | `param_index` | `uint16_t`  |  |
-/// |      4 | `param_id`    | `char[16]`  |  |
-/// |     20 | `param_value` | `char[128]` |  |
-/// |    148 | `param_type`  | `uint8_t`   |  |
+/// | offset | field         | type |
+/// |-------:|---------------|---|
+/// |      0 | `param_count` | `uint16_t` |
+/// |      2 | `param_index` | `uint16_t` |
+/// |      4 | `param_id`    | `char[16]` |
+/// |     20 | `param_value` | `char[128]` |
+/// |    148 | `param_type`  | `uint8_t` |
 #[doc(alias = "PARAM_EXT_VALUE")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParamExtValue {

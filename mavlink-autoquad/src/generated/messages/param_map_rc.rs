@@ -8,17 +8,17 @@ use wire::generated::{get, put};
 /// `PARAM_MAP_RC`, message 50 of `common.xml`: 37 bytes, CRC_EXTRA 78.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#PARAM_MAP_RC).
 ///
-/// | offset | field                        | type       | units |
-/// |-------:|------------------------------|------------|---|
-/// |      0 | `param_value0`               | `float`    |  |
-/// |      4 | `scale`                      | `float`    |  |
-/// |      8 | `param_value_min`            | `float`    |  |
-/// |     12 | `param_value_max`            | `float`    |  |
-/// |     16 | `param_index`                | `int16_t`  |  |
-/// |     18 | `target_system`              | `uint8_t`  |  |
-/// |     19 | `target_component`           | `uint8_t`  |  |
-/// |     20 | `param_id`                   | `char[16]` |  |
-/// |     36 | `parameter_rc_channel_index` | `uint8_t`  |  |
+/// | offset | field                        | type |
+/// |-------:|------------------------------|---|
+/// |      0 | `param_value0`               | `float` |
+/// |      4 | `scale`                      | `float` |
+/// |      8 | `param_value_min`            | `float` |
+/// |     12 | `param_value_max`            | `float` |
+/// |     16 | `param_index`                | `int16_t` |
+/// |     18 | `target_system`              | `uint8_t` |
+/// |     19 | `target_component`           | `uint8_t` |
+/// |     20 | `param_id`                   | `char[16]` |
+/// |     36 | `parameter_rc_channel_index` | `uint8_t` |
 #[doc(alias = "PARAM_MAP_RC")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParamMapRc {

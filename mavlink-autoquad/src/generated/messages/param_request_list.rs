@@ -8,10 +8,10 @@ use wire::generated::{get, put};
 /// `PARAM_REQUEST_LIST`, message 21 of `common.xml`: 2 bytes, CRC_EXTRA 159.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#PARAM_REQUEST_LIST).
 ///
-/// | offset | field              | type      | units |
-/// |-------:|--------------------|-----------|---|
-/// |      0 | `target_system`    | `uint8_t` |  |
-/// |      1 | `target_component` | `uint8_t` |  |
+/// | offset | field              | type |
+/// |-------:|--------------------|---|
+/// |      0 | `target_system`    | `uint8_t` |
+/// |      1 | `target_component` | `uint8_t` |
 #[doc(alias = "PARAM_REQUEST_LIST")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParamRequestList {

@@ -8,12 +8,12 @@ use wire::generated::{get, put};
 /// `PARAM_REQUEST_READ`, message 20 of `common.xml`: 20 bytes, CRC_EXTRA 214.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#PARAM_REQUEST_READ).
 ///
-/// | offset | field              | type       | units |
-/// |-------:|--------------------|------------|---|
-/// |      0 | `param_index`      | `int16_t`  |  |
-/// |      2 | `target_system`    | `uint8_t`  |  |
-/// |      3 | `target_component` | `uint8_t`  |  |
-/// |      4 | `param_id`         | `char[16]` |  |
+/// | offset | field              | type |
+/// |-------:|--------------------|---|
+/// |      0 | `param_index`      | `int16_t` |
+/// |      2 | `target_system`    | `uint8_t` |
+/// |      3 | `target_component` | `uint8_t` |
+/// |      4 | `param_id`         | `char[16]` |
 #[doc(alias = "PARAM_REQUEST_READ")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParamRequestRead {

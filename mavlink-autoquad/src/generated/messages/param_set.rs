@@ -10,13 +10,13 @@ use wire::generated::{get, put};
 /// `PARAM_SET`, message 23 of `common.xml`: 23 bytes, CRC_EXTRA 168.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#PARAM_SET).
 ///
-/// | offset | field              | type       | units |
-/// |-------:|--------------------|------------|---|
-/// |      0 | `param_value`      | `float`    |  |
-/// |      4 | `target_system`    | `uint8_t`  |  |
-/// |      5 | `target_component` | `uint8_t`  |  |
-/// |      6 | `param_id`         | `char[16]` |  |
-/// |     22 | `param_type`       | `uint8_t`  |  |
+/// | offset | field              | type |
+/// |-------:|--------------------|---|
+/// |      0 | `param_value`      | `float` |
+/// |      4 | `target_system`    | `uint8_t` |
+/// |      5 | `target_component` | `uint8_t` |
+/// |      6 | `param_id`         | `char[16]` |
+/// |     22 | `param_type`       | `uint8_t` |
 #[doc(alias = "PARAM_SET")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParamSet {

@@ -10,13 +10,13 @@ use wire::generated::{get, put};
 /// `PARAM_VALUE`, message 22 of `common.xml`: 25 bytes, CRC_EXTRA 220.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#PARAM_VALUE).
 ///
-/// | offset | field         | type       | units |
-/// |-------:|---------------|------------|---|
-/// |      0 | `param_value` | `float`    |  |
-/// |      4 | `param_count` | `uint16_t` |  |
-/// |      6 | `param_index` | `uint16_t` |  |
-/// |      8 | `param_id`    | `char[16]` |  |
-/// |     24 | `param_type`  | `uint8_t`  |  |
+/// | offset | field         | type |
+/// |-------:|---------------|---|
+/// |      0 | `param_value` | `float` |
+/// |      4 | `param_count` | `uint16_t` |
+/// |      6 | `param_index` | `uint16_t` |
+/// |      8 | `param_id`    | `char[16]` |
+/// |     24 | `param_type`  | `uint8_t` |
 #[doc(alias = "PARAM_VALUE")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParamValue {

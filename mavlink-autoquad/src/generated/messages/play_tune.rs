@@ -10,12 +10,12 @@ use wire::generated::{get, put};
 /// `PLAY_TUNE`, message 258 of `common.xml`: 232 bytes, 32 without extensions, CRC_EXTRA 187; MAVLink 2 only.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#PLAY_TUNE).
 ///
-/// | offset | field               | type        | units |
-/// |-------:|---------------------|-------------|---|
-/// |      0 | `target_system`     | `uint8_t`   |  |
-/// |      1 | `target_component`  | `uint8_t`   |  |
-/// |      2 | `tune`              | `char[30]`  |  |
-/// |     32 | `tune2` (extension) | `char[200]` |  |
+/// | offset | field               | type |
+/// |-------:|---------------------|---|
+/// |      0 | `target_system`     | `uint8_t` |
+/// |      1 | `target_component`  | `uint8_t` |
+/// |      2 | `tune`              | `char[30]` |
+/// |     32 | `tune2` (extension) | `char[200]` |
 #[doc(alias = "PLAY_TUNE")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlayTune {

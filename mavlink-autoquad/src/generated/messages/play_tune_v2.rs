@@ -9,12 +9,12 @@ use wire::generated::{get, put};
 /// `PLAY_TUNE_V2`, message 400 of `common.xml`: 254 bytes, CRC_EXTRA 110; MAVLink 2 only.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#PLAY_TUNE_V2).
 ///
-/// | offset | field              | type        | units |
-/// |-------:|--------------------|-------------|---|
-/// |      0 | `format`           | `uint32_t`  |  |
-/// |      4 | `target_system`    | `uint8_t`   |  |
-/// |      5 | `target_component` | `uint8_t`   |  |
-/// |      6 | `tune`             | `char[248]` |  |
+/// | offset | field              | type |
+/// |-------:|--------------------|---|
+/// |      0 | `format`           | `uint32_t` |
+/// |      4 | `target_system`    | `uint8_t` |
+/// |      5 | `target_component` | `uint8_t` |
+/// |      6 | `tune`             | `char[248]` |
 #[doc(alias = "PLAY_TUNE_V2")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlayTuneV2 {

@@ -10,13 +10,13 @@ use wire::generated::{get, put};
 /// `PROTOCOL_VERSION`, message 300 of `common.xml`: 22 bytes, CRC_EXTRA 217; MAVLink 2 only.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#PROTOCOL_VERSION).
 ///
-/// | offset | field                  | type         | units |
-/// |-------:|------------------------|--------------|---|
-/// |      0 | `version`              | `uint16_t`   |  |
-/// |      2 | `min_version`          | `uint16_t`   |  |
-/// |      4 | `max_version`          | `uint16_t`   |  |
-/// |      6 | `spec_version_hash`    | `uint8_t[8]` |  |
-/// |     14 | `library_version_hash` | `uint8_t[8]` |  |
+/// | offset | field                  | type |
+/// |-------:|------------------------|---|
+/// |      0 | `version`              | `uint16_t` |
+/// |      2 | `min_version`          | `uint16_t` |
+/// |      4 | `max_version`          | `uint16_t` |
+/// |      6 | `spec_version_hash`    | `uint8_t[8]` |
+/// |     14 | `library_version_hash` | `uint8_t[8]` |
 #[doc(alias = "PROTOCOL_VERSION")]
 #[deprecated(note = "since 2025-11: replaced by Nothing")]
 #[derive(Clone, Copy, Debug, PartialEq)]

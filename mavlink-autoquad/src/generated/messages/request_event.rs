@@ -10,12 +10,12 @@ use wire::generated::{get, put};
 /// `REQUEST_EVENT`, message 412 of `common.xml`: 6 bytes, CRC_EXTRA 33; MAVLink 2 only.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#REQUEST_EVENT).
 ///
-/// | offset | field              | type       | units |
-/// |-------:|--------------------|------------|---|
-/// |      0 | `first_sequence`   | `uint16_t` |  |
-/// |      2 | `last_sequence`    | `uint16_t` |  |
-/// |      4 | `target_system`    | `uint8_t`  |  |
-/// |      5 | `target_component` | `uint8_t`  |  |
+/// | offset | field              | type |
+/// |-------:|--------------------|---|
+/// |      0 | `first_sequence`   | `uint16_t` |
+/// |      2 | `last_sequence`    | `uint16_t` |
+/// |      4 | `target_system`    | `uint8_t` |
+/// |      5 | `target_component` | `uint8_t` |
 #[doc(alias = "REQUEST_EVENT")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RequestEvent {

@@ -8,13 +8,13 @@ use wire::generated::{get, put};
 /// `RESOURCE_REQUEST`, message 142 of `common.xml`: 243 bytes, CRC_EXTRA 72.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#RESOURCE_REQUEST).
 ///
-/// | offset | field           | type           | units |
-/// |-------:|-----------------|----------------|---|
-/// |      0 | `request_id`    | `uint8_t`      |  |
-/// |      1 | `uri_type`      | `uint8_t`      |  |
-/// |      2 | `uri`           | `uint8_t[120]` |  |
-/// |    122 | `transfer_type` | `uint8_t`      |  |
-/// |    123 | `storage`       | `uint8_t[120]` |  |
+/// | offset | field           | type |
+/// |-------:|-----------------|---|
+/// |      0 | `request_id`    | `uint8_t` |
+/// |      1 | `uri_type`      | `uint8_t` |
+/// |      2 | `uri`           | `uint8_t[120]` |
+/// |    122 | `transfer_type` | `uint8_t` |
+/// |    123 | `storage`       | `uint8_t[120]` |
 #[doc(alias = "RESOURCE_REQUEST")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ResourceRequest {

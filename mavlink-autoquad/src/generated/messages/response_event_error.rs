@@ -11,13 +11,13 @@ use wire::generated::{get, put};
 /// `RESPONSE_EVENT_ERROR`, message 413 of `common.xml`: 7 bytes, CRC_EXTRA 77; MAVLink 2 only.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#RESPONSE_EVENT_ERROR).
 ///
-/// | offset | field                       | type       | units |
-/// |-------:|-----------------------------|------------|---|
-/// |      0 | `sequence`                  | `uint16_t` |  |
-/// |      2 | `sequence_oldest_available` | `uint16_t` |  |
-/// |      4 | `target_system`             | `uint8_t`  |  |
-/// |      5 | `target_component`          | `uint8_t`  |  |
-/// |      6 | `reason`                    | `uint8_t`  |  |
+/// | offset | field                       | type |
+/// |-------:|-----------------------------|---|
+/// |      0 | `sequence`                  | `uint16_t` |
+/// |      2 | `sequence_oldest_available` | `uint16_t` |
+/// |      4 | `target_system`             | `uint8_t` |
+/// |      5 | `target_component`          | `uint8_t` |
+/// |      6 | `reason`                    | `uint8_t` |
 #[doc(alias = "RESPONSE_EVENT_ERROR")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ResponseEventError {

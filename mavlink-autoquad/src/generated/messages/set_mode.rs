@@ -11,11 +11,11 @@ use wire::generated::{get, put};
 /// `SET_MODE`, message 11 of `common.xml`: 6 bytes, CRC_EXTRA 89.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#SET_MODE).
 ///
-/// | offset | field           | type       | units |
-/// |-------:|-----------------|------------|---|
-/// |      0 | `custom_mode`   | `uint32_t` |  |
-/// |      4 | `target_system` | `uint8_t`  |  |
-/// |      5 | `base_mode`     | `uint8_t`  |  |
+/// | offset | field           | type |
+/// |-------:|-----------------|---|
+/// |      0 | `custom_mode`   | `uint32_t` |
+/// |      4 | `target_system` | `uint8_t` |
+/// |      5 | `base_mode`     | `uint8_t` |
 #[doc(alias = "SET_MODE")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SetMode {

@@ -9,12 +9,12 @@ use wire::generated::{get, put};
 /// `SETUP_SIGNING`, message 256 of `common.xml`: 42 bytes, CRC_EXTRA 71; MAVLink 2 only.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#SETUP_SIGNING).
 ///
-/// | offset | field               | type          | units |
-/// |-------:|---------------------|---------------|---|
-/// |      0 | `initial_timestamp` | `uint64_t`    |  |
-/// |      8 | `target_system`     | `uint8_t`     |  |
-/// |      9 | `target_component`  | `uint8_t`     |  |
-/// |     10 | `secret_key`        | `uint8_t[32]` |  |
+/// | offset | field               | type |
+/// |-------:|---------------------|---|
+/// |      0 | `initial_timestamp` | `uint64_t` |
+/// |      8 | `target_system`     | `uint8_t` |
+/// |      9 | `target_component`  | `uint8_t` |
+/// |     10 | `secret_key`        | `uint8_t[32]` |
 #[doc(alias = "SETUP_SIGNING")]
 #[derive(Clone, Copy, PartialEq)]
 pub struct SetupSigning {

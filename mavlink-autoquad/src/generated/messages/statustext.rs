@@ -9,12 +9,12 @@ use wire::generated::{get, put};
 /// `STATUSTEXT`, message 253 of `common.xml`: 54 bytes, 51 in MAVLink 1, CRC_EXTRA 83.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#STATUSTEXT).
 ///
-/// | offset | field                   | type       | units |
-/// |-------:|-------------------------|------------|---|
-/// |      0 | `severity`              | `uint8_t`  |  |
-/// |      1 | `text`                  | `char[50]` |  |
-/// |     51 | `id` (extension)        | `uint16_t` |  |
-/// |     53 | `chunk_seq` (extension) | `uint8_t`  |  |
+/// | offset | field                   | type |
+/// |-------:|-------------------------|---|
+/// |      0 | `severity`              | `uint8_t` |
+/// |      1 | `text`                  | `char[50]` |
+/// |     51 | `id` (extension)        | `uint16_t` |
+/// |     53 | `chunk_seq` (extension) | `uint8_t` |
 #[doc(alias = "STATUSTEXT")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Statustext {

@@ -9,11 +9,11 @@ use wire::generated::{get, put};
 /// `SUPPORTED_TUNES`, message 401 of `common.xml`: 6 bytes, CRC_EXTRA 183; MAVLink 2 only.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#SUPPORTED_TUNES).
 ///
-/// | offset | field              | type       | units |
-/// |-------:|--------------------|------------|---|
-/// |      0 | `format`           | `uint32_t` |  |
-/// |      4 | `target_system`    | `uint8_t`  |  |
-/// |      5 | `target_component` | `uint8_t`  |  |
+/// | offset | field              | type |
+/// |-------:|--------------------|---|
+/// |      0 | `format`           | `uint32_t` |
+/// |      4 | `target_system`    | `uint8_t` |
+/// |      5 | `target_component` | `uint8_t` |
 #[doc(alias = "SUPPORTED_TUNES")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SupportedTunes {

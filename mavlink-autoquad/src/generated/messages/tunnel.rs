@@ -9,13 +9,13 @@ use wire::generated::{get, put};
 /// `TUNNEL`, message 385 of `common.xml`: 133 bytes, CRC_EXTRA 147; MAVLink 2 only.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#TUNNEL).
 ///
-/// | offset | field              | type           | units |
-/// |-------:|--------------------|----------------|---|
-/// |      0 | `payload_type`     | `uint16_t`     |  |
-/// |      2 | `target_system`    | `uint8_t`      |  |
-/// |      3 | `target_component` | `uint8_t`      |  |
-/// |      4 | `payload_length`   | `uint8_t`      |  |
-/// |      5 | `payload`          | `uint8_t[128]` |  |
+/// | offset | field              | type |
+/// |-------:|--------------------|---|
+/// |      0 | `payload_type`     | `uint16_t` |
+/// |      2 | `target_system`    | `uint8_t` |
+/// |      3 | `target_component` | `uint8_t` |
+/// |      4 | `payload_length`   | `uint8_t` |
+/// |      5 | `payload`          | `uint8_t[128]` |
 #[doc(alias = "TUNNEL")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tunnel {

@@ -8,13 +8,13 @@ use wire::generated::{get, put};
 /// `V2_EXTENSION`, message 248 of `common.xml`: 254 bytes, CRC_EXTRA 8.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#V2_EXTENSION).
 ///
-/// | offset | field              | type           | units |
-/// |-------:|--------------------|----------------|---|
-/// |      0 | `message_type`     | `uint16_t`     |  |
-/// |      2 | `target_network`   | `uint8_t`      |  |
-/// |      3 | `target_system`    | `uint8_t`      |  |
-/// |      4 | `target_component` | `uint8_t`      |  |
-/// |      5 | `payload`          | `uint8_t[249]` |  |
+/// | offset | field              | type |
+/// |-------:|--------------------|---|
+/// |      0 | `message_type`     | `uint16_t` |
+/// |      2 | `target_network`   | `uint8_t` |
+/// |      3 | `target_system`    | `uint8_t` |
+/// |      4 | `target_component` | `uint8_t` |
+/// |      5 | `payload`          | `uint8_t[249]` |
 #[doc(alias = "V2_EXTENSION")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct V2Extension {

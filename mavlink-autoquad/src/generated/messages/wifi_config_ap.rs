@@ -9,12 +9,12 @@ use wire::generated::{get, put};
 /// `WIFI_CONFIG_AP`, message 299 of `common.xml`: 98 bytes, 96 without extensions, CRC_EXTRA 19; MAVLink 2 only.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#WIFI_CONFIG_AP).
 ///
-/// | offset | field                  | type       | units |
-/// |-------:|------------------------|------------|---|
-/// |      0 | `ssid`                 | `char[32]` |  |
-/// |     32 | `password`             | `char[64]` |  |
-/// |     96 | `mode` (extension)     | `int8_t`   |  |
-/// |     97 | `response` (extension) | `int8_t`   |  |
+/// | offset | field                  | type |
+/// |-------:|------------------------|---|
+/// |      0 | `ssid`                 | `char[32]` |
+/// |     32 | `password`             | `char[64]` |
+/// |     96 | `mode` (extension)     | `int8_t` |
+/// |     97 | `response` (extension) | `int8_t` |
 #[doc(alias = "WIFI_CONFIG_AP")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WifiConfigAp {
