@@ -32,7 +32,7 @@ use core::marker::PhantomData;
 use std::io;
 
 use ::mavlink_core::error::{EncoderError, ParserError};
-use ::mavlink_core::{DialectConnection, MavlinkVersion};
+use ::mavlink_core::{DialectConnection, MavConnection, MavlinkVersion};
 
 use message::parse;
 
@@ -41,13 +41,19 @@ use crate::{Dialect, MAX_PAYLOAD, MessageInfo, Version};
 /// Connects to the address, like `mavlink_core::connect`: `udpin:0.0.0.0:14550`, `tcpout:host:5760`, `serial:/dev/ttyUSB0:57600`,
 /// `file:flight.tlog` …, as far as the features of `mavlink-core` go.
 ///
+/// It receives MAVLink 1 and 2, where `mavlink_core::connect` receives only what it sends, MAVLink 2: an AutoQuad speaks
+/// MAVLink 1. A connection that is made without this function does the same after `set_allow_recv_any_version(true)`. What it
+/// sends is MAVLink 2, until `set_protocol_version` says otherwise.
+///
 /// Messages that MAVLink 1 cannot carry are refused by `send` with `MessageWriteError::Encode`, where the connection of
 /// `mavlink_core::connect` panics.
 ///
 /// # Errors
 /// Those of the address, of kind `AddrNotAvailable`, and those of the system.
 pub fn connect<D: Dialect>(address: &str) -> io::Result<DialectConnection<CoreDialect<D>>> {
-    ::mavlink_core::connect_with_dialect(address, CoreDialect::new())
+    let mut connection = ::mavlink_core::connect_with_dialect(address, CoreDialect::new())?;
+    connection.set_allow_recv_any_version(true);
+    Ok(connection)
 }
 
 /// A dialect for `mavlink_core::connect_with_dialect`, whose messages are `D`.

@@ -85,6 +85,25 @@ fn udp_carries_our_messages_both_ways() {
     over_udp(|config| Box::new(config.connect::<Autoquad>().unwrap()));
 }
 
+#[test]
+fn a_vehicle_of_either_version_is_heard_and_answered() {
+    // Which port is free is known only when nobody has it: another may take it in between.
+    let port = UdpSocket::bind("127.0.0.1:0").unwrap().local_addr().unwrap().port();
+    let connection = interop::connect::<Autoquad>(&format!("udpin:127.0.0.1:{port}")).unwrap();
+    let vehicle = UdpSocket::bind("127.0.0.1:0").unwrap();
+    vehicle.set_read_timeout(PATIENCE).unwrap();
+    for mut sender in [Sender::v1(7, 8), Sender::v2(7, 8), Sender::v1(7, 8)] {
+        let frame = sender.encode(&UNKNOWN, &mut [0; MAX_FRAME]).unwrap().to_vec();
+        vehicle.send_to(&frame, ("127.0.0.1", port)).unwrap();
+        let (header, received) = connection.recv().unwrap();
+        assert_eq!((header.system_id, header.component_id, received), (7, 8, UNKNOWN.into()));
+        connection.send(&HEADER, &UNKNOWN.into()).unwrap();
+        let mut datagram = [0; MAX_FRAME];
+        let length = vehicle.recv(&mut datagram).unwrap();
+        assert_eq!(parsed(&datagram[..length]), [UNKNOWN.into()]);
+    }
+}
+
 fn over_tcp(connect: impl FnOnce(TcpConfig) -> Box<dyn MavConnection<Autoquad>>) {
     let listener = TcpListener::bind("127.0.0.1:0").unwrap();
     let address = listener.local_addr().unwrap();
