@@ -72,9 +72,9 @@ impl Timestamp {
         [a, b, c, d, e, f]
     }
 
-    /// One unit later; zero after the last one, as pymavlink's sender counts.
+    /// One unit later, at most [`MAX`](Self::MAX): zero after it, as pymavlink counts, would be older than all before.
     #[cfg(feature = "signing")]
     pub(crate) const fn next(self) -> Self {
-        Self((self.0 + 1) & Self::MAX.0)
+        Self::new(self.0 + 1)
     }
 }

@@ -7,6 +7,9 @@ use crate::{ComponentId, Frame, SystemId};
 /// So far back a number is a late frame, not a gap that goes almost all the way round.
 const LATE: u8 = 16;
 
+/// So long a gap that ends at zero is the start of a sender: losses make no such gap, or all counts are guesses.
+const RESTART: u8 = 128;
+
 /// The radio that SiK firmware makes up on both sides of its link (`3D`), which numbers its frames by no rule.
 const SIK_RADIO: (SystemId, ComponentId) = (SystemId::from_u8(b'3'), ComponentId::from_u8(b'D'));
 
@@ -18,7 +21,8 @@ const SIK_RADIO: (SystemId, ComponentId) = (SystemId::from_u8(b'3'), ComponentId
 /// - `n = e`: nothing is lost.
 /// - `n = e − 1`: a duplicate, as over two paths to the same system.
 /// - `n` up to 16 before `e`: late. It was counted as lost before, and is taken back.
-/// - `n = 0`: the sender has started again; nothing is counted as lost.
+/// - `n = 0`, 128 or more behind `e`: the sender has started again; nothing is counted as lost. A sender that starts again
+///   further on in its numbers cannot be told from a gap, and is counted as one.
 /// - All else: `n − e` frames are lost. Of a gap of 240 or more only the rest by 256 shows, or nothing at all.
 ///
 /// pymavlink's `mav_loss` takes every difference for a loss; what is in order counts alike. Like there, frames of SiK radios
@@ -209,7 +213,7 @@ impl Sequence {
             0 => Arrival::Next,
             255 => Arrival::Duplicate,
             gap if gap >= LATE.wrapping_neg() => Arrival::Late,
-            _ if number == 0 => Arrival::Restart,
+            gap if number == 0 && gap >= RESTART => Arrival::Restart,
             gap => Arrival::Gap(gap),
         }
     }

@@ -38,6 +38,13 @@ pub enum SigningError {
         /// The local time.
         local: Timestamp,
     },
+    /// The frame is over a day ahead of the clock: its sender's is wrong, and must not take everybody's along.
+    TooFarAhead {
+        /// The timestamp of the frame.
+        timestamp: Timestamp,
+        /// The local time.
+        local: Timestamp,
+    },
     /// There is no room for one more stream.
     TooManyStreams {
         /// The number of streams that there is room for.
@@ -76,8 +83,14 @@ impl fmt::Display for SigningError {
                 timestamp.units(),
                 local.units()
             ),
+            Self::TooFarAhead { timestamp, local } => write!(
+                f,
+                "timestamp {} is over a day ahead of {}: discard the frame, and set the sender's clock",
+                timestamp.units(),
+                local.units()
+            ),
             Self::TooManyStreams { limit } => {
-                write!(f, "all {limit} streams are in use: forget stale ones, or make the verifier with room for more")
+                write!(f, "all {limit} streams are in use: make the verifier with room for more")
             }
             Self::Broadcast { system_id, component_id } => {
                 write!(f, "a key cannot go to {system_id}/{component_id}, which are many: send it to each in turn")

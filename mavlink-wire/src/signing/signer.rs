@@ -8,7 +8,7 @@ use crate::{MAX_FRAME, Timestamp};
 /// Signs the frames of one link: the key, the link's number and the timestamp of the next frame.
 ///
 /// The timestamp of a frame is larger than that of the one before, whatever the clock does: receivers refuse what is
-/// not. After 2104, behind [`Timestamp::MAX`], it starts again at zero, as pymavlink's does. A clone counts by itself:
+/// not. It stays at [`Timestamp::MAX`], in the year 2104: what it signs from then on is refused. A clone counts by itself:
 /// never let two of them sign for one link.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Signer {

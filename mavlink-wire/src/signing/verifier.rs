@@ -7,6 +7,8 @@ use crate::{ComponentId, Frame, SystemId, Timestamp};
 
 /// How far the first frame of a stream may be behind the local time: one minute.
 const LATE: u64 = 6_000_000;
+/// How far a frame may be ahead of the clock: one day.
+const AHEAD: u64 = 24 * 60 * LATE;
 /// What telemetry radios put into the stream; they have no key.
 const RADIO_STATUS: u32 = 109;
 
@@ -65,10 +67,22 @@ impl Stream {
 /// One for all links of a process: with one each, a frame could be replayed on another link. The order is that of
 /// `mavlink_signature_check` in the C library: first the hash, then the timestamp, and only what passes both is
 /// remembered, so that a forged frame cannot make genuine ones look old.
+///
+/// # Clocks
+///
+/// The local time goes along with what is received, since many devices have no clock. So a holder of the key whose clock is
+/// wrong takes it along, and a stream that begins with the right time is then refused as old. Give [`check`](Self::check) the
+/// time if you have a clock: a frame that is over a day ahead of it is refused, and whether a stream is too old to begin is
+/// judged by the clock alone.
 #[derive(Clone, Debug)]
 pub struct Verifier<const STREAMS: usize = 16> {
     key: Option<Key>,
+    /// The local time: told, restored or received.
     timestamp: Timestamp,
+    /// The latest time that was told, or that was certainly past when what was restored was saved.
+    told: Timestamp,
+    /// Whether somebody with a clock tells the time.
+    has_clock: bool,
     streams: [Stream; STREAMS],
     known: usize,
 }
@@ -89,10 +103,18 @@ impl<const STREAMS: usize> Verifier<STREAMS> {
     #[must_use]
     pub const fn with_streams(key: Option<Key>) -> Self {
         let none = Stream::new(0, SystemId::BROADCAST, ComponentId::BROADCAST, Timestamp::ZERO);
-        Self { key, timestamp: Timestamp::ZERO, streams: [none; STREAMS], known: 0 }
+        Self {
+            key,
+            timestamp: Timestamp::ZERO,
+            told: Timestamp::ZERO,
+            has_clock: false,
+            streams: [none; STREAMS],
+            known: 0,
+        }
     }
 
-    /// Whether to trust a frame, now. Unsigned ones only if they are `RADIO_STATUS` (message 109).
+    /// Whether to trust a frame, now: [`Timestamp::ZERO`] if there is no clock. Unsigned ones only if they are
+    /// `RADIO_STATUS` (message 109).
     ///
     /// The signature covers all of the frame but not what its message is taken for: see [`Frame::is_verified`].
     ///
@@ -116,6 +138,7 @@ impl<const STREAMS: usize> Verifier<STREAMS> {
         allow: impl FnOnce(&Frame<'_>) -> bool,
     ) -> Result<Trust, SigningError> {
         self.advance_time(now);
+        self.has_clock |= now != Timestamp::ZERO;
         let Some(key) = &self.key else { return Ok(Trust::Unchecked) };
         match verified(key, frame).and_then(|stream| self.accept(stream)) {
             Ok(()) => Ok(Trust::Signed),
@@ -135,6 +158,12 @@ impl<const STREAMS: usize> Verifier<STREAMS> {
     /// Tells the time; an earlier one changes nothing. [`check`](Self::check) does so itself.
     pub fn advance_time(&mut self, now: Timestamp) {
         self.timestamp = self.timestamp.max(now);
+        self.told = self.told.max(now);
+    }
+
+    /// By what time a stream is judged: the clock, if there is one, else whatever the local time is.
+    const fn reference(&self) -> Timestamp {
+        if self.has_clock { self.told } else { self.timestamp }
     }
 
     /// The streams so far, to be saved.
@@ -149,7 +178,9 @@ impl<const STREAMS: usize> Verifier<STREAMS> {
     ///
     /// [`SigningError::TooManyStreams`]: those that there is room for were restored.
     pub fn restore(&mut self, timestamp: Timestamp, streams: &[Stream]) -> Result<(), SigningError> {
-        self.advance_time(timestamp);
+        self.timestamp = self.timestamp.max(timestamp);
+        // What is restored may have been taken ahead of the clock by what was received.
+        self.told = self.told.max(Timestamp::new(timestamp.units().saturating_sub(AHEAD)));
         streams.iter().map(|&stream| self.restore_stream(stream)).fold(Ok(()), Result::and)
     }
 
@@ -162,9 +193,9 @@ impl<const STREAMS: usize> Verifier<STREAMS> {
     }
 
     /// Makes room: forgets the streams that stopped over a minute ago, and says how many. No frame of theirs can be
-    /// replayed, since each is too old to be the first of a stream.
+    /// replayed, since each is too old to be the first of a stream. [`check`](Self::check) does so itself when it needs room.
     pub fn forget_stale(&mut self) -> usize {
-        let (before, local) = (self.known, self.timestamp);
+        let (before, local) = (self.known, self.reference());
         let mut kept = 0;
         for at in 0..before {
             if let Some(&stream) = self.streams.get(at)
@@ -181,13 +212,19 @@ impl<const STREAMS: usize> Verifier<STREAMS> {
 
     /// Judges the timestamp of a frame whose hash is right, and remembers it.
     fn accept(&mut self, stream: Stream) -> Result<(), SigningError> {
-        let (timestamp, local) = (stream.timestamp, self.timestamp);
+        let (timestamp, local) = (stream.timestamp, self.reference());
+        if self.has_clock && timestamp.units() > local.units() + AHEAD {
+            return Err(SigningError::TooFarAhead { timestamp, local });
+        }
         match self.find(&stream) {
             Some(Stream { timestamp: last, .. }) if timestamp <= *last => {
                 return Err(SigningError::Replayed { timestamp, last: *last });
             }
             Some(known) => *known = stream,
             None => {
+                if self.known == STREAMS {
+                    self.forget_stale();
+                }
                 // Room comes first, as in the C library.
                 if self.known < STREAMS && is_late(timestamp, local) {
                     return Err(SigningError::TooOld { timestamp, local });
@@ -195,7 +232,7 @@ impl<const STREAMS: usize> Verifier<STREAMS> {
                 self.add(stream)?;
             }
         }
-        self.advance_time(timestamp);
+        self.timestamp = self.timestamp.max(timestamp);
         Ok(())
     }
 

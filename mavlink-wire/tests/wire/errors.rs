@@ -53,6 +53,8 @@ fn errors_of_signing_say_what_to_do() {
     says(SigningError::WrongHash { link_id: 1, system_id: 2.into(), component_id: 3.into() }, "link 1 of 2/3");
     says(SigningError::Replayed { timestamp, last: local }, "timestamp 7 is not after 9");
     says(SigningError::TooOld { timestamp, local }, "timestamp 7 of a new stream");
-    says(SigningError::TooManyStreams { limit: 16 }, "all 16 streams are in use: forget");
+    says(SigningError::TooManyStreams { limit: 16 }, "all 16 streams are in use: make");
+    let (timestamp, local) = (Timestamp::new(9), Timestamp::new(3));
+    says(SigningError::TooFarAhead { timestamp, local }, "timestamp 9 is over a day ahead of 3: discard");
     says(SigningError::Broadcast { system_id: 1.into(), component_id: 0.into() }, "1/0, which are many: send");
 }

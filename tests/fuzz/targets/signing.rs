@@ -25,6 +25,9 @@ struct Model {
 
 impl Model {
     fn accepts(&mut self, stream: (u8, u8), timestamp: u64, genuine: bool) -> bool {
+        if !self.streams.contains_key(&stream) && self.streams.len() == STREAMS && genuine {
+            self.streams.retain(|_, last| *last + LATE >= self.local);
+        }
         let fits = self.streams.contains_key(&stream) || self.streams.len() < STREAMS;
         let is_new = match self.streams.get(&stream) {
             Some(&last) => timestamp > last,

@@ -76,6 +76,51 @@ fn a_clock_that_jumps_ahead_leaves_known_streams_alone() {
     assert_eq!(verifier.streams(), [stream(3, 1, 1, 1001)]);
 }
 
+/// One day.
+const DAY: u64 = 24 * 60 * MINUTE;
+
+#[test]
+fn a_clock_in_the_future_stops_nobody_who_has_a_clock() {
+    let now = at(100 * DAY);
+    let check =
+        |verifier: &mut Verifier, stream| verifier.check(&Frame::parse(&frame_of(stream), Small::TABLE).unwrap(), now);
+    let mut verifier = Verifier::new(Some(key()));
+    let refusal = |timestamp| Err(SigningError::TooFarAhead { timestamp: at(timestamp), local: now });
+    for timestamp in [101 * DAY + 1, Timestamp::MAX.units()] {
+        assert_eq!(check(&mut verifier, stream(0, 9, 1, timestamp)), refusal(timestamp), "{timestamp}");
+    }
+    assert_eq!((verifier.streams().len(), verifier.timestamp()), (0, now));
+    // A day ahead is believed, and goes along with what is told to the signers, but streams with the right time begin.
+    assert_eq!(check(&mut verifier, stream(0, 9, 1, 101 * DAY)), Ok(Trust::Signed));
+    assert_eq!(verifier.timestamp(), at(101 * DAY));
+    assert_eq!(check(&mut verifier, stream(0, 1, 1, 100 * DAY - MINUTE)), Ok(Trust::Signed));
+    let late = Err(SigningError::TooOld { timestamp: at(100 * DAY - MINUTE - 1), local: now });
+    assert_eq!(check(&mut verifier, stream(0, 2, 1, 100 * DAY - MINUTE - 1)), late);
+    // As well after a restart.
+    let mut restarted = Verifier::new(Some(key()));
+    assert_eq!(restarted.restore(verifier.timestamp(), verifier.streams()), Ok(()));
+    assert_eq!(check(&mut restarted, stream(0, 3, 1, 100 * DAY)), Ok(Trust::Signed));
+}
+
+#[test]
+fn without_a_clock_the_future_cannot_be_told() {
+    let mut verifier = Verifier::new(Some(key()));
+    verifier.advance_time(at(100 * DAY));
+    assert_eq!(checked(&mut verifier, &frame_at(200 * DAY)), Ok(Trust::Signed));
+    assert_eq!(verifier.timestamp(), at(200 * DAY));
+}
+
+#[test]
+fn a_signer_stays_at_the_end_of_time() {
+    let mut sender = Sender::v2(1, 1).signed(Signer::new(key(), 0, at(Timestamp::MAX.units() - 1)));
+    let mut verifier = Verifier::new(Some(key()));
+    let last = Timestamp::MAX;
+    let verdicts = [Ok(Trust::Signed), Ok(Trust::Signed), Err(SigningError::Replayed { timestamp: last, last })];
+    for expected in verdicts {
+        assert_eq!(checked(&mut verifier, &made(&mut sender, &HEARTBEAT)), expected);
+    }
+}
+
 #[test]
 fn behind_the_last_timestamp_comes_nothing() {
     let mut verifier = Verifier::new(Some(key()));

@@ -84,6 +84,20 @@ fn forgotten_streams_make_room_and_cannot_be_replayed() {
 }
 
 #[test]
+fn a_table_of_stale_streams_makes_room() {
+    let mut verifier = Verifier::<2>::with_streams(Some(key()));
+    for system in [1, 2] {
+        assert_eq!(checked(&mut verifier, &frame_of(stream(0, system, 1, MINUTE))), Ok(Trust::Signed));
+    }
+    assert!(checked(&mut verifier, &frame_of(stream(0, 3, 1, MINUTE))).is_err(), "both are in use");
+    verifier.advance_time(at(2 * MINUTE));
+    assert!(checked(&mut verifier, &frame_of(stream(0, 3, 1, 2 * MINUTE))).is_err(), "a minute is not over");
+    verifier.advance_time(at(2 * MINUTE + 1));
+    assert_eq!(checked(&mut verifier, &frame_of(stream(0, 3, 1, 2 * MINUTE))), Ok(Trust::Signed));
+    assert_eq!(verifier.streams(), [stream(0, 3, 1, 2 * MINUTE)]);
+}
+
+#[test]
 fn a_restored_verifier_takes_no_frame_again() {
     let mut before = Verifier::new(Some(key()));
     let streams = [stream(3, 1, 1, 1000), stream(4, 1, 1, 900)];
