@@ -7,7 +7,8 @@
 const WIDTH: usize = 96;
 
 /// The paragraphs of a text as lines of markdown, separated by empty lines.
-pub(crate) fn prose(text: &str) -> Vec<String> {
+#[cfg(test)]
+fn prose(text: &str) -> Vec<String> {
     prose_with(text, Vec::new())
 }
 

@@ -29,7 +29,7 @@ use quote::quote;
 use crate::format::format;
 use crate::ir::{Dialect, Enum, Lifecycle, Message, Origin, View};
 use crate::lower::link::{Home, Union};
-use crate::lower::names::{MessageNames, Names};
+use crate::lower::names::Names;
 use crate::lower::spelling::item_module_name;
 use crate::lower::{Internal, Items};
 use crate::rust::Mentions;
@@ -82,7 +82,7 @@ pub(crate) fn items_of_message(
     message: &Message,
 ) -> Result<TokenStream, Internal> {
     let context = Context { dialect, names, union: None, home: Home::Shared, options };
-    let mut items = message::message(&context, message)?;
+    let mut items = message_file(&context, message)?;
     for view in &message.views {
         items.extend(view_file(&context, message, view)?);
     }
@@ -117,18 +117,12 @@ pub(crate) struct Context<'a> {
 impl<'a> Context<'a> {
     /// What the items are made of.
     pub(crate) fn items(&self) -> Items<'a> {
-        Items { dialect: self.dialect, deprecated: self.options.deprecated }
+        Items { dialect: self.dialect, names: self.names, deprecated: self.options.deprecated }
     }
     /// `use ::mavlink_wire as wire;`
     pub(crate) fn use_runtime(&self) -> TokenStream {
         let path: TokenStream = self.options.runtime.parse().unwrap_or_else(|_| quote!(::mavlink_wire));
         quote!(use #path as wire;)
-    }
-
-    /// What a message and its parts are called.
-    pub(crate) fn names_of(&self, message: &Message) -> Option<&MessageNames> {
-        let at = self.dialect.messages.iter().position(|other| std::ptr::eq(other, message))?;
-        self.names.messages.get(at)
     }
 
     /// Whether naming the item makes the compiler warn.
@@ -143,6 +137,19 @@ impl<'a> Context<'a> {
         let is_deprecated = |id| self.dialect.enum_by_id(id).is_some_and(|named| self.is_deprecated(&named.origin));
         self.is_deprecated(&message.origin) || enums.any(is_deprecated)
     }
+}
+
+/// A message's file: the enums that it names, the runtime, and the items.
+fn message_file(context: &Context<'_>, message: &Message) -> Result<TokenStream, Internal> {
+    let message = context.items().message(message, rivals::of_message(context, message))?;
+    let enums = context.use_enums(Mentions::of_message(&message).0.into_keys());
+    let wire = (!message.fields.is_empty()).then(|| {
+        quote!(
+            use wire::generated::{get, put};
+        )
+    });
+    let (runtime, items) = (context.use_runtime(), message::message(&message));
+    Ok(quote!(#enums #runtime #wire #items))
 }
 
 /// A view's file: the enums that it names, its message, the runtime, and the items.
@@ -211,7 +218,7 @@ impl Job<'_> {
             File::Enums => modules::enums(context, folder),
             File::Views => modules::views(context, folder)?,
             File::View(message, view) => view_file(context, message, view)?,
-            File::Message(message) => message::message(context, message)?,
+            File::Message(message) => message_file(context, message)?,
             File::Enum(values) => enums::enum_(context, values),
         };
         let text = format!("{}\n\n{}", self.header(context), format(tokens)?);

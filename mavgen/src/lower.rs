@@ -7,10 +7,13 @@
 //! The second half decides every item, and nothing can be wrong with what a user wrote any more: the model says only legal things.
 //! What it names and cannot find is a mistake of ours ([`Internal`]).
 
+mod accessors;
 mod binding;
 mod collision;
+pub(crate) mod docs;
 mod idents;
 pub(crate) mod link;
+mod message;
 mod methods;
 pub(crate) mod names;
 mod namespace;
@@ -20,17 +23,24 @@ mod view;
 
 use std::fmt;
 
-use crate::ir::{Dialect, Lifecycle, Origin};
+use crate::ir::{Dialect, FileIndex, Lifecycle, Origin};
 
 /// What the items of a dialect are made of.
 #[derive(Clone, Copy)]
 pub(crate) struct Items<'d> {
     pub(crate) dialect: &'d Dialect,
+    pub(crate) names: &'d names::Names,
     /// Whether `<deprecated>` becomes `#[deprecated]`.
     pub(crate) deprecated: bool,
 }
 
-impl Items<'_> {
+impl<'d> Items<'d> {
+    /// The name of a file.
+    pub(crate) fn file_name(self, index: FileIndex) -> Result<&'d str, Internal> {
+        let file = self.dialect.file(index).map(|file| file.name.as_str());
+        file.ok_or_else(|| Internal::new(format!("there is no file {}", index.0)))
+    }
+
     /// Whether naming the item makes the compiler warn.
     pub(crate) fn is_deprecated(&self, origin: &Origin) -> bool {
         self.deprecated && matches!(origin.lifecycle, Some(Lifecycle::Deprecated(_)))

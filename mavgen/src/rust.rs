@@ -3,14 +3,18 @@
 //! *lower* makes it, *emit* prints it. Whatever was to be decided is decided here: a method is one of a few kinds with all that its
 //! body needs, and says its signature by itself. What a field of a message is as an integer is a fact of its type ([`AsInt`]).
 
+mod accessor;
 mod docs;
 mod mentions;
+mod message;
 mod method;
 mod ty;
 mod view;
 
-pub(crate) use docs::{Docs, Paragraph};
+pub(crate) use accessor::{Convert, Extent, Sentinel, Unknown};
+pub(crate) use docs::{Cell, Docs, Paragraph};
 pub(crate) use mentions::Mentions;
+pub(crate) use message::{Default, Field, Frame, Struct, Target};
 pub(crate) use method::{Kind, Method, Param, Receiver, Sig};
 pub(crate) use ty::{AsInt, Element, EnumType, Error, Int, Literal, Shape, Through, Ty};
 pub(crate) use view::{

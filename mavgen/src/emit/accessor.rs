@@ -14,278 +14,117 @@
 //! ```
 //!
 //! All of them are inlined: there are hundreds, of which a program uses a few, and code that is not made costs no build time.
-//!
-//! Which fields have them is decided where methods are named: [`crate::lower`].
 
-use proc_macro2::{Ident, TokenStream};
-use quote::{format_ident, quote};
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
 
-use crate::emit::field::{converted_enum, element_type, typed_enum};
-use crate::emit::token::{decimal, float, ident, integer, repr, scalar};
-use crate::emit::{Context, doc};
-use crate::ir::{Enum, Field, Invalid, Message, Repr, Scalar, Scope, Sentinel};
+use super::token::ident;
+use super::ty::{int, literal, maker, number_in, value_of};
+use crate::rust::{Convert, Extent, Sentinel, Unknown};
 
-/// The `impl` with a message's accessors; nothing if it has none.
-pub(crate) fn accessors(context: &Context<'_>, message: &Message) -> TokenStream {
-    let decided = context.names_of(message).map(|names| names.accessors.as_slice()).unwrap_or_default();
-    let fields = decided.iter().filter_map(|index| message.fields.get(index.0));
-    let accessors: Vec<TokenStream> = fields.filter_map(|field| accessor(context, field)).collect();
-    if accessors.is_empty() {
-        return TokenStream::new();
-    }
-    let name = ident(&message.name.rust);
-    quote!(impl #name { #(#accessors)* })
-}
-
-fn accessor(context: &Context<'_>, field: &Field) -> Option<TokenStream> {
-    let is_text = field.ty.scalar == Scalar::Char && field.ty.array.is_some();
-    let shown = Shown::new(context, field);
-    match (&field.invalid, converted_enum(context, field)) {
-        (_, Some(values)) => Some(converted(&shown, field, values)),
-        (None, None) => None,
-        (Some(_), None) if is_text => None,
-        (Some(invalid), None) => Some(match (invalid.scope, field.ty.array) {
-            (_, None) => optional(&shown, invalid),
-            (Scope::Each, Some(_)) => optional_element(&shown, invalid, &quote!()),
-            (Scope::First, Some(_)) => optional_element(&shown, invalid, &quote!(index != 0 ||)),
-            (Scope::Whole, Some(n)) => optional_array(&shown, invalid, n.get()),
-        }),
-    }
-}
-
-/// The names and the element type that the templates share.
-struct Shown {
-    field: Ident,
-    setter: Ident,
-    element: Ident,
-    typed: Option<bool>,
-}
-
-impl Shown {
-    fn new(context: &Context<'_>, field: &Field) -> Self {
-        let typed = typed_enum(context, field);
-        Self {
-            field: ident(&field.name.rust),
-            setter: format_ident!("set_{}", field.name.rust),
-            element: element_type(field, typed),
-            typed: typed.map(|values| values.bitmask),
+/// The value, if it is known.
+pub(super) fn get(sentinel: &Sentinel<'_>) -> TokenStream {
+    let field = ident(sentinel.field);
+    let known = is_known(sentinel.unknown);
+    match sentinel.extent {
+        Extent::Scalar => {
+            let unknown = is_unknown(sentinel.unknown, &quote!(self.#field));
+            quote!(if #unknown { None } else { Some(self.#field) })
         }
-    }
-
-    /// Whether a value is the sentinel: `v == 65535`, `v.is_nan()`.
-    fn is_unknown(&self, invalid: &Invalid, value: &TokenStream) -> TokenStream {
-        let sentinel = self.sentinel(invalid);
-        match invalid.sentinel {
-            Sentinel::NotANumber => quote!(#value.is_nan()),
-            Sentinel::Float(_) | Sentinel::Integer(_) => quote!(#value == #sentinel),
-        }
-    }
-
-    /// `v != 65535`, `!v.is_nan()`
-    fn is_known(&self, invalid: &Invalid) -> TokenStream {
-        let sentinel = self.sentinel(invalid);
-        match invalid.sentinel {
-            Sentinel::NotANumber => quote!(!v.is_nan()),
-            Sentinel::Float(_) | Sentinel::Integer(_) => quote!(v != #sentinel),
-        }
-    }
-
-    /// The sentinel as a value of the element type.
-    fn sentinel(&self, invalid: &Invalid) -> TokenStream {
-        let element = &self.element;
-        match (invalid.sentinel, self.typed) {
-            (Sentinel::NotANumber, _) => quote!(#element::NAN),
-            (Sentinel::Float(value), _) => float(value),
-            (Sentinel::Integer(value), None) => integer(value),
-            (Sentinel::Integer(value), Some(false)) => {
-                let value = integer(value);
-                quote!(#element(#value))
-            }
-            (Sentinel::Integer(value), Some(true)) => {
-                let value = integer(value);
-                quote!(#element::from_bits_retain(#value))
-            }
-        }
-    }
-
-    /// `self.temperature`
-    fn read(&self) -> TokenStream {
-        let field = &self.field;
-        quote!(self.#field)
-    }
-
-    fn docs(&self, get: &str, set: &str) -> (TokenStream, TokenStream) {
-        (self.doc(get), self.doc(set))
-    }
-
-    /// A line of documentation with the field's name for `#`.
-    fn doc(&self, text: &str) -> TokenStream {
-        doc::attributes(&[text.replace('#', &format!("`{}`", self.field))])
-    }
-}
-
-/// A scalar: `Option<u16>`.
-fn optional(shown: &Shown, invalid: &Invalid) -> TokenStream {
-    let (unknown, sentinel) = (shown.is_unknown(invalid, &shown.read()), shown.sentinel(invalid));
-    let (get, set) =
-        shown.docs("#, or `None` where the sender does not know it.", "Sets #; `None` says that it is not known.");
-    let Shown { field, setter, element, .. } = shown;
-    quote! {
-        #get
-        #[inline]
-        pub fn #field(&self) -> Option<#element> {
-            if #unknown { None } else { Some(self.#field) }
-        }
-        #set
-        #[inline]
-        pub fn #setter(&mut self, value: Option<#element>) {
-            self.#field = value.unwrap_or(#sentinel);
+        Extent::Each => quote!(self.#field.get(index).copied().filter(|&v| #known)),
+        Extent::First => quote!(self.#field.get(index).copied().filter(|&v| index != 0 || #known)),
+        Extent::Whole(_) => {
+            let unknown = is_unknown(sentinel.unknown, &quote!(self.#field[0]));
+            quote!(if #unknown { None } else { Some(self.#field) })
         }
     }
 }
 
-/// An element of an array, by index.
-fn optional_element(shown: &Shown, invalid: &Invalid, always: &TokenStream) -> TokenStream {
-    let (known, sentinel) = (shown.is_known(invalid), shown.sentinel(invalid));
-    let (get, set) = shown.docs(
-        "Element `index` of #, or `None` where the sender does not know it, or there is no such element.",
-        "Sets element `index` of #; `None` says that it is not known. An error if there is no such element.",
-    );
-    let Shown { field, setter, element, .. } = shown;
-    quote! {
-        #get
-        #[inline]
-        pub fn #field(&self, index: usize) -> Option<#element> {
-            self.#field.get(index).copied().filter(|&v| #always #known)
+/// Puts the value, or what says that it is not known, into the field.
+pub(super) fn set(sentinel: &Sentinel<'_>) -> TokenStream {
+    let (field, unknown) = (ident(sentinel.field), unknown_value(sentinel.unknown));
+    match sentinel.extent {
+        Extent::Scalar => quote!(self.#field = value.unwrap_or(#unknown);),
+        Extent::Whole(length) => {
+            let length = Literal::u8_unsuffixed(length);
+            quote!(self.#field = value.unwrap_or([#unknown; #length]);)
         }
-        #set
-        #[inline]
-        pub fn #setter(&mut self, index: usize, value: Option<#element>) -> Result<(), wire::OutOfRange> {
+        Extent::Each | Extent::First => quote! {
             let element = self.#field.get_mut(index).ok_or(wire::OutOfRange)?;
-            *element = value.unwrap_or(#sentinel);
+            *element = value.unwrap_or(#unknown);
             Ok(())
-        }
+        },
     }
 }
 
-/// An array that is known as a whole, or not at all.
-fn optional_array(shown: &Shown, invalid: &Invalid, length: u8) -> TokenStream {
-    let (sentinel, n) = (shown.sentinel(invalid), decimal(length));
-    let value = shown.read();
-    let unknown = shown.is_unknown(invalid, &quote!(#value[0]));
-    let (get, set) =
-        shown.docs("#, or `None` where the sender does not know it.", "Sets #; `None` says that it is not known.");
-    let Shown { field, setter, element, .. } = shown;
-    quote! {
-        #get
-        #[inline]
-        pub fn #field(&self) -> Option<[#element; #n]> {
-            if #unknown { None } else { Some(self.#field) }
-        }
-        #set
-        #[inline]
-        pub fn #setter(&mut self, value: Option<[#element; #n]>) {
-            self.#field = value.unwrap_or([#sentinel; #n]);
-        }
+/// The number as the enum, if it is known and one.
+pub(super) fn get_enum(convert: &Convert<'_>) -> TokenStream {
+    let (field, enum_int, to) = (ident(convert.field), int(convert.to.int), convert.to.as_int());
+    if !convert.is_optional() {
+        return value_of(to, &quote!(#enum_int::from(self.#field)));
     }
-}
-
-/// An enum in a field of another width or sign: scalars without, arrays with an index.
-fn converted(shown: &Shown, field: &Field, values: &Enum) -> TokenStream {
-    let (getter, setter) = (converted_getter(shown, field, values), converted_setter(shown, field, values));
-    quote!(#getter #setter)
-}
-
-fn converted_getter(shown: &Shown, field: &Field, values: &Enum) -> TokenStream {
-    let (name, target, enum_int) = (&shown.field, ident(&values.name.rust), repr(values.repr));
-    let fits = Range::of(field.ty.scalar).is_within(Range::from(values.repr));
-    let known = field.invalid.as_ref().map(|invalid| shown.is_known(invalid));
-    if fits && known.is_none() && field.ty.array.is_none() {
-        let docs = shown.doc("# as its enum.");
-        return quote!(#docs #[inline] pub fn #name(&self) -> #target { #target::from(#enum_int::from(self.#name)) });
-    }
-    let filter = known.map(|known| quote!(.filter(|&v| #known)));
-    let number = match field.ty.array {
-        None => quote!(Some(self.#name)),
-        Some(_) => quote!(self.#name.get(index).copied()),
+    let number = match convert.element {
+        true => quote!(self.#field.get(index).copied()),
+        false => quote!(Some(self.#field)),
     };
-    let value = match fits {
-        true => quote!(map(|v| #target::from(#enum_int::from(v)))),
-        false => quote!(and_then(|v| #enum_int::try_from(v).ok()).map(#target::from)),
-    };
-    let (docs, index) = match field.ty.array {
-        None => (shown.doc("# as its enum; `None` where the number cannot be one, or is not known."), quote!()),
-        Some(_) => (
-            shown.doc("Element `index` of # as its enum; `None` where the number cannot be one, is not known, or is not there."),
-            quote!(, index: usize),
-        ),
-    };
-    quote!(#docs #[inline] pub fn #name(&self #index) -> Option<#target> { #number #filter.#value })
+    let filter = convert.unknown.map(is_known).map(|known| quote!(.filter(|&v| #known)));
+    if convert.always_gets() {
+        let value = value_of(to, &quote!(#enum_int::from(v)));
+        return quote!(#number #filter.map(|v| #value));
+    }
+    let maker = maker(convert.to);
+    quote!(#number #filter.and_then(|v| #enum_int::try_from(v).ok()).map(#maker))
 }
 
-fn converted_setter(shown: &Shown, field: &Field, values: &Enum) -> TokenStream {
-    let (name, setter, target) = (&shown.field, &shown.setter, ident(&values.name.rust));
-    let (int, enum_int) = (scalar(field.ty.scalar), repr(values.repr));
-    let fits = Range::from(values.repr).is_within(Range::of(field.ty.scalar));
-    let number = match fits {
-        true => quote!(#int::from(#enum_int::from(value))),
-        false => quote!(#int::try_from(#enum_int::from(value)).map_err(|_| wire::OutOfRange)?),
+/// Puts the number of the enum into the field, if it fits.
+pub(super) fn set_enum(convert: &Convert<'_>) -> TokenStream {
+    let (field, own) = (ident(convert.field), int(convert.int));
+    let number = number_in(convert.to.as_int(), &quote!(value));
+    let number = match convert.always_sets() {
+        true => quote!(#own::from(#number)),
+        false => quote!(#own::try_from(#number).map_err(|_| wire::OutOfRange)?),
     };
-    match (field.ty.array, fits) {
-        (None, true) => {
-            let docs = shown.doc("Sets # from its enum.");
-            quote!(#docs #[inline] pub fn #setter(&mut self, value: #target) { self.#name = #number; })
-        }
-        (None, false) => {
-            let docs = shown.doc("Sets # from its enum. An error if the value does not fit the field.");
-            quote! {
-                #docs
-                #[inline]
-                pub fn #setter(&mut self, value: #target) -> Result<(), wire::OutOfRange> {
-                    self.#name = #number;
-                    Ok(())
-                }
-            }
-        }
-        (Some(_), _) => {
-            let docs = shown.doc("Sets element `index` of # from its enum. An error if the value does not fit, or there is no such element.");
-            quote! {
-                #docs
-                #[inline]
-                pub fn #setter(&mut self, index: usize, value: #target) -> Result<(), wire::OutOfRange> {
-                    let element = self.#name.get_mut(index).ok_or(wire::OutOfRange)?;
-                    *element = #number;
-                    Ok(())
-                }
-            }
-        }
+    match (convert.element, convert.always_sets()) {
+        (false, true) => quote!(self.#field = #number;),
+        (false, false) => quote! {
+            self.#field = #number;
+            Ok(())
+        },
+        (true, _) => quote! {
+            let element = self.#field.get_mut(index).ok_or(wire::OutOfRange)?;
+            *element = #number;
+            Ok(())
+        },
     }
 }
 
-/// The numbers that an integer can be.
-#[derive(Clone, Copy)]
-struct Range {
-    size: usize,
-    signed: bool,
-}
-
-impl Range {
-    fn of(field: Scalar) -> Self {
-        let signed = matches!(field, Scalar::I8 | Scalar::I16 | Scalar::I32 | Scalar::I64);
-        Self { size: field.size(), signed }
-    }
-
-    fn is_within(self, other: Self) -> bool {
-        match (self.signed, other.signed) {
-            (false, false) | (true, true) => self.size <= other.size,
-            (false, true) => self.size < other.size,
-            (true, false) => false,
+/// `self.x == 65535`, `self.x.is_nan()`
+fn is_unknown(unknown: Unknown<'_>, value: &TokenStream) -> TokenStream {
+    match unknown {
+        Unknown::Is(sentinel) => {
+            let sentinel = literal(sentinel);
+            quote!(#value == #sentinel)
         }
+        Unknown::NanF32 | Unknown::NanF64 => quote!(#value.is_nan()),
     }
 }
 
-impl From<Repr> for Range {
-    fn from(repr: Repr) -> Self {
-        Self { size: repr.size(), signed: repr.is_signed() }
+/// `v != 65535`, `!v.is_nan()`
+fn is_known(unknown: Unknown<'_>) -> TokenStream {
+    match unknown {
+        Unknown::Is(sentinel) => {
+            let sentinel = literal(sentinel);
+            quote!(v != #sentinel)
+        }
+        Unknown::NanF32 | Unknown::NanF64 => quote!(!v.is_nan()),
+    }
+}
+
+/// `65535`, `f32::NAN`
+fn unknown_value(unknown: Unknown<'_>) -> TokenStream {
+    match unknown {
+        Unknown::Is(sentinel) => literal(sentinel),
+        Unknown::NanF32 => quote!(f32::NAN),
+        Unknown::NanF64 => quote!(f64::NAN),
     }
 }

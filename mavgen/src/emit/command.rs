@@ -19,6 +19,7 @@ use crate::docs::{line, words, wrap};
 use crate::emit::token::{decimal, float, ident, repr};
 use crate::emit::{Context, doc};
 use crate::ir::{Command, Entry, Enum, Param};
+use crate::lower::docs;
 
 /// The metadata of an enum's commands; nothing if it has none.
 pub(crate) fn params(context: &Context<'_>, values: &Enum) -> TokenStream {
@@ -101,10 +102,10 @@ fn item(context: &Context<'_>, param: &Param) -> Option<Vec<String>> {
     {
         text.clear();
     }
-    let mut facts = doc::quantity(param.units.as_deref(), None, &param.limits);
+    let mut facts = docs::quantity(param.units.as_deref(), None, &param.limits);
     facts.extend(param.default.map(|default| format!("default {default}")));
     if !facts.is_empty() {
-        let sentence = doc::capitalised(&format!("{}.", facts.join("; ")));
+        let sentence = docs::capitalised(&format!("{}.", facts.join("; ")));
         text.extend(sentence.split(' ').map(str::to_owned));
     }
     text.extend(

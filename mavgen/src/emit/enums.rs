@@ -21,6 +21,8 @@ use quote::quote;
 use crate::emit::token::{bits, decimal, ident, repr};
 use crate::emit::{Context, command, doc, rivals};
 use crate::ir::{Entry, Enum};
+use crate::lower::docs;
+use crate::rust::Docs;
 
 /// The items of an enum's file.
 pub(crate) fn enum_(context: &Context<'_>, values: &Enum) -> TokenStream {
@@ -42,8 +44,9 @@ pub(crate) fn enum_(context: &Context<'_>, values: &Enum) -> TokenStream {
 
 fn declaration(context: &Context<'_>, values: &Enum) -> TokenStream {
     let docs = doc::attributes(&documentation(context, values));
-    let deprecated = doc::deprecated(context, &values.origin);
-    let (name, int, alias) = (ident(&values.name.rust), repr(values.repr), doc::alias(&values.name));
+    let deprecated = doc::deprecated(context.items().deprecation(&values.origin).as_ref());
+    let (name, int, alias) =
+        (ident(&values.name.rust), repr(values.repr), doc::alias(docs::alias(&values.name.text, &values.name.rust)));
     let inner = if values.bitmask { quote!(#int) } else { quote!(pub #int) };
     quote! {
         #docs
@@ -57,20 +60,21 @@ fn declaration(context: &Context<'_>, values: &Enum) -> TokenStream {
 fn documentation(context: &Context<'_>, values: &Enum) -> Vec<String> {
     let file = context.dialect.file(values.defined_in).map_or("", |file| file.name.as_str());
     let kind = if values.bitmask { "flags in a" } else { "numbers of type" };
-    let mut facts = vec![format!("`{}` of `{file}`: {kind} `{}`.", values.name.text, values.repr.rust_name())];
-    facts.extend(doc::reference(file, &values.name.text).map(|link| format!("See the {link}.")));
-    doc::join([doc::description(&values.origin), facts, rivals::of_enum(context, values)])
+    let facts = vec![format!("`{}` of `{file}`: {kind} `{}`.", values.name.text, values.repr.rust_name())];
+    let facts = facts.into_iter().chain(docs::reference(file, &values.name.text)).collect();
+    let docs = Docs(docs::description(&values.origin));
+    doc::join([doc::lines(&docs), facts, rivals::of_enum(context, values)])
 }
 
 /// `pub const BOOT: Self = Self(1);` with its documentation.
 fn constant(context: &Context<'_>, values: &Enum, entry: &Entry) -> TokenStream {
-    let mut docs = doc::description(&entry.origin);
+    let mut docs = doc::lines(&Docs(docs::description(&entry.origin)));
     if docs.is_empty() {
         docs.push(format!("`{}`.", entry.name.text));
     }
     let params = entry.command.as_ref().map(|command| command::documentation(context, command));
     let docs = doc::attributes(&doc::join([docs, params.unwrap_or_default()]));
-    let deprecated = doc::deprecated(context, &entry.origin);
+    let deprecated = doc::deprecated(context.items().deprecation(&entry.origin).as_ref());
     let name = ident(&entry.name.rust);
     let value = if values.bitmask { bits(entry.value) } else { quote_decimal(entry.value) };
     quote! {

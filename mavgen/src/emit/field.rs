@@ -1,191 +1,92 @@
-//! A field: its Rust type, its documentation, and how it is read and written.
+//! A field: its declaration, its value in `DEFAULT`, how it is read and written, and what the reflection says of it.
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, quote};
 
-use crate::docs::prose_with;
-use crate::emit::token::{decimal, float, ident, integer, scalar};
-use crate::emit::{Context, doc};
-use crate::ir::{Enum, Field, FieldType, Invalid, Message, Scalar, Scope, Sentinel, Values};
+use super::doc;
+use super::token::{decimal, float, ident, integer};
+use super::ty::ty;
+use crate::ir::{self, Invalid, Scalar, Scope, Sentinel};
+use crate::rust::{Default, Element, Field, Shape};
 
-/// The tokens of one field, by where they go.
-pub(crate) struct FieldTokens {
-    /// Where it lies in the payload, which is the order of the stores.
-    pub(crate) offset: u8,
-    /// `pub cog: u16,` with its documentation.
-    pub(crate) declaration: TokenStream,
-    /// `cog: 0,`
-    pub(crate) default: TokenStream,
-    /// `cog: get(p, 26),`
-    pub(crate) decode: TokenStream,
-    /// `put(p, 26, self.cog);`
-    pub(crate) encode: TokenStream,
-    /// `wire::FieldInfo::new("cog", wire::Kind::U16, 26).units("cdeg"),`
-    pub(crate) info: TokenStream,
-}
-
-/// Everything that one field contributes to its message.
-pub(crate) fn field(context: &Context<'_>, message: &Message, field: &Field) -> FieldTokens {
-    let name = ident(&field.name.rust);
-    let secret = message.secret().is_some_and(|secret| secret.offset == field.offset);
-    let typed = typed_enum(context, field);
-    let (ty, zero) = (rust_type(field, typed), zero(field, typed));
-    let offset = decimal(field.offset);
-    let docs = doc::attributes(&documentation(context, field, secret));
-    FieldTokens {
-        offset: field.offset,
-        declaration: quote!(#docs pub #name: #ty,),
-        default: quote!(#name: #zero,),
-        decode: quote!(#name: get(p, #offset),),
-        encode: quote!(put(p, #offset, self.#name);),
-        info: info(context, field, secret),
-    }
-}
-
-/// The enum that is the Rust type of the field.
-pub(crate) fn typed_enum<'a>(context: &Context<'a>, field: &Field) -> Option<&'a Enum> {
-    match field.values {
-        Some(Values::Typed(id)) => context.dialect.enum_by_id(id),
-        _ => None,
-    }
-}
-
-/// The enum that the field carries as a plain integer.
-pub(crate) fn converted_enum<'a>(context: &Context<'a>, field: &Field) -> Option<&'a Enum> {
-    match field.values {
-        Some(Values::Converted(id)) => context.dialect.enum_by_id(id),
-        _ => None,
-    }
-}
-
-/// The Rust type of one element.
-pub(crate) fn element_type(field: &Field, typed: Option<&Enum>) -> Ident {
-    typed.map_or_else(|| scalar(field.ty.scalar), |values| ident(&values.name.rust))
-}
-
-/// `u16`, `[MavCmd; 5]`, `wire::Chars<16>`.
-fn rust_type(field: &Field, typed: Option<&Enum>) -> TokenStream {
-    let element = element_type(field, typed);
-    match field.ty {
-        FieldType { array: None, .. } => quote!(#element),
-        FieldType { scalar: Scalar::Char, array: Some(n) } => {
-            let n = decimal(n.get());
+/// `pub cog: u16,` with its documentation.
+pub(super) fn declaration(field: &Field<'_>) -> TokenStream {
+    let (docs, name, element) = (doc::documentation(&field.docs), ident(field.ident), ty(&field.element.ty()));
+    let ty = match field.shape {
+        Shape::One => element,
+        Shape::Array(n) => {
+            let n = Literal::u8_unsuffixed(n);
+            quote!([#element; #n])
+        }
+        Shape::Chars(n) => {
+            let n = Literal::u8_unsuffixed(n);
             quote!(wire::Chars<#n>)
         }
-        FieldType { array: Some(n), .. } => {
-            let n = decimal(n.get());
-            quote!([#element; #n])
-        }
-    }
+    };
+    quote!(#docs pub #name: #ty,)
 }
 
-/// The value in `DEFAULT`: zero, but for the version constant.
-fn zero(field: &Field, typed: Option<&Enum>) -> TokenStream {
-    let element = match (typed, field.ty.scalar) {
-        (Some(values), _) => {
-            let name = ident(&values.name.rust);
-            if values.bitmask { quote!(#name::empty()) } else { quote!(#name(0)) }
+/// `cog: 0,`
+pub(super) fn default(field: &Field<'_>) -> TokenStream {
+    let name = ident(field.ident);
+    let element = match (field.default, field.element) {
+        (Default::Version(version), _) => Literal::u8_unsuffixed(version).into_token_stream(),
+        (Default::Zero, Element::Int(_)) => quote!(0),
+        (Default::Zero, Element::F32 | Element::F64) => quote!(0.0),
+        (Default::Zero, Element::Enum(one)) => {
+            let ty = ident(one.ident);
+            if one.flags { quote!(#ty::empty()) } else { quote!(#ty(0)) }
         }
-        (None, Scalar::Version(version)) => decimal(version).into_token_stream(),
-        (None, Scalar::F32 | Scalar::F64) => quote!(0.0),
-        (None, _) => quote!(0),
     };
-    match field.ty {
-        FieldType { array: None, .. } => element,
-        FieldType { scalar: Scalar::Char, array: Some(n) } => {
-            let n = decimal(n.get());
+    let value = match field.shape {
+        Shape::One => element,
+        Shape::Array(n) => {
+            let n = Literal::u8_unsuffixed(n);
+            quote!([#element; #n])
+        }
+        Shape::Chars(n) => {
+            let n = Literal::u8_unsuffixed(n);
             quote!(wire::Chars([0; #n]))
         }
-        FieldType { array: Some(n), .. } => {
-            let n = decimal(n.get());
-            quote!([#element; #n])
-        }
-    }
-}
-
-/// The type in the spelling of the XML: `uint16_t[4]`.
-pub(crate) fn xml_type(field: &Field) -> String {
-    let scalar = match field.ty.scalar {
-        Scalar::Version(_) => "uint8_t_mavlink_version",
-        other => other.wire_name(),
     };
-    field.ty.array.map_or_else(|| scalar.to_owned(), |n| format!("{scalar}[{n}]"))
+    quote!(#name: #value,)
 }
 
-/// The description; then units, range, enum, sentinel, whether MAVLink 1 has it and whether it is a secret.
-fn documentation(context: &Context<'_>, field: &Field, secret: bool) -> Vec<String> {
-    let mut facts = doc::quantity(field.units.as_deref(), field.multiplier.as_deref(), &field.limits);
-    facts.extend(field.invalid.as_ref().map(|invalid| sentinel_sentence(invalid, field)));
-    let mut sentences = Vec::new();
-    if !facts.is_empty() {
-        sentences.push(doc::capitalised(&format!("{}.", facts.join("; "))));
-    }
-    if let Some(values) = converted_enum(context, field) {
-        sentences.push(format!("A number: [`{}`] gives it as [`{}`].", accessor_link(field), values.name.rust));
-    }
-    if field.extension {
-        sentences.push("Extension: MAVLink 1 does not carry it.".to_owned());
-    }
-    if field.instance {
-        sentences.push("Tells apart the instances that one sender reports.".to_owned());
-    }
-    if secret {
-        sentences.push("Secret: `Debug`, reflection and `defmt` do not show it.".to_owned());
-    }
-    if field.origin.description.trim().is_empty() && sentences.is_empty() {
-        sentences.push(format!("`{}`, a `{}`.", field.name.text, xml_type(field)));
-    }
-    let words = sentences.iter().flat_map(|sentence| sentence.split(' ')).map(str::to_owned);
-    prose_with(&field.origin.description, words.collect())
+/// `cog: get(p, 26),`
+pub(super) fn load(field: &Field<'_>) -> TokenStream {
+    let (name, offset) = (ident(field.ident), decimal(field.wire.offset));
+    quote!(#name: get(p, #offset),)
 }
 
-fn accessor_link(field: &Field) -> String {
-    format!("Self::{}()", field.name.rust)
-}
-
-/// `65535 means not known`.
-fn sentinel_sentence(invalid: &Invalid, field: &Field) -> String {
-    let value = match invalid.sentinel {
-        Sentinel::Integer(value) => value.to_string(),
-        Sentinel::Float(value) => value.to_string(),
-        Sentinel::NotANumber => "NaN".to_owned(),
-    };
-    match (invalid.scope, field.ty.array) {
-        (Scope::Each, None) => format!("{value} means not known"),
-        (Scope::Each, Some(_)) => format!("{value} means that an element is not known"),
-        (Scope::Whole, _) => format!("{value} in the first element means that none is known"),
-        (Scope::First, _) => format!("{value} means that the first element is not known"),
-    }
+/// `put(p, 26, self.cog);`
+pub(super) fn store(field: &Field<'_>) -> TokenStream {
+    let (name, offset) = (ident(field.ident), decimal(field.wire.offset));
+    quote!(put(p, #offset, self.#name);)
 }
 
 /// `wire::FieldInfo::array("voltages", wire::Kind::U16, 10, 10).units("mV").invalid(…),`
-fn info(context: &Context<'_>, field: &Field, secret: bool) -> TokenStream {
-    let (name, kind, offset) = (&field.name.text, kind(field.ty.scalar), decimal(field.offset));
-    let mut info = match field.ty.array {
-        None => quote!(wire::FieldInfo::new(#name, wire::Kind::#kind, #offset)),
+pub(super) fn info(field: &Field<'_>) -> TokenStream {
+    let ir::Field { name, ty, offset, extension, units, invalid, .. } = field.wire;
+    let (name, kind, offset) = (&name.text, kind(ty.scalar), decimal(*offset));
+    let new = match ty.array {
+        None => quote!(new(#name, wire::Kind::#kind, #offset)),
         Some(n) => {
             let n = decimal(n.get());
-            quote!(wire::FieldInfo::array(#name, wire::Kind::#kind, #n, #offset))
+            quote!(array(#name, wire::Kind::#kind, #n, #offset))
         }
     };
-    if field.extension {
-        info.extend(quote!(.extension()));
-    }
-    if let Some(units) = &field.units {
-        info.extend(quote!(.units(#units)));
-    }
-    if let Some(values) = field.values.and_then(|values| context.dialect.enum_by_id(values.id())) {
-        let name = ident(&values.name.rust);
-        info.extend(quote!(.values(<#name as wire::Enum>::INFO)));
-    }
-    if let Some(invalid) = &field.invalid {
-        let invalid = invalid_info(invalid, field.ty.scalar);
-        info.extend(quote!(.invalid(#invalid)));
-    }
-    if secret {
-        info.extend(quote!(.secret()));
-    }
-    quote!(#info,)
+    let extension = extension.then(|| quote!(.extension()));
+    let units = units.as_ref().map(|units| quote!(.units(#units)));
+    let values = field.carries.map(|carried| {
+        let carried = ident(carried.ident);
+        quote!(.values(<#carried as wire::Enum>::INFO))
+    });
+    let invalid = invalid.as_ref().map(|invalid| {
+        let invalid = invalid_info(invalid, ty.scalar);
+        quote!(.invalid(#invalid))
+    });
+    let secret = field.secret.then(|| quote!(.secret()));
+    quote!(wire::FieldInfo::#new #extension #units #values #invalid #secret,)
 }
 
 /// The variant of `wire::Kind`.

@@ -33,65 +33,36 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::docs::line;
-use crate::emit::field::{FieldTokens, field, xml_type};
-use crate::emit::method::method;
-use crate::emit::token::{decimal, ident};
-use crate::emit::{Context, accessor, doc, rivals, secret};
-use crate::ir::{Field, Message};
-use crate::lower::Internal;
+use super::method::method;
+use super::token::{decimal, ident};
+use super::{doc, field, secret};
+use crate::rust::{Frame, Struct, Target};
 
-/// The items of a message's file.
-pub(crate) fn message(context: &Context<'_>, message: &Message) -> Result<TokenStream, Internal> {
-    let imports = imports(context, message);
-    let fields: Vec<FieldTokens> = message.fields.iter().map(|one| field(context, message, one)).collect();
-    let declaration = declaration(context, message, &fields);
-    let message_impl = message_impl(message, &fields);
-    let targeted = targeted(message);
-    let accessors = accessor::accessors(context, message);
-    let bindings = bindings(context, message)?;
-    let name = ident(&message.name.rust);
-    Ok(quote! {
-        #imports
+/// The items of a message's file, without its imports.
+pub(crate) fn message(message: &Struct<'_>) -> TokenStream {
+    let (name, methods) = (ident(message.ident), message.methods.iter().map(method));
+    let declaration = declaration(message);
+    let methods = (!message.methods.is_empty()).then(|| quote!(impl #name { #(#methods)* }));
+    let message_impl = message_impl(message);
+    let Frame { target_system, target_component, .. } = message.frame;
+    let targeted = target_system.and(target_component).map(|_| quote!(impl wire::Targeted for #name {}));
+    quote! {
         #declaration
-        #accessors
-        #bindings
+        #methods
         #message_impl
         #targeted
         wire::message!(#name);
-    })
-}
-
-/// The `impl` with the enums that overlays bind to fields; nothing if there are none.
-fn bindings(context: &Context<'_>, message: &Message) -> Result<TokenStream, Internal> {
-    let methods = context.items().bindings(message)?;
-    if methods.is_empty() {
-        return Ok(TokenStream::new());
     }
-    let (name, methods) = (ident(&message.name.rust), methods.iter().map(method));
-    Ok(quote!(impl #name { #(#methods)* }))
-}
-
-fn imports(context: &Context<'_>, message: &Message) -> TokenStream {
-    let fields = message.fields.iter().filter_map(|field| Some(field.values?.id()));
-    let bound = message.bindings.iter().map(|binding| binding.values);
-    let (enums, runtime) = (context.use_enums(fields.chain(bound)), context.use_runtime());
-    let wire = (!message.fields.is_empty()).then(|| {
-        quote!(
-            use wire::generated::{get, put};
-        )
-    });
-    quote!(#enums #runtime #wire)
 }
 
 /// The struct, in the order of the XML.
-fn declaration(context: &Context<'_>, message: &Message, fields: &[FieldTokens]) -> TokenStream {
-    let docs = doc::attributes(&documentation(context, message));
-    let deprecated = doc::deprecated(context, &message.origin);
-    let (name, alias) = (ident(&message.name.rust), doc::alias(&message.name));
-    let fields = fields.iter().map(|field| &field.declaration);
-    let secretive = secret::debug(message);
-    let debug = if secretive.is_some() { None } else { Some(quote!(Debug,)) };
+fn declaration(message: &Struct<'_>) -> TokenStream {
+    let Struct { ident: name, alias, docs, deprecated, fields, .. } = message;
+    let (docs, alias) = (doc::documentation(docs), doc::alias(*alias));
+    let deprecated = doc::deprecated(deprecated.as_ref());
+    let secretive = fields.iter().any(|field| field.secret).then(|| secret::debug(message));
+    let debug = secretive.is_none().then(|| quote!(Debug,));
+    let (name, fields) = (ident(name), fields.iter().map(field::declaration));
     quote! {
         #docs
         #alias
@@ -102,51 +73,13 @@ fn declaration(context: &Context<'_>, message: &Message, fields: &[FieldTokens])
     }
 }
 
-/// The description, the facts of the frame and the wire table.
-fn documentation(context: &Context<'_>, message: &Message) -> Vec<String> {
-    let file = context.dialect.file(message.origin.file).map_or("", |file| file.name.as_str());
-    let Message { id, name, crc_extra, len_v1, len_v2, .. } = message;
-    let length = match (len_v1 == len_v2, *id > 255) {
-        (true, _) if *len_v2 == 1 => "1 byte".to_owned(),
-        (true, _) => format!("{len_v2} bytes"),
-        (false, true) => format!("{len_v2} bytes, {len_v1} without extensions"),
-        (false, false) => format!("{len_v2} bytes, {len_v1} in MAVLink 1"),
-    };
-    let reach = if *id > 255 { "; MAVLink 2 only" } else { "" };
-    let facts = format!("`{}`, message {id} of `{file}`: {length}, CRC_EXTRA {crc_extra}{reach}.", name.text);
-    let facts = match doc::reference(file, &name.text) {
-        Some(link) => vec![facts, format!("See the {link}.")],
-        None => vec![facts],
-    };
-    doc::join([doc::description(&message.origin), facts, rivals::of_message(context, message), wire_table(message)])
-}
-
-/// What lies where in the payload.
-fn wire_table(message: &Message) -> Vec<String> {
-    let row = |field: &Field| {
-        let extension = if field.extension { " (extension)" } else { "" };
-        let units = field.units.as_deref().map(line).unwrap_or_default();
-        vec![
-            field.offset.to_string(),
-            format!("`{}`{extension}", field.name.text),
-            format!("`{}`", xml_type(field)),
-            units,
-        ]
-    };
-    let rows: Vec<_> = message.wire_order().into_iter().map(row).collect();
-    doc::table(&["offset", "field", "type", "units"], &rows)
-}
-
 /// The implementation of `wire::Message`: the facts, the loads in the order of the XML, the stores in wire order.
-fn message_impl(message: &Message, fields: &[FieldTokens]) -> TokenStream {
-    let (name, length, info) = (ident(&message.name.rust), decimal(message.len_v2), info(message));
-    let infos = fields.iter().map(|field| &field.info);
-    let defaults = fields.iter().map(|field| &field.default);
-    let loads = fields.iter().map(|field| &field.decode);
-    let mut by_offset: Vec<&FieldTokens> = fields.iter().collect();
-    by_offset.sort_by_key(|field| field.offset);
-    let stores = by_offset.into_iter().map(|field| &field.encode);
-    let target_mut = target_mut(message);
+fn message_impl(message: &Struct<'_>) -> TokenStream {
+    let Struct { ident: name, fields, frame, .. } = message;
+    let (name, length, info) = (ident(name), decimal(frame.len_v2), info(frame));
+    let (infos, defaults) = (fields.iter().map(field::info), fields.iter().map(field::default));
+    let (loads, stores) = (fields.iter().map(field::load), message.wire_order().into_iter().map(field::store));
+    let target_mut = target_mut(frame);
     quote! {
         impl wire::Message for #name {
             type Payload = [u8; #length];
@@ -167,42 +100,29 @@ fn message_impl(message: &Message, fields: &[FieldTokens]) -> TokenStream {
 }
 
 /// `&wire::MessageInfo::new(24, "GPS_RAW_INT", 24, 52).len_v1(30)`
-fn info(message: &Message) -> TokenStream {
-    let Message { id, name, crc_extra, len_v1, len_v2, .. } = message;
-    let (id, name, crc_extra, length) = (decimal(*id), &name.text, decimal(*crc_extra), decimal(*len_v2));
-    let shorter = decimal(*len_v1);
+fn info(frame: &Frame<'_>) -> TokenStream {
+    let Frame { id, name, crc_extra, len_v1, len_v2, target_system, target_component } = *frame;
+    let (id, crc_extra, length) = (decimal(id), decimal(crc_extra), decimal(len_v2));
+    let shorter = decimal(len_v1);
     let len_v1 = (len_v1 != len_v2).then(|| quote!(.len_v1(#shorter)));
-    let target_system =
-        message.target_system().map(|field| decimal(field.offset)).map(|at| quote!(.target_system(#at)));
+    let target_system = target_system.map(|target| decimal(target.offset)).map(|at| quote!(.target_system(#at)));
     let target_component =
-        message.target_component().map(|field| decimal(field.offset)).map(|at| quote!(.target_component(#at)));
+        target_component.map(|target| decimal(target.offset)).map(|at| quote!(.target_component(#at)));
     quote!(&wire::MessageInfo::new(#id, #name, #crc_extra, #length) #len_v1 #target_system #target_component)
 }
 
 /// `target_mut`, for a message that names a system or a component it is meant for.
-fn target_mut(message: &Message) -> TokenStream {
-    let targets = (message.target_system(), message.target_component());
-    if targets.0.is_none() && targets.1.is_none() {
-        return TokenStream::new();
-    }
-    let reference = |field: Option<&Field>| match field.map(|field| ident(&field.name.rust)) {
+fn target_mut(frame: &Frame<'_>) -> Option<TokenStream> {
+    frame.target_system.or(frame.target_component)?;
+    let reference = |target: Option<Target<'_>>| match target.map(|target| ident(target.field)) {
         Some(field) => quote!(Some(&mut self.#field)),
         None => quote!(None),
     };
-    let (system, component) = (reference(targets.0), reference(targets.1));
-    quote! {
+    let (system, component) = (reference(frame.target_system), reference(frame.target_component));
+    Some(quote! {
         #[inline]
         fn target_mut(&mut self) -> (Option<&mut u8>, Option<&mut u8>) {
             (#system, #component)
         }
-    }
-}
-
-/// `.to(system, component)`, for a message that names whom it is meant for.
-fn targeted(message: &Message) -> TokenStream {
-    if message.target_system().is_none() || message.target_component().is_none() {
-        return TokenStream::new();
-    }
-    let name = ident(&message.name.rust);
-    quote!(impl wire::Targeted for #name {})
+    })
 }

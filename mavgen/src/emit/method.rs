@@ -3,10 +3,10 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::doc;
 use super::token::ident;
 use super::ty::{number_in, ty, value_of};
 use super::view::{bits, scaled, slots, source};
+use super::{accessor, doc};
 use crate::rust::{Bind, Kind, Method, Receiver, Sig, Ty};
 
 pub(super) fn method(method: &Method<'_>) -> TokenStream {
@@ -66,6 +66,10 @@ fn body(kind: &Kind<'_>) -> TokenStream {
         Kind::SlotSet { get, store } => slots::set(get, store),
         Kind::SlotPush { count, length, store } => slots::push(*count, *length, store),
         Kind::SlotStore(slot) => slots::store(slot),
+        Kind::SentinelGet(sentinel) => accessor::get(sentinel),
+        Kind::SentinelSet(sentinel) => accessor::set(sentinel),
+        Kind::EnumGet(convert) => accessor::get_enum(convert),
+        Kind::EnumSet(convert) => accessor::set_enum(convert),
         Kind::BindGet(bind) => bind_get(bind),
         Kind::BindSet(bind) => bind_set(bind),
     }

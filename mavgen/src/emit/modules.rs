@@ -5,16 +5,15 @@ use std::collections::BTreeMap;
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
 
-use crate::docs::first_sentence;
 use crate::emit::folder::{Folder, Listed};
 use crate::emit::place::path;
 use crate::emit::token::{decimal, ident};
 use crate::emit::{Context, dialect as dialects, doc};
 use crate::ir::{Access, Message, Name, Origin, View};
-use crate::lower::Internal;
 use crate::lower::link::Home;
 use crate::lower::spelling::item_module_name;
-use crate::rust::Mentions;
+use crate::lower::{Internal, docs};
+use crate::rust::{Cell, Docs, Mentions, Paragraph};
 
 /// `mod.rs`: modules and flat names, of what there is. It begins with an item, so that `include!` takes it.
 ///
@@ -67,16 +66,16 @@ pub(crate) fn messages(context: &Context<'_>, folder: &Folder<'_>) -> TokenStrea
     let rows: Vec<_> = messages
         .iter()
         .map(|Listed { item, .. }| {
-            let (id, link) = (item.id.to_string(), doc::link(&item.name));
-            vec![id, link, first_sentence(&item.origin.description)]
+            let (id, link) = (item.id.to_string(), docs::link(&item.name.rust));
+            vec![Cell::Plain(id), Cell::Plain(link), Cell::FirstSentence(&item.origin.description)]
         })
         .collect();
-    let toc = doc::table(&["id", "message", ""], &rows);
+    let toc = Paragraph::Table(vec!["id", "message", ""], rows);
     let title = match folder.dialect {
         Some(_) => "The messages of the dialect, one type each.",
         None => "The messages that are the same in all dialects that have them, one type each.",
     };
-    let docs = doc::inner_attributes(&doc::join([vec![title.to_owned()], toc]));
+    let docs = doc::inner_attributes(&doc::lines(&Docs(vec![Paragraph::line(title), toc])));
     let modules = messages.iter().map(|&Listed { item, home }| Module {
         name: &item.name,
         home,
@@ -94,15 +93,16 @@ pub(crate) fn enums(context: &Context<'_>, folder: &Folder<'_>) -> TokenStream {
         .iter()
         .map(|Listed { item, .. }| {
             let entries = decimal(item.entries.len() as u64).to_string();
-            vec![entries, doc::link(&item.name), first_sentence(&item.origin.description)]
+            let link = docs::link(&item.name.rust);
+            vec![Cell::Plain(entries), Cell::Plain(link), Cell::FirstSentence(&item.origin.description)]
         })
         .collect();
-    let toc = doc::table(&["entries", "enum", ""], &rows);
+    let toc = Paragraph::Table(vec!["entries", "enum", ""], rows);
     let title = match folder.dialect {
         Some(_) => "The enums and flags of the dialect.",
         None => "The enums and flags that are the same in all dialects that have them, with the constants of all.",
     };
-    let docs = doc::inner_attributes(&doc::join([vec![title.to_owned()], toc]));
+    let docs = doc::inner_attributes(&doc::lines(&Docs(vec![Paragraph::line(title), toc])));
     let deprecated = |origin: &Origin| context.is_deprecated(origin);
     let modules = enums.iter().map(|&Listed { item, home }| Module {
         name: &item.name,

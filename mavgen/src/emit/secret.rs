@@ -15,23 +15,21 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::emit::token::ident;
-use crate::ir::{Field, Message};
+use super::token::ident;
+use crate::rust::{Field, Struct};
 
-/// Nothing for the other messages, whose `Debug` is derived.
-pub(super) fn debug(message: &Message) -> Option<TokenStream> {
-    let secret = message.secret()?.offset;
-    let field = |field: &Field| {
-        let (shown, name) = (&field.name.rust, ident(&field.name.rust));
-        if field.offset == secret { quote!(.field(#shown, &"secret")) } else { quote!(.field(#shown, &self.#name)) }
+pub(super) fn debug(message: &Struct<'_>) -> TokenStream {
+    let field = |field: &Field<'_>| {
+        let (shown, name) = (field.ident, ident(field.ident));
+        if field.secret { quote!(.field(#shown, &"secret")) } else { quote!(.field(#shown, &self.#name)) }
     };
-    let (name, shown) = (ident(&message.name.rust), &message.name.rust);
+    let (name, shown) = (ident(message.ident), message.ident);
     let fields = message.fields.iter().map(field);
-    Some(quote! {
+    quote! {
         impl core::fmt::Debug for #name {
             fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
                 f.debug_struct(#shown) #(#fields)* .finish()
             }
         }
-    })
+    }
 }

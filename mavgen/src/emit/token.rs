@@ -3,7 +3,7 @@
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, quote};
 
-use crate::ir::{Repr, Scalar};
+use crate::ir::Repr;
 use crate::lower::spelling::is_keyword;
 
 /// An identifier; a keyword becomes a raw one.
@@ -63,22 +63,6 @@ pub(crate) fn float(value: f64) -> TokenStream {
 /// The Rust integer behind an enum.
 pub(crate) fn repr(repr: Repr) -> Ident {
     ident(repr.rust_name())
-}
-
-/// The Rust type of an element that is no enum.
-pub(crate) fn scalar(scalar: Scalar) -> Ident {
-    ident(match scalar {
-        Scalar::Char | Scalar::U8 | Scalar::Version(_) => "u8",
-        Scalar::I8 => "i8",
-        Scalar::U16 => "u16",
-        Scalar::I16 => "i16",
-        Scalar::U32 => "u32",
-        Scalar::I32 => "i32",
-        Scalar::U64 => "u64",
-        Scalar::I64 => "i64",
-        Scalar::F32 => "f32",
-        Scalar::F64 => "f64",
-    })
 }
 
 #[cfg(test)]

@@ -3,8 +3,8 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-use super::token::{ident, integer};
-use crate::rust::{AsInt, Error, Int, Literal, Through, Ty};
+use super::token::{decimal, float, ident, integer};
+use crate::rust::{AsInt, EnumType, Error, Int, Literal, Through, Ty};
 
 pub(super) fn int(int: Int) -> Ident {
     ident(int.name())
@@ -25,10 +25,15 @@ pub(super) fn ty(of: &Ty<'_>) -> TokenStream {
         Ty::Own => quote!(Self),
         Ty::Enum(one) => named(one.ident),
         Ty::Named(name) => named(name),
+        Ty::Array(inner, length) => {
+            let (inner, length) = (ty(inner), decimal(*length));
+            quote!([#inner; #length])
+        }
         Ty::Option(inner) => {
             let inner = ty(inner);
             quote!(Option<#inner>)
         }
+        Ty::Fallible(Error::OutOfRange) => quote!(Result<(), wire::OutOfRange>),
         Ty::Fallible(Error::View) => quote!(Result<(), wire::ViewError>),
         Ty::Iterator(item) => {
             let item = ty(item);
@@ -56,17 +61,19 @@ pub(super) fn number_in(as_int: AsInt<'_>, value: &TokenStream) -> TokenStream {
 pub(super) fn value_of(as_int: AsInt<'_>, number: &TokenStream) -> TokenStream {
     match as_int.through {
         Through::Plain => number.clone(),
-        Through::Open(one) => {
-            let ty = ident(one.ident);
-            quote!(#ty(#number))
-        }
-        Through::Flags(one) => {
-            let ty = ident(one.ident);
-            quote!(#ty::from_bits_retain(#number))
+        Through::Open(one) | Through::Flags(one) => {
+            let maker = maker(one);
+            quote!(#maker(#number))
         }
         Through::Float => quote!(f32::from_bits(#number)),
         Through::Double => quote!(f64::from_bits(#number)),
     }
+}
+
+/// What makes an enum of its integer: `T`, `T::from_bits_retain`.
+pub(super) fn maker(of: EnumType<'_>) -> TokenStream {
+    let ty = ident(of.ident);
+    if of.flags { quote!(#ty::from_bits_retain) } else { quote!(#ty) }
 }
 
 /// `65535`, `MavAutopilot::AUTOQUAD`, `PodKind(7)`
@@ -77,5 +84,6 @@ pub(super) fn literal(literal: Literal<'_>) -> TokenStream {
             quote!(#ty::#constant)
         }
         Literal::Number(as_int, number) => value_of(as_int, &integer(number)),
+        Literal::Float(value) => float(value),
     }
 }

@@ -1,8 +1,8 @@
 //! What things are called in Rust.
 
-use super::Items;
+use super::{Internal, Items};
 use crate::ir::{Binding, Entry, Enum, Field, Key, Label, Member, Message, Name, Slots, Switch, View};
-use crate::lower::spelling::field_name;
+use crate::lower::spelling::{field_name, is_keyword};
 
 impl<'d> Items<'d> {
     pub(super) fn message_type(self, message: &'d Message) -> &'d str {
@@ -19,6 +19,14 @@ impl<'d> Items<'d> {
 
     pub(super) fn field_name(self, field: &'d Field) -> &'d str {
         rust(&field.name)
+    }
+
+    /// The fields that have a getter and a setter beside them.
+    pub(super) fn fields_with_accessors(self, message: &'d Message) -> Result<Vec<&'d Field>, Internal> {
+        let at = self.dialect.messages.iter().position(|other| std::ptr::eq(other, message));
+        let names =
+            at.and_then(|at| self.names.messages.get(at)).ok_or_else(|| Internal::new("a message has no names"))?;
+        names.accessors.iter().map(|&index| self.field(message, index)).collect()
     }
 
     pub(super) fn view_type(self, view: &'d View) -> &'d str {
@@ -61,4 +69,9 @@ impl<'d> Items<'d> {
 
 fn rust(name: &Name) -> &str {
     &name.rust
+}
+
+/// A name as it is written: a keyword raw.
+pub(super) fn spelled(name: &str) -> String {
+    if is_keyword(name) { format!("r#{name}") } else { name.to_owned() }
 }

@@ -8,7 +8,7 @@ mod source;
 use super::{Internal, Items};
 use crate::ir::{Access, Member, Message, Presence, SwitchOn};
 use crate::ir::{Meaning, View as Layout};
-use crate::rust::{Debugged, Docs, Int, Kind, Method, Paragraph, Param, Receiver, Sig, Ty, View};
+use crate::rust::{Cell, Debugged, Docs, Int, Kind, Method, Paragraph, Param, Receiver, Sig, Ty, View};
 
 /// What a view gives to its message: methods, and the type of a slot.
 struct Given<'d> {
@@ -69,8 +69,7 @@ impl<'d> Items<'d> {
 
     /// The description, where the bits are found, and a table of them.
     fn view_docs(self, message: &'d Message, layout: &'d Layout) -> Result<Docs<'d>, Internal> {
-        let file = self.dialect.file(layout.origin.file);
-        let file = file.map(|file| &file.name).ok_or_else(|| Internal::new("a view comes from no file"))?;
+        let file = self.file_name(layout.origin.file)?;
         let fields = self.word_fields(message, layout)?;
         let fields: Vec<String> = fields.iter().map(|field| format!("`{}`", field.name.text)).collect();
         let facts = format!(
@@ -86,7 +85,7 @@ impl<'d> Items<'d> {
     }
 
     /// `|  29..=43 | `rpm` | rpm | |`
-    fn row(self, layout: &'d Layout, member: &'d Member) -> Result<Vec<String>, Internal> {
+    fn row(self, layout: &'d Layout, member: &'d Member) -> Result<Vec<Cell<'d>>, Internal> {
         let last = member.at + member.width - 1;
         let bits = if member.width == 1 { member.at.to_string() } else { format!("{}..={last}", member.at) };
         let bits = match member.repeat {
@@ -100,7 +99,7 @@ impl<'d> Items<'d> {
             Meaning::Scaled(scaled) => format!("{scaled} {}", scaled.units.as_deref().unwrap_or_default()),
         };
         let name = format!("`{}`", self.member_getter(member));
-        Ok(vec![bits, name, meaning.trim_end().to_owned(), self.only_if(layout, member)])
+        Ok([bits, name, meaning.trim_end().to_owned(), self.only_if(layout, member)].map(Cell::Plain).to_vec())
     }
 
     /// `data_version` 3..=9, 30..=255

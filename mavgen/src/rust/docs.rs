@@ -12,7 +12,16 @@ pub(crate) enum Paragraph<'d> {
     /// Lines of ours, as they are.
     Lines(Vec<String>),
     /// A table with aligned columns.
-    Table(Vec<&'static str>, Vec<Vec<String>>),
+    Table(Vec<&'static str>, Vec<Vec<Cell<'d>>>),
+}
+
+/// A cell of a table.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Cell<'d> {
+    /// Words of ours.
+    Plain(String),
+    /// The first sentence of what the XML says.
+    FirstSentence(&'d str),
 }
 
 impl<'d> Docs<'d> {

@@ -2,8 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use super::EnumType;
-use super::{AsInt, Holds, Kind, Literal, Method, Place, Sig, Slot, Source, Stored, Test, Through, Ty, View};
+use super::{
+    AsInt, EnumType, Holds, Kind, Literal, Method, Place, Sentinel, Sig, Slot, Source, Stored, Struct, Test, Through,
+    Ty, Unknown, View,
+};
 use crate::ir::EnumId;
 
 /// The enums that are named, each once.
@@ -16,6 +18,14 @@ impl<'d> Mentions<'d> {
         let mut mentions = Self::default();
         view.methods.iter().chain(&view.message_methods).for_each(|method| mentions.method(method));
         view.slot.iter().flat_map(|slot| &slot.fields).for_each(|field| mentions.ty(&field.ty));
+        mentions
+    }
+
+    /// Those of a message's file.
+    pub(crate) fn of_message(message: &Struct<'d>) -> Self {
+        let mut mentions = Self::default();
+        message.methods.iter().for_each(|method| mentions.method(method));
+        message.fields.iter().filter_map(|field| field.carries).for_each(|carried| mentions.named(carried));
         mentions
     }
 
@@ -38,7 +48,7 @@ impl<'d> Mentions<'d> {
     fn ty(&mut self, ty: &Ty<'d>) {
         match ty {
             Ty::Enum(one) => self.named(*one),
-            Ty::Option(inner) | Ty::Iterator(inner) => self.ty(inner),
+            Ty::Array(inner, _) | Ty::Option(inner) | Ty::Iterator(inner) => self.ty(inner),
             Ty::Int(_)
             | Ty::F32
             | Ty::F64
@@ -71,6 +81,14 @@ impl<'d> Mentions<'d> {
                 bind.when.iter().for_each(|test| self.test(test));
             }
             Kind::BindSet(bind) => self.named(bind.bound),
+            Kind::SentinelGet(Sentinel { unknown, .. }) | Kind::SentinelSet(Sentinel { unknown, .. }) => {
+                self.unknown(*unknown)
+            }
+            Kind::EnumGet(convert) => {
+                self.named(convert.to);
+                convert.unknown.into_iter().for_each(|unknown| self.unknown(unknown));
+            }
+            Kind::EnumSet(convert) => self.named(convert.to),
             Kind::FromBits { .. } | Kind::Bits | Kind::SwitchGet(_) | Kind::Slots { .. } | Kind::SlotSet { .. } => {}
             Kind::ScaledGet(_) | Kind::ScaledSet(_) | Kind::ExactGet(_) => {}
         }
@@ -87,6 +105,13 @@ impl<'d> Mentions<'d> {
         match literal {
             Literal::Constant(one, _) => self.named(one),
             Literal::Number(as_int, _) => self.made_of(as_int),
+            Literal::Float(_) => {}
+        }
+    }
+
+    fn unknown(&mut self, unknown: Unknown<'d>) {
+        if let Unknown::Is(literal) = unknown {
+            self.literal(literal);
         }
     }
 

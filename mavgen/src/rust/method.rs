@@ -1,6 +1,6 @@
 //! Methods: a signature, and a kind with all that the body needs.
 
-use super::{Bind, BitField, Count, Docs, Error, Scale, Slot, Source, Ty};
+use super::{Bind, BitField, Convert, Count, Docs, Error, Scale, Sentinel, Slot, Source, Ty};
 
 /// A method or an associated function.
 #[derive(Clone, Debug, PartialEq)]
@@ -77,6 +77,14 @@ pub(crate) enum Kind<'d> {
     SlotPush { count: Count<'d>, length: u8, store: String },
     /// Of a message, and private: puts a slot into the arrays.
     SlotStore(Slot<'d>),
+    /// Of a message: a field that may be unknown.
+    SentinelGet(Sentinel<'d>),
+    /// Of a message: sets a field that may be unknown.
+    SentinelSet(Sentinel<'d>),
+    /// Of a message: a field as an enum of another width or sign.
+    EnumGet(Convert<'d>),
+    /// Of a message: sets a field from an enum of another width or sign.
+    EnumSet(Convert<'d>),
     /// Of a message: a field as the enum that an overlay binds to it.
     BindGet(Bind<'d>),
     /// Of a message: sets a field from the enum that an overlay binds to it.

@@ -52,6 +52,15 @@ impl Int {
         Self { signed: false, ..self }
     }
 
+    /// Whether every number of it is one of the other.
+    pub(crate) fn is_within(self, other: Self) -> bool {
+        match (self.signed, other.signed) {
+            (false, false) | (true, true) => self.width <= other.width,
+            (false, true) => self.width < other.width,
+            (true, false) => false,
+        }
+    }
+
     /// `u16`
     pub(crate) fn name(self) -> &'static str {
         match (self.width, self.signed) {
@@ -102,6 +111,8 @@ pub(crate) enum Ty<'d> {
     Enum(EnumType<'d>),
     /// A view or a slot, in whose file it is named.
     Named(&'d str),
+    /// `[T; 4]`
+    Array(Box<Self>, u8),
     /// `Option<T>`
     Option(Box<Self>),
     /// `Result<(), E>`
@@ -122,6 +133,8 @@ impl Ty<'_> {
 pub(crate) enum Error {
     /// `wire::ViewError`
     View,
+    /// `wire::OutOfRange`
+    OutOfRange,
 }
 
 /// An enum or a set of flags, as others name it.
@@ -234,10 +247,12 @@ pub(crate) enum Through<'d> {
 }
 
 /// A number in the type of a value.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Literal<'d> {
     /// The constant of an enum: `MavAutopilot::AUTOQUAD`.
     Constant(EnumType<'d>, &'d str),
     /// `65535`, `PodKind(7)`
     Number(AsInt<'d>, i128),
+    /// `1e30`
+    Float(f64),
 }

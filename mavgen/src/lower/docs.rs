@@ -1,0 +1,112 @@
+//! Documentation: what the XML says, and what only the generator knows.
+
+use super::Items;
+use crate::docs::line;
+use crate::ir::{Lifecycle, Limits, Origin, Successor};
+use crate::rust::Paragraph;
+
+/// The description, and the stage of life.
+pub(crate) fn description(origin: &Origin) -> Vec<Paragraph<'_>> {
+    let lifecycle = lifecycle(origin).map(Paragraph::line);
+    [Paragraph::prose(&origin.description)].into_iter().chain(lifecycle).collect()
+}
+
+/// The stage of life in a sentence: `Superseded since 2015-08 by SET_MESSAGE_INTERVAL.`
+fn lifecycle(origin: &Origin) -> Option<String> {
+    match origin.lifecycle.as_ref()? {
+        Lifecycle::Wip => Some("**Work in progress**: may still change.".to_owned()),
+        Lifecycle::Superseded(successor) => Some(format!("**Superseded**{}", succession(successor))),
+        Lifecycle::Deprecated(successor) => Some(format!("**Deprecated**{}", succession(successor))),
+    }
+}
+
+/// ` since 2015-08, replaced by X. Why.`
+fn succession(successor: &Successor) -> String {
+    let since = successor.since.as_ref().map_or_else(String::new, |since| format!(" since {}", line(since)));
+    let by = successor.replaced_by.as_ref().map(|by| line(by)).filter(|by| !by.is_empty());
+    let by = by.map_or_else(String::new, |by| format!(", replaced by {by}"));
+    let why = line(&successor.description);
+    if why.is_empty() { format!("{since}{by}.") } else { format!("{since}{by}. {why}") }
+}
+
+impl Items<'_> {
+    /// `since 2018-04: replaced by X`, if the item is deprecated and the options ask for it.
+    ///
+    /// The date stands in the note because `since` takes nothing but a version.
+    pub(crate) fn deprecation(self, origin: &Origin) -> Option<String> {
+        match &origin.lifecycle {
+            Some(Lifecycle::Deprecated(successor)) if self.deprecated => Some(note(successor)),
+            _ => None,
+        }
+    }
+}
+
+fn note(successor: &Successor) -> String {
+    // Rustdoc shows the note as markdown, so it is made safe like all other text.
+    let by = successor.replaced_by.as_deref().map(line).filter(|by| !by.is_empty());
+    let by = by.map_or_else(|| "do not use".to_owned(), |by| format!("replaced by {by}"));
+    successor.since.as_ref().map_or_else(|| by.clone(), |since| format!("since {}: {by}", line(since)))
+}
+
+/// The XML's name, so that a search for it finds the type; nothing where both are spelled alike.
+pub(crate) fn alias<'d>(xml: &'d str, rust: &str) -> Option<&'d str> {
+    Some(xml).filter(|xml| *xml != rust)
+}
+
+/// `In m/s, from 0 to 100, in steps of 5`: what units and limits say; empty where they say nothing.
+pub(crate) fn quantity(units: Option<&str>, multiplier: Option<&str>, limits: &Limits) -> Vec<String> {
+    let unit = units.map(|units| match multiplier {
+        Some(multiplier) => format!("in {} times {}", line(units), line(multiplier)),
+        None => format!("in {}", line(units)),
+    });
+    let range = match (limits.min, limits.max) {
+        (Some(min), Some(max)) => Some(format!("from {min} to {max}")),
+        (Some(min), None) => Some(format!("at least {min}")),
+        (None, Some(max)) => Some(format!("at most {max}")),
+        (None, None) => None,
+    };
+    let step = limits.increment.map(|step| format!("in steps of {step}"));
+    [unit, range, step].into_iter().flatten().collect()
+}
+
+/// `in m/s` becomes `In m/s`.
+pub(crate) fn capitalised(sentence: &str) -> String {
+    let mut chars = sentence.chars();
+    chars.next().map_or_else(String::new, |first| first.to_uppercase().chain(chars).collect())
+}
+
+/// A link to a type; one that is called like a derive macro has to say what it is.
+pub(crate) fn link(rust: &str) -> String {
+    let derives = ["Clone", "Copy", "Debug", "Default", "Eq", "Hash", "Ord", "PartialEq", "PartialOrd"];
+    if derives.contains(&rust) { format!("[`struct@{rust}`]") } else { format!("[`{rust}`]") }
+}
+
+/// The files of upstream that have a page in the public message reference.
+const PUBLISHED: [&str; 20] = [
+    "ASLUAV",
+    "AVSSUAS",
+    "all",
+    "ardupilotmega",
+    "common",
+    "csAirLink",
+    "cubepilot",
+    "development",
+    "icarous",
+    "loweheiser",
+    "marsh",
+    "minimal",
+    "paparazzi",
+    "python_array_test",
+    "standard",
+    "stemstudios",
+    "storm32",
+    "test",
+    "uAvionix",
+    "ualberta",
+];
+
+/// A sentence that links to the public reference, where the file is one that it covers.
+pub(crate) fn reference(file: &str, anchor: &str) -> Option<String> {
+    let stem = file.strip_suffix(".xml").filter(|stem| PUBLISHED.contains(stem))?;
+    Some(format!("See the [message reference](https://mavlink.io/en/messages/{stem}.html#{anchor})."))
+}

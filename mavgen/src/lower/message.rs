@@ -1,0 +1,136 @@
+//! A message: its fields, its methods and its documentation.
+
+use super::{Internal, Items, docs, types};
+use crate::docs::line;
+use crate::ir::{self, Invalid, Message, Scalar, Scope, Sentinel, Values};
+use crate::rust::{Cell, Default, Docs, Field, Frame, Paragraph, Struct, Target};
+
+impl<'d> Items<'d> {
+    /// The items of a message; `conflicts` are lines about what other dialects have in its place.
+    pub(crate) fn message(self, message: &'d Message, conflicts: Vec<String>) -> Result<Struct<'d>, Internal> {
+        let mut methods = self.accessors(message)?;
+        methods.extend(self.bindings(message)?);
+        Ok(Struct {
+            ident: self.message_type(message),
+            alias: docs::alias(&message.name.text, self.message_type(message)),
+            docs: self.message_docs(message, conflicts)?,
+            deprecated: self.deprecation(&message.origin),
+            fields: message.fields.iter().map(|field| self.message_field(message, field)).collect::<Result<_, _>>()?,
+            methods,
+            frame: self.frame(message),
+        })
+    }
+
+    fn frame(self, message: &'d Message) -> Frame<'d> {
+        let target = |field: Option<&'d ir::Field>| {
+            field.map(|field| Target { field: self.field_name(field), offset: field.offset })
+        };
+        Frame {
+            id: message.id,
+            name: &message.name.text,
+            crc_extra: message.crc_extra,
+            len_v1: message.len_v1,
+            len_v2: message.len_v2,
+            target_system: target(message.target_system()),
+            target_component: target(message.target_component()),
+        }
+    }
+
+    fn message_field(self, message: &'d Message, field: &'d ir::Field) -> Result<Field<'d>, Internal> {
+        let secret = message.secret().is_some_and(|secret| secret.offset == field.offset);
+        Ok(Field {
+            ident: self.field_name(field),
+            element: self.element(field)?,
+            shape: types::shape(field),
+            default: match field.ty.scalar {
+                Scalar::Version(version) => Default::Version(version),
+                _ => Default::Zero,
+            },
+            docs: self.field_docs(field, secret)?,
+            secret,
+            carries: field.values.map(|values| self.enum_type(values.id())).transpose()?,
+            wire: field,
+        })
+    }
+
+    /// The description, the facts of the frame and the wire table.
+    fn message_docs(self, message: &'d Message, conflicts: Vec<String>) -> Result<Docs<'d>, Internal> {
+        let file = self.file_name(message.origin.file)?;
+        let Message { id, name, crc_extra, len_v1, len_v2, .. } = message;
+        let length = match (len_v1 == len_v2, *id > 255) {
+            (true, _) if *len_v2 == 1 => "1 byte".to_owned(),
+            (true, _) => format!("{len_v2} bytes"),
+            (false, true) => format!("{len_v2} bytes, {len_v1} without extensions"),
+            (false, false) => format!("{len_v2} bytes, {len_v1} in MAVLink 1"),
+        };
+        let reach = if *id > 255 { "; MAVLink 2 only" } else { "" };
+        let facts = format!("`{}`, message {id} of `{file}`: {length}, CRC_EXTRA {crc_extra}{reach}.", name.text);
+        let facts = [facts].into_iter().chain(docs::reference(file, &name.text)).collect();
+        let mut paragraphs = docs::description(&message.origin);
+        paragraphs.extend([Paragraph::Lines(facts), Paragraph::Lines(conflicts), wire_table(message)]);
+        Ok(Docs(paragraphs))
+    }
+
+    /// The description; then units, range, enum, sentinel, whether MAVLink 1 has it and whether it is a secret.
+    fn field_docs(self, field: &'d ir::Field, secret: bool) -> Result<Docs<'d>, Internal> {
+        let mut facts = docs::quantity(field.units.as_deref(), field.multiplier.as_deref(), &field.limits);
+        facts.extend(field.invalid.as_ref().map(|invalid| sentinel_sentence(invalid, field)));
+        let mut sentences = Vec::new();
+        if !facts.is_empty() {
+            sentences.push(docs::capitalised(&format!("{}.", facts.join("; "))));
+        }
+        if let Some(Values::Converted(id)) = field.values {
+            let (name, to) = (self.field_name(field), self.enum_type(id)?);
+            sentences.push(format!("A number: [`Self::{name}()`] gives it as [`{}`].", to.ident));
+        }
+        if field.extension {
+            sentences.push("Extension: MAVLink 1 does not carry it.".to_owned());
+        }
+        if field.instance {
+            sentences.push("Tells apart the instances that one sender reports.".to_owned());
+        }
+        if secret {
+            sentences.push("Secret: `Debug`, reflection and `defmt` do not show it.".to_owned());
+        }
+        if field.origin.description.trim().is_empty() && sentences.is_empty() {
+            sentences.push(format!("`{}`, a `{}`.", field.name.text, xml_type(field)));
+        }
+        Ok(Docs(vec![Paragraph::Prose(&field.origin.description, sentences)]))
+    }
+}
+
+/// What lies where in the payload.
+fn wire_table(message: &Message) -> Paragraph<'_> {
+    let row = |field: &ir::Field| {
+        let extension = if field.extension { " (extension)" } else { "" };
+        let units = field.units.as_deref().map(line).unwrap_or_default();
+        let name = format!("`{}`{extension}", field.name.text);
+        [field.offset.to_string(), name, format!("`{}`", xml_type(field)), units].map(Cell::Plain).to_vec()
+    };
+    let rows = message.wire_order().into_iter().map(row).collect();
+    Paragraph::Table(vec!["offset", "field", "type", "units"], rows)
+}
+
+/// The type in the spelling of the XML: `uint16_t[4]`.
+fn xml_type(field: &ir::Field) -> String {
+    let scalar = match field.ty.scalar {
+        Scalar::Version(_) => "uint8_t_mavlink_version",
+        other => other.wire_name(),
+    };
+    field.ty.array.map_or_else(|| scalar.to_owned(), |n| format!("{scalar}[{n}]"))
+}
+
+/// `65535 means not known`.
+fn sentinel_sentence(invalid: &Invalid, field: &ir::Field) -> String {
+    let value = match invalid.sentinel {
+        Sentinel::Integer(value) => value.to_string(),
+        Sentinel::Float(value) => value.to_string(),
+        Sentinel::NotANumber => "NaN".to_owned(),
+    };
+    match (invalid.scope, field.ty.array) {
+        (Scope::Each, None) => format!("{value} means not known"),
+        (Scope::Each, Some(_)) => format!("{value} means that an element is not known"),
+        (Scope::Whole, _) => format!("{value} in the first element means that none is known"),
+        (Scope::First, _) => format!("{value} means that the first element is not known"),
+    }
+}

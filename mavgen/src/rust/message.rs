@@ -1,0 +1,72 @@
+//! A message: its struct, and the frame that carries it.
+
+use super::{Docs, Element, EnumType, Method, Shape};
+use crate::ir;
+
+/// A message.
+#[derive(Clone, Debug)]
+pub(crate) struct Struct<'d> {
+    pub(crate) ident: &'d str,
+    /// The spelling of the XML, where it is another.
+    pub(crate) alias: Option<&'d str>,
+    pub(crate) docs: Docs<'d>,
+    /// Why it is not to be used.
+    pub(crate) deprecated: Option<String>,
+    /// In the order of the XML.
+    pub(crate) fields: Vec<Field<'d>>,
+    pub(crate) methods: Vec<Method<'d>>,
+    pub(crate) frame: Frame<'d>,
+}
+
+impl<'d> Struct<'d> {
+    /// The fields by offset.
+    pub(crate) fn wire_order(&self) -> Vec<&Field<'d>> {
+        let mut fields: Vec<&Field<'d>> = self.fields.iter().collect();
+        fields.sort_by_key(|field| field.wire.offset);
+        fields
+    }
+}
+
+/// A public field.
+#[derive(Clone, Debug)]
+pub(crate) struct Field<'d> {
+    pub(crate) ident: &'d str,
+    pub(crate) element: Element<'d>,
+    pub(crate) shape: Shape,
+    pub(crate) default: Default,
+    pub(crate) docs: Docs<'d>,
+    /// Whether no text may show it.
+    pub(crate) secret: bool,
+    /// The enum that it carries, as its type or not.
+    pub(crate) carries: Option<EnumType<'d>>,
+    /// What it is on the wire.
+    pub(crate) wire: &'d ir::Field,
+}
+
+/// The value in `DEFAULT`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Default {
+    Zero,
+    /// The version of the file that defines the message.
+    Version(u8),
+}
+
+/// What the frames of a message say of it.
+#[derive(Clone, Debug)]
+pub(crate) struct Frame<'d> {
+    pub(crate) id: u32,
+    /// The name in the XML.
+    pub(crate) name: &'d str,
+    pub(crate) crc_extra: u8,
+    pub(crate) len_v1: u8,
+    pub(crate) len_v2: u8,
+    pub(crate) target_system: Option<Target<'d>>,
+    pub(crate) target_component: Option<Target<'d>>,
+}
+
+/// A field that says whom a message is for.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Target<'d> {
+    pub(crate) field: &'d str,
+    pub(crate) offset: u8,
+}
