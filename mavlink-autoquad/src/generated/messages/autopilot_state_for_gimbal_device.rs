@@ -144,7 +144,7 @@ impl AutopilotStateForGimbalDevice {
     /// `landed_state`, or `None` where the sender does not know it.
     #[inline]
     pub fn landed_state(&self) -> Option<MavLandedState> {
-        if self.landed_state == MavLandedState(0) {
+        if self.landed_state == MavLandedState::UNDEFINED {
             None
         } else {
             Some(self.landed_state)
@@ -154,7 +154,7 @@ impl AutopilotStateForGimbalDevice {
     /// Sets `landed_state`; `None` says that it is not known.
     #[inline]
     pub fn set_landed_state(&mut self, value: Option<MavLandedState>) {
-        self.landed_state = value.unwrap_or(MavLandedState(0));
+        self.landed_state = value.unwrap_or(MavLandedState::UNDEFINED);
     }
 
     /// `angular_velocity_z`, or `None` where the sender does not know it.

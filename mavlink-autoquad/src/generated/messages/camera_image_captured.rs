@@ -65,7 +65,9 @@ impl CameraImageCaptured {
     /// `capture_result` as its enum; `None` where the number cannot be one, or is not known.
     #[inline]
     pub fn capture_result(&self) -> Option<MavBool> {
-        Some(self.capture_result).and_then(|v| u8::try_from(v).ok()).map(MavBool::from)
+        Some(self.capture_result)
+            .and_then(|v| u8::try_from(v).ok())
+            .map(MavBool::from_bits_retain)
     }
 
     /// Sets `capture_result` from its enum. An error if the value does not fit the field.
@@ -74,8 +76,7 @@ impl CameraImageCaptured {
         &mut self,
         value: MavBool,
     ) -> Result<(), wire::OutOfRange> {
-        self.capture_result = i8::try_from(u8::from(value))
-            .map_err(|_| wire::OutOfRange)?;
+        self.capture_result = i8::try_from(value.bits()).map_err(|_| wire::OutOfRange)?;
         Ok(())
     }
 }

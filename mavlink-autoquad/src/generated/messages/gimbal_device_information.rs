@@ -85,7 +85,7 @@ impl GimbalDeviceInformation {
     /// `cap_flags` as its enum.
     #[inline]
     pub fn cap_flags(&self) -> GimbalDeviceCapFlags {
-        GimbalDeviceCapFlags::from(u32::from(self.cap_flags))
+        GimbalDeviceCapFlags::from_bits_retain(u32::from(self.cap_flags))
     }
 
     /// Sets `cap_flags` from its enum. An error if the value does not fit the field.
@@ -94,7 +94,7 @@ impl GimbalDeviceInformation {
         &mut self,
         value: GimbalDeviceCapFlags,
     ) -> Result<(), wire::OutOfRange> {
-        self.cap_flags = u16::try_from(u32::from(value)).map_err(|_| wire::OutOfRange)?;
+        self.cap_flags = u16::try_from(value.bits()).map_err(|_| wire::OutOfRange)?;
         Ok(())
     }
 

@@ -58,7 +58,7 @@ impl MissionCurrent {
     /// `mission_state`, or `None` where the sender does not know it.
     #[inline]
     pub fn mission_state(&self) -> Option<MissionState> {
-        if self.mission_state == MissionState(0) {
+        if self.mission_state == MissionState::UNKNOWN {
             None
         } else {
             Some(self.mission_state)
@@ -68,7 +68,7 @@ impl MissionCurrent {
     /// Sets `mission_state`; `None` says that it is not known.
     #[inline]
     pub fn set_mission_state(&mut self, value: Option<MissionState>) {
-        self.mission_state = value.unwrap_or(MissionState(0));
+        self.mission_state = value.unwrap_or(MissionState::UNKNOWN);
     }
 
     /// `mission_mode`, or `None` where the sender does not know it.
