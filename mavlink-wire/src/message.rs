@@ -16,7 +16,7 @@ pub use enums::{Enum, Repr};
 pub use field::{FieldInfo, Invalid, Kind, Sentinel};
 pub use info::{EnumInfo, MessageInfo, ParamInfo};
 
-use crate::{MAX_PAYLOAD, Version};
+use crate::{ComponentId, MAX_PAYLOAD, SystemId, Version};
 
 /// Something that can be sent: a message, or a dialect's enum of messages. Usable as `&dyn Encode`.
 pub trait Encode {
@@ -164,9 +164,9 @@ pub trait Targeted: Message {
     /// The same message to this system and component. Zero means all of them.
     #[inline]
     #[must_use]
-    fn to(mut self, system: impl Into<u8>, component: impl Into<u8>) -> Self {
+    fn to(mut self, system_id: impl Into<SystemId>, component_id: impl Into<ComponentId>) -> Self {
         if let (Some(target_system), Some(target_component)) = self.target_mut() {
-            (*target_system, *target_component) = (system.into(), component.into());
+            (*target_system, *target_component) = (system_id.into().to_u8(), component_id.into().to_u8());
         }
         self
     }

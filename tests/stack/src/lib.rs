@@ -53,7 +53,7 @@ pub fn everywhere(report: &mut dyn FnMut(Measured)) {
     report(Measured::of_decoding("Frame::message", by_value));
     let read = most_of_bytes(&mut |bytes, used| {
         let mut reader = FrameReader::new(Bytes(bytes), Autoquad::TABLE);
-        used(&mut || while black_box(reader.read()).is_ok_and(|frame| frame.is_some()) {});
+        used(&mut || while black_box(reader.receive()).is_ok_and(|frame| frame.is_some()) {});
     });
     report(Measured::of_reading("embedded_io::FrameReader", read));
 }

@@ -75,5 +75,5 @@ fn request(frame: &Frame<'_>) -> Option<RequestDataStream> {
         ..RequestDataStream::DEFAULT
     };
     (heartbeat.autopilot == MavAutopilot::AUTOQUAD)
-        .then(|| request.to(frame.system_id().to_u32() as u8, frame.component_id().to_u32() as u8))
+        .then(|| request.to(frame.system_id(), frame.component_id()))
 }

@@ -29,7 +29,7 @@ fn main() -> ExitCode {
 fn io_reader() -> usize {
     most_of_bytes(&mut |bytes, used| {
         let mut reader = io::FrameReader::new(bytes, Autoquad::TABLE);
-        used(&mut || while black_box(reader.read()).is_ok_and(|frame| frame.is_some()) {});
+        used(&mut || while black_box(reader.receive()).is_ok_and(|frame| frame.is_some()) {});
     })
 }
 
@@ -57,7 +57,7 @@ fn endpoint() -> usize {
     most_of_bytes(&mut |bytes, used| {
         from.send_to(bytes, to).expect("a datagram to this machine");
         used(&mut || {
-            black_box(endpoint.receive()).map(|(frame, _)| frame.id()).expect("it was sent");
+            black_box(endpoint.receive()).map(|(frame, _)| frame.message_id()).expect("it was sent");
         });
     })
 }
