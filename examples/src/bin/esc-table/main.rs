@@ -74,6 +74,5 @@ fn request(frame: &Frame<'_>) -> Option<RequestDataStream> {
         start_stop: 1,
         ..RequestDataStream::DEFAULT
     };
-    (heartbeat.autopilot == MavAutopilot::AUTOQUAD)
-        .then(|| request.to(frame.system_id(), frame.component_id()))
+    (heartbeat.autopilot == MavAutopilot::AUTOQUAD).then(|| request.to(frame.system_id(), frame.component_id()))
 }
