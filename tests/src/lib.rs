@@ -11,6 +11,7 @@ pub mod dialects;
 pub mod facts;
 pub mod fault;
 pub mod frames;
+pub mod golden;
 mod layout;
 pub mod payload;
 pub mod sequences;

@@ -1,0 +1,50 @@
+//! Small goldens of generated Rust: one folder of `golden` for each construct of a dialect and of an overlay.
+//!
+//! `main.xml` is the dialect, `*.overlay.xml` are its overlays and `*.root.xml` the dialects beside it; `generated` is what
+//! mavgen writes. The package `mavlink-conformance` compiles and runs it.
+//!
+//! `MAVGEN_BLESS=1 cargo test -p mavgen --test golden` writes the goldens anew, and `tests/regenerate.sh` those and
+//! everything else that is committed and generated; review them like code.
+
+#![expect(clippy::unwrap_used, clippy::panic, reason = "a test may panic")]
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use mavgen::Builder;
+
+/// Relative to the crate, which is where cargo runs tests: no golden names a folder of the machine.
+const FOLDER: &str = "tests/golden";
+
+/// The files of a folder whose names end so, by name.
+fn files(folder: &Path, end: &str) -> Vec<PathBuf> {
+    let paths = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    let mut found: Vec<PathBuf> = paths.filter(|path| path.to_string_lossy().ends_with(end)).collect();
+    found.sort();
+    found
+}
+
+fn builder(folder: &Path) -> Builder {
+    let roots = files(folder, ".root.xml");
+    let builder = roots.iter().fold(Builder::new(folder.join("main.xml")), Builder::root);
+    files(folder, ".overlay.xml").iter().fold(builder, Builder::overlay).out_dir(folder.join("generated"))
+}
+
+#[test]
+fn what_is_generated_is_what_was_reviewed() {
+    let bless = std::env::var_os("MAVGEN_BLESS").is_some();
+    let mut stale = String::new();
+    let folders = files(Path::new(FOLDER), "");
+    assert!(folders.len() > 10, "{folders:?}");
+    for folder in folders {
+        let builder = builder(&folder);
+        if bless {
+            builder.generate().unwrap_or_else(|failure| panic!("{failure}"));
+        }
+        let differences = builder.check().unwrap_or_else(|failure| panic!("{failure}"));
+        if !differences.is_empty() {
+            stale += &format!("{}:\n{differences}\n", folder.display());
+        }
+    }
+    assert!(stale.is_empty(), "{stale}\nMAVGEN_BLESS=1 writes them anew");
+}

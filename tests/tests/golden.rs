@@ -1,0 +1,204 @@
+//! What the goldens of mavgen do: one test for each construct, with bytes and numbers worked out by hand.
+
+use mavlink_conformance::golden::*;
+use mavlink_wire::{Chars, Dialect, Encode, MAX_PAYLOAD, Message, Targeted, Version};
+
+/// The payload of a message, without the zeros that MAVLink 2 cuts.
+fn payload(message: &impl Encode) -> Vec<u8> {
+    message.payload(Version::V2, &mut [0; MAX_PAYLOAD]).to_vec()
+}
+
+#[test]
+fn fields() {
+    use fields::Tank;
+
+    let label = Chars::truncated("diesel");
+    let tank = Tank { id: 7, time_usec: 0x0102, level: 1.0, tilt: [-1, 0, 1], label, ..Tank::DEFAULT };
+    assert_eq!(tank.mavlink_version, 3);
+    let expected =
+        [&[2, 1, 0, 0, 0, 0, 0, 0, 0, 0, 128, 63, 255, 255, 0, 0, 1, 0, 7][..], b"diesel\0\0", &[3]].concat();
+    assert_eq!(payload(&tank), expected);
+    assert_eq!(Tank::decode(&expected), tank);
+    assert_eq!((Tank::INFO.len_v1, Tank::INFO.len_v2), (28, 36), "the extension is not sent in MAVLink 1");
+}
+
+#[test]
+fn enums() {
+    use enums::{NeverCarried, PumpState, Pumps};
+
+    assert_eq!((PumpState::ON.to_string(), PumpState(9).to_string()), ("PUMP_STATE_ON".into(), "9".into()));
+    assert_eq!("PUMP_STATE_3_WAY".parse(), Ok(PumpState::STATE_3_WAY));
+    assert_eq!(NeverCarried::FARTHER.0, 70_001_u32);
+    let mut pumps = Pumps { signed_state: -1, ..Pumps::DEFAULT };
+    assert_eq!((pumps.state(), pumps.signed_state()), (PumpState::OFF, None));
+    assert!(pumps.set_signed_state(PumpState::STATE_3_WAY).is_err(), "200 is beyond an int8_t");
+    assert_eq!((pumps.set_signed_state(PumpState::ON), pumps.signed_state), (Ok(()), 1));
+    assert_eq!((pumps.set_others(1, PumpState::ON), pumps.others, pumps.others(2)), (Ok(()), [0, 1], None));
+}
+
+#[test]
+fn flags() {
+    use flags::{Fault, Faults};
+
+    let now = Fault::DRY | Fault::FATAL | Fault::from_bits_retain(64);
+    let faults = Faults::decode(&payload(&Faults { now, before: [Fault::HOT; 3] }));
+    assert_eq!(faults.now, now);
+    assert!(faults.now.contains(Fault::FATAL) && !faults.now.contains(Fault::HOT));
+    assert_eq!(faults.now.to_string(), "FAULT_DRY | FAULT_FATAL | 0x40");
+}
+
+#[test]
+fn invalid() {
+    use invalid::{Flow, Measured};
+
+    let mut it = Measured { pressure: u16::MAX, temperature: f32::NAN, flow: Flow::UNKNOWN, ..Measured::DEFAULT };
+    it.each = [i16::MAX, 5];
+    it.whole = [255; 3];
+    assert_eq!((it.pressure(), it.temperature(), it.flow(), it.whole()), (None, None, None, None));
+    assert_eq!((it.each(0), it.each(1), it.each(2)), (None, Some(5), None));
+    it.set_pressure(Some(1013));
+    it.set_flow(None);
+    assert_eq!((it.pressure, it.pressure(), it.flow), (1013, Some(1013), Flow::UNKNOWN));
+    it.first = [255, 1, 2];
+    assert_eq!([0, 1, 2].map(|index| it.first(index)), [None, Some(1), Some(2)], "the others are known");
+}
+
+#[test]
+fn targets() {
+    use targets::Refuel;
+
+    let order = Refuel { amount: 2.0, ..Refuel::DEFAULT }.to(1, 154);
+    assert_eq!((order.target_system, order.target_component), (1, 154));
+    assert_eq!(payload(&order), [0, 0, 0, 64, 1, 154]);
+}
+
+#[test]
+#[expect(deprecated, reason = "that is what they are")]
+fn deprecated() {
+    use deprecated::{Drive, NewMode, OldDrive, OldMode};
+
+    let mut drive = Drive { mode: NewMode::FAST, packed: 0x10, ..Drive::DEFAULT };
+    assert_eq!((drive.mode(), drive.bound_mode()), (None, OldMode::SLOW));
+    assert_eq!((drive.bits_of().old(), drive.bits_of().current()), (OldMode::SLOW, NewMode::FAST));
+    drive.set_bound_mode(OldMode(3));
+    assert_eq!(drive.bound, 3);
+    assert_eq!(OldDrive::DEFAULT.mode, OldMode::SLOW);
+}
+
+#[test]
+fn commands() {
+    use commands::MavCmd;
+
+    let labels: Vec<_> = MavCmd::SPRAY.params().iter().map(|param| (param.index, param.label)).collect();
+    assert_eq!(labels[..3], [(1, Some("Nozzle")), (2, Some("Flow")), (3, Some("Mode"))]);
+    assert_eq!(MavCmd::SPRAY.params()[0].max, Some(4.0));
+    assert!(MavCmd::STOP.params().is_empty());
+}
+
+#[test]
+fn names() {
+    use names::{Iterator_, Option_, OptionEnum, Some_};
+
+    let it = Iterator_ { r#type: OptionEnum::TYPE, self_: 2, store_item: [0, 3], ..Iterator_::DEFAULT };
+    assert_eq!((it.store_item(0), it.store_item(1)), (None, Some(3)));
+    assert_eq!(Option_ { into: 1 }.info().name, "OPTION");
+    let slots: Vec<_> = Some_ { words: 0, parts: [0b0111_1011, 0] }.ok().collect();
+    let status = slots[0].status.unwrap();
+    assert_eq!((slots.len(), status.r#fn(), status.index(), status.shl(1)), (2, 1.5, true, Some(1)));
+}
+
+#[test]
+fn bind() {
+    use bind::{AcmeMode, Beat, State, Vendor};
+
+    let mut beat = Beat { vendor: Vendor::ACME, custom: 65_537, state: 3 };
+    assert_eq!((beat.mode(), beat.activity()), (Some(AcmeMode::ARMED | AcmeMode::WET), State::BUSY));
+    beat.vendor = Vendor(8);
+    assert_eq!(beat.mode(), None, "it means something else there");
+    beat.set_mode(AcmeMode::WET);
+    assert_eq!((beat.vendor, beat.custom), (Vendor(8), 65_536), "whose it is, is for the caller to say");
+}
+
+#[test]
+fn view_bits() {
+    use view_bits::{Gear, Status};
+
+    let mut status = Status { low: 0x8f5f_fa03, high: [0xfff8, 0xffff] };
+    let flags = status.flags();
+    assert_eq!((flags.armed(), flags.gear(), flags.trim(), flags.count()), (true, Gear::DOWN, -32, 0x7fe));
+    assert_eq!(
+        [0, 1, 2, 3, 4].map(|index| flags.relay(index)),
+        [Some(true), Some(false), Some(true), Some(true), None]
+    );
+    assert_eq!([0, 1, 2, 3].map(|index| flags.pairs(index)), [Some(-1), Some(-2), Some(-2), None]);
+    assert!(status.part().top());
+    let mut changed = flags;
+    assert!(changed.set_trim(-33).is_err() && changed == flags);
+    _ = changed.set_trim(31);
+    _ = changed.set_pairs(2, 1);
+    status.set_flags(changed);
+    assert_eq!((status.low, status.high), (0x8f5f_f9f3, [0xfff4, 0xffff]), "the reserved bits stay");
+}
+
+#[test]
+fn view_scaled() {
+    use view_scaled::Battery;
+
+    let mut battery = Battery { word: 1234 | 100 << 12 | 0b11110 << 21 | 0b111_010 << 26 };
+    let state = battery.state();
+    assert_eq!((state.voltage(), state.voltage_mv(), state.voltage_raw()), (12.34, 12_340, 1234));
+    assert_eq!((state.temperature(), state.temperature_cdegc(), state.climb()), (-7.0, -700, 1.0));
+    assert_eq!((state.share_raw(0), state.share(1), state.share(2)), (Some(2), Some(100.0), None));
+    let mut changed = state;
+    assert!(changed.set_voltage(f32::NAN).is_err() && changed.set_voltage(40.96).is_err() && changed == state);
+    assert_eq!((changed.set_temperature(-6.875), changed.temperature_raw()), (Ok(()), 101), "half is rounded up");
+    battery.set_state(changed);
+    assert_eq!(battery.state().temperature(), -6.75);
+}
+
+#[test]
+fn view_switch() {
+    use view_switch::{Layout, Report};
+
+    let mut report = Report { layout: Layout::LATEST, word: 0xc807, other: 0xfffd };
+    let details = report.details();
+    assert_eq!((details.speed(), details.load(), details.error()), (7, Some(100.0), None));
+    report.layout = Layout(77);
+    assert_eq!((report.details().load(), report.details().error()), (None, Some(8)));
+    assert_eq!(report.other_details(), None);
+    report.layout = Layout::NEW;
+    let other = report.other_details().unwrap();
+    assert_eq!((other.kind(), other.near(), other.far()), (1, None, Some(-1)));
+    report.set_details(details);
+    assert_eq!(report.layout, Layout::LATEST, "a view brings its layout along");
+}
+
+#[test]
+fn view_slots() {
+    use view_slots::{Amount, Source, Wheel, WheelStatus, Wheels};
+
+    let mut wheels = Wheels { used: Amount::BOTH, radius: 0.5, ..Wheels::DEFAULT };
+    wheels.source = [Source::BUS, Source::NOBODY, Source::BUS, Source::BUS];
+    (wheels.low, wheels.high, wheels.age) = ([3, 3, 3, 3], [80, 0, 0, 0], [u16::MAX, 9, 0, 0]);
+    let all: Vec<Wheel> = wheels.all().collect();
+    assert_eq!(all.len(), 2, "the others are not in use");
+    let status = all[0].status.unwrap();
+    assert_eq!((all[0].source, all[0].age_ms, all[0].radius), (Some(Source::BUS), None, 0.5));
+    assert_eq!((status.turning(), status.rpm(), status.heat()), (true, 1, 0.0));
+    assert_eq!((all[1].source, all[1].age_ms, all[1].status), (None, Some(9), None), "it stays, without a status");
+    let slot = Wheel { source: Some(Source::BUS), age_ms: None, radius: 0.5, status: Some(WheelStatus::from_bits(5)) };
+    assert_eq!((wheels.push_wheel(slot), wheels.used, wheels.wheel(2)), (Ok(()), Amount(3), Some(slot)));
+    assert!(wheels.set_wheel(3, slot).is_err(), "not in use");
+    assert!(wheels.push_wheel(slot).is_ok() && wheels.push_wheel(slot).is_err(), "four are all");
+}
+
+#[test]
+fn roots() {
+    use roots::{main, other_root};
+
+    let paint: main::Paint = other_root::Paint { color: other_root::Color::GREEN };
+    assert_eq!(paint.color.to_string(), "COLOR_GREEN", "one type, with the constants of both");
+    assert_eq!((main::Brush::INFO.len_v2, other_root::Brush::INFO.len_v2), (1, 2), "two definitions, two types");
+    let message = main::Main::decode(316, &[1]).unwrap();
+    assert_eq!(message, main::Main::Paint(main::Paint { color: main::Color::BLUE }));
+}
