@@ -24,12 +24,14 @@
 //! It is behind the feature `decode`, out of a build script's way.
 
 mod bits;
+mod parameter;
 mod ratio;
 mod tables;
 mod tree;
 mod view;
 
 pub use bits::{Bits, Value};
+pub use parameter::parameter_readings;
 pub use ratio::Ratio;
 pub use tables::Tables;
 pub use tree::{Contents, Entry, Node, contents};

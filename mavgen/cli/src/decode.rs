@@ -1,6 +1,8 @@
 //! `mavgen decode`: what is in a recording or a stream, by any definitions, without compiling anything.
 
+mod choice;
 mod csv;
+mod folder;
 mod hex;
 mod json;
 mod received;
@@ -18,8 +20,10 @@ use mavgen::ir::Dialect;
 use mavgen::{Failure, Resolved};
 
 use super::input::{Reading, resolve};
-use super::report::Report;
+use super::report::{Report, plural};
+use choice::Choice;
 use csv::Columns;
+use folder::Folder;
 use received::Received;
 use source::Layout;
 
@@ -27,6 +31,9 @@ use source::Layout;
 ///
 /// What a sender does not know is `unknown`, null in JSON, empty in CSV. A message that the definitions do not have, or have
 /// otherwise, is shown as hexadecimal digits and unverified. What is no frame is skipped, and counted at the end.
+///
+/// A parameter is shown with what it can be by its type: read byte for byte from the float that carries it, as PX4 sends it,
+/// and as a number cast to a float, as ArduPilot does.
 #[derive(Args)]
 #[command(after_help = AFTER_HELP)]
 pub(super) struct Decode {
@@ -42,13 +49,22 @@ pub(super) struct Decode {
     /// What to print.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
+    /// With --format csv: a folder for a table of each message, instead of one table on standard output.
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    #[command(flatten)]
+    choice: Choice,
 }
 
 const AFTER_HELP: &str = "\
 Examples:
   mavgen decode xml/acme.xml --overlay xml/overlay/acme.xml flight.tlog
-  mavgen decode xml/acme.xml flight.tlog --format csv --messages ATTITUDE > attitude.csv
-  echo 'fe 09 00 01 01 00 00 00 00 00 06 08 00 04 03 90 43' | mavgen decode xml/acme.xml --format json";
+  mavgen decode xml/acme.xml flight.tlog --fields roll,pitch
+  mavgen decode xml/acme.xml flight.tlog --format csv --out tables
+  mavgen decode xml/acme.xml flight.tlog --format csv --message ATTITUDE
+  mavgen decode xml/acme.xml flight.tlog --format json | jq .message.type
+  echo fe0900010100000000000608000403 9043 |
+    mavgen decode xml/acme.xml --format json";
 
 /// What is printed.
 #[derive(Clone, Copy, ValueEnum)]
@@ -57,7 +73,7 @@ enum Format {
     Text,
     /// An object on a line of its own for each message.
     Json,
-    /// A table of one message, which `--messages` names.
+    /// A table: of the one message that `--messages` names, or with `--out` of each.
     Csv,
 }
 
@@ -68,7 +84,7 @@ impl Decode {
         }
         let Resolved { dialect, .. } = resolve(&self.reading.whole(&self.xml), report)?;
         let wanted = self.wanted()?;
-        let printer = Printer::new(self.format, &dialect, wanted)?;
+        let mut printer = self.printer(&dialect, wanted)?;
         let name = self.file.as_ref().map_or_else(|| "standard input".to_owned(), |file| file.display().to_string());
         let refused = |error: io::Error| Failure::Usage(format!("{name}: {error}"));
         let mut stream = source::open(self.file.as_deref(), self.layout, printer.tables.table()).map_err(refused)?;
@@ -81,10 +97,36 @@ impl Decode {
         };
         let mut listens = print(printer.head())?;
         while listens && let Some(received) = stream.next().map_err(refused)? {
-            listens = print(printer.lines(&received))?;
+            listens = print(printer.lines(&received)?)?;
         }
         stream.tally().lines(printer.tables.table()).iter().for_each(|line| report.note(line));
+        if let (Style::Folder(folder), Some(out)) = (printer.style, &self.out) {
+            report.note(&format!("{}: {} written", out.display(), plural(folder.finish()?, "table")));
+        }
         Ok(ExitCode::SUCCESS)
+    }
+
+    fn printer<'p>(&'p self, dialect: &'p Dialect, wanted: Option<Vec<u32>>) -> Result<Printer<'p>, Failure> {
+        let columns: Vec<(String, Columns)> = dialect
+            .messages
+            .iter()
+            .filter(|message| wanted.as_ref().is_none_or(|wanted| wanted.contains(&message.id)))
+            .map(|message| (message.name.text.clone(), Columns::of(message)))
+            .collect();
+        let (fields, views): (Vec<_>, Vec<_>) = columns.iter().map(|(_, columns)| columns.names()).unzip();
+        self.choice.check(&fields.concat(), &views.concat())?;
+        let chosen = columns.into_iter().map(|(name, columns)| (name, columns.chosen(&self.choice)));
+        let chosen: Vec<_> = chosen.filter(|(_, columns)| !columns.is_empty()).collect();
+        let style = match (self.format, &self.out) {
+            (Format::Text | Format::Json, Some(_)) => {
+                return Err(Failure::Usage("--out is for tables: give --format csv, too".to_owned()));
+            }
+            (Format::Text, None) => Style::Text,
+            (Format::Json, None) => Style::Json,
+            (Format::Csv, None) => Style::Csv(only(chosen)?),
+            (Format::Csv, Some(out)) => Style::Folder(Folder::new(out, chosen.into_iter())),
+        };
+        Ok(Printer { dialect, tables: Tables::leak(dialect), wanted, choice: &self.choice, style })
     }
 
     /// What is said where a recording is named in the place of the dialect.
@@ -105,10 +147,11 @@ impl Decode {
 }
 
 /// Makes text of frames.
-struct Printer<'d> {
-    dialect: &'d Dialect,
+struct Printer<'p> {
+    dialect: &'p Dialect,
     tables: Tables,
     wanted: Option<Vec<u32>>,
+    choice: &'p Choice,
     style: Style,
 }
 
@@ -117,58 +160,57 @@ enum Style {
     Text,
     Json,
     Csv(Columns),
+    /// Tables in files, and no text.
+    Folder(Folder),
 }
 
-impl<'d> Printer<'d> {
-    fn new(format: Format, dialect: &'d Dialect, wanted: Option<Vec<u32>>) -> Result<Self, Failure> {
-        let style = match format {
-            Format::Text => Style::Text,
-            Format::Json => Style::Json,
-            Format::Csv => Style::Csv(columns(dialect, wanted.as_deref())?),
-        };
-        Ok(Self { dialect, tables: Tables::leak(dialect), wanted, style })
-    }
-
+impl Printer<'_> {
     /// What comes before all frames.
     fn head(&self) -> String {
         match &self.style {
-            Style::Text | Style::Json => String::new(),
+            Style::Text | Style::Json | Style::Folder(_) => String::new(),
             Style::Csv(columns) => columns.head(),
         }
     }
 
     /// The lines of a frame; none if nobody asked for it.
-    fn lines(&self, received: &Received<'_>) -> String {
+    fn lines(&mut self, received: &Received<'_>) -> Result<String, Failure> {
         let frame = &received.frame;
         if self.wanted.as_ref().is_some_and(|wanted| !frame.is_verified() || !wanted.contains(&frame.message_id())) {
-            return String::new();
+            return Ok(String::new());
         }
         let Some(reflected) = self.tables.reflect(frame) else {
-            return match &self.style {
+            return Ok(match &self.style {
+                _ if self.choice.is_of_fields() => String::new(),
                 Style::Text => text::unverified(received),
                 Style::Json => json::unverified(received),
-                Style::Csv(_) => String::new(),
-            };
+                Style::Csv(_) | Style::Folder(_) => String::new(),
+            });
         };
-        let contents = contents(self.dialect, &self.tables, &reflected);
-        match &self.style {
-            Style::Text => text::message(received, &reflected, &contents),
-            Style::Json => json::message(received, &reflected, &contents),
+        let (name, contents) = (reflected.info().name, contents(self.dialect, &self.tables, &reflected));
+        let Some(contents) = self.choice.of(contents) else { return Ok(String::new()) };
+        Ok(match &mut self.style {
+            Style::Text => text::message(received, name, &contents),
+            Style::Json => json::message(received, name, &contents),
             Style::Csv(columns) => columns.row(received, &contents),
-        }
+            Style::Folder(folder) => {
+                folder.add(name, received, &contents)?;
+                String::new()
+            }
+        })
     }
 }
 
 /// The columns of the one message that was asked for, or that there is.
-fn columns(dialect: &Dialect, wanted: Option<&[u32]>) -> Result<Columns, Failure> {
-    let is_wanted = |id| wanted.is_none_or(|wanted| wanted.contains(&id));
-    let mut messages = dialect.messages.iter().filter(|message| is_wanted(message.id));
-    match (messages.next(), messages.count()) {
-        (Some(message), 0) => Ok(Columns::of(message)),
-        (first, others) => {
-            let count = others + usize::from(first.is_some());
-            let text = format!("a table has the columns of one message, not of {count}: name it with --messages");
-            Err(Failure::Usage(text))
+fn only(mut chosen: Vec<(String, Columns)>) -> Result<Columns, Failure> {
+    match (chosen.pop(), chosen.len()) {
+        (Some((_, columns)), 0) => Ok(columns),
+        (last, others) => {
+            let count = others + usize::from(last.is_some());
+            Err(Failure::Usage(format!(
+                "a table has the columns of one message, not of {count}: name it with --messages, or give --out a folder for \
+                 a table of each"
+            )))
         }
     }
 }

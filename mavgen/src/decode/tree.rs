@@ -1,7 +1,9 @@
 //! All that a payload says, as one tree: what every format writes, and nobody has to interpret again.
 
+use mavlink_wire::EnumInfo;
 use mavlink_wire::reflect::{Element, Field, Number, Reflected, Value as FieldValue};
 
+use super::parameter::parameter;
 use super::{Bits, Content, KeyValue, Ratio, Reading, Slot, Tables, Value, bindings, views};
 use crate::ir::{Access, Dialect, EnumId, Meaning, Member, Message};
 
@@ -35,9 +37,13 @@ pub enum Node {
     Scaled(Ratio),
     /// Yes or no.
     Flag(bool),
-    /// An enum's entry by name, or its flags, `A | B | 0x40`.
+    /// An enum's entry by name.
     Name(String),
-    /// Text up to the first NUL, perhaps not UTF-8.
+    /// Flags by name, `A | B | 0x40`; empty for none.
+    Flags(String),
+    /// The byte of a `char`.
+    Char(u8),
+    /// All bytes of an array of `char`: text up to the first NUL, perhaps not UTF-8.
     Text(Vec<u8>),
     /// An array.
     List(Vec<Node>),
@@ -55,6 +61,9 @@ pub struct Contents {
     /// A bound enum stands here where its condition holds. A view is the record of the members that its layout has, and
     /// [`Node::Unknown`] where its bits mean nothing; where its condition does not hold, it is not here. A view of slots is
     /// a list of records: the keys, and the view as `status`.
+    ///
+    /// After them comes the `parameter` of a message with one whose type is not that of the field: what it can be, `bytewise`
+    /// and as a number that was `cast` to a float ([`parameter_readings`](super::parameter_readings)).
     pub views: Vec<Entry>,
 }
 
@@ -74,7 +83,11 @@ fn field(field: Field<'_>) -> Entry {
     let node = match field.value() {
         _ if field.info().secret => Node::Secret,
         _ if field.is_invalid() => Node::Unknown,
-        FieldValue::Text(bytes) => Node::Text(bytes.to_vec()),
+        FieldValue::Text(_) if field.info().array.is_none() => match field.element(0).map(|one| one.number()) {
+            Some(Number::U64(byte)) => Node::Char(byte as u8),
+            _ => Node::Unknown,
+        },
+        FieldValue::Text(_) => Node::Text(bytes(field)),
         FieldValue::One(one) => element(one),
         FieldValue::Array(elements) => Node::List(elements.map(element).collect()),
     };
@@ -83,17 +96,30 @@ fn field(field: Field<'_>) -> Entry {
     Entry { name: info.name.to_owned(), units: units.map(str::to_owned), node }
 }
 
+/// The bytes of a text, those behind a NUL as well.
+fn bytes(field: Field<'_>) -> Vec<u8> {
+    let numbers = field.elements().map(|element| element.number());
+    numbers.map(|number| if let Number::U64(byte) = number { byte as u8 } else { 0 }).collect()
+}
+
 fn element(element: Element<'_>) -> Node {
     match element.entry() {
         _ if element.is_invalid() => Node::Unknown,
-        Some((values, value)) if values.bitmask || values.entry_name(value).is_some() => {
-            Node::Name(element.to_string())
-        }
-        _ => number(element.number()),
+        Some((values, value)) => entry(values, value).unwrap_or_else(|| number(element.number())),
+        None => number(element.number()),
     }
 }
 
-fn number(number: Number) -> Node {
+/// A value of an enum by name; `None` if it has none.
+fn entry(values: &'static EnumInfo, value: u64) -> Option<Node> {
+    match value {
+        0 if values.bitmask => Some(Node::Flags(String::new())),
+        _ if values.bitmask => Some(Node::Flags(values.display(value).to_string())),
+        _ => values.entry_name(value).map(|name| Node::Name(name.to_owned())),
+    }
+}
+
+pub(super) fn number(number: Number) -> Node {
     match number {
         Number::U64(value) => Node::Unsigned(value.into()),
         Number::I64(value) => Node::Signed(value.into()),
@@ -107,7 +133,8 @@ fn overlaid(message: &Message, tables: &Tables, payload: &[u8]) -> Vec<Entry> {
     let bound = bindings(message, payload).filter_map(|(binding, value)| {
         Some(Entry { name: binding.name.shown(), units: None, node: named(tables, binding.values, value?) })
     });
-    bound.chain(views(message, payload).filter_map(|reading| view(tables, &reading))).collect()
+    let views = views(message, payload).filter_map(|reading| view(tables, &reading));
+    bound.chain(views).chain(parameter(message, payload)).collect()
 }
 
 fn view(tables: &Tables, reading: &Reading<'_>) -> Option<Entry> {
@@ -170,10 +197,6 @@ pub(super) fn member_units(member: &Member) -> Option<String> {
 
 /// An entry by name, flags by their names, or the number.
 fn named(tables: &Tables, id: EnumId, value: u64) -> Node {
-    match tables.values(id) {
-        Some(values) if values.bitmask || values.entry_name(value).is_some() => {
-            Node::Name(values.display(value).to_string())
-        }
-        _ => Node::Unsigned(value.into()),
-    }
+    let named = tables.values(id).and_then(|values| entry(values, value));
+    named.unwrap_or(Node::Unsigned(value.into()))
 }

@@ -26,6 +26,13 @@ impl<'a> From<Entry<'a>> for Received<'a> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Time(pub(super) u64);
 
+impl Time {
+    /// Seconds since 1970, to the microsecond.
+    pub(super) fn unix(self) -> String {
+        format!("{}.{:06}", self.0 / 1_000_000, self.0 % 1_000_000)
+    }
+}
+
 /// As RFC 3339 writes it, or the number where that cannot.
 impl fmt::Display for Time {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -56,5 +63,7 @@ mod tests {
         ] {
             assert_eq!(Time(micros).to_string(), shown);
         }
+        assert_eq!(Time(1_400_000_000_000_456).unix(), "1400000000.000456");
+        assert_eq!(Time(u64::MAX).unix(), "18446744073709.551615");
     }
 }

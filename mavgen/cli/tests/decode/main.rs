@@ -3,6 +3,9 @@
 #![expect(clippy::unwrap_used, clippy::indexing_slicing, reason = "a failing test panics")]
 
 mod bench;
+mod choice;
+mod parameters;
+mod tables;
 
 use std::fs;
 
@@ -35,21 +38,23 @@ fn json_is_an_object_on_each_line() {
     let text = bench.printed(&["--format", "json", "-"], &stream);
     let lines: Vec<Value> = text.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
     let expected = json!({
-        "time": null, "version": 2, "system": 1, "component": 2, "sequence": 0, "signed": false,
-        "id": 100, "verified": true, "name": "SPRAYER",
-        "fields": {
-            "state": "SPRAY_STATE_ON", "flags": "SPRAY_FLAGS_LEAK | SPRAY_FLAGS_COLD | 0x40", "level": 300,
-            "flow": [null, 0.1], "total": 0.1, "label": "a,\"b\u{fffd}",
+        "time": null, "unix_time": null, "version": 2, "system_id": 1, "component_id": 2, "sequence": 0, "signed": false,
+        "message_id": 100, "verified": true,
+        "message": {
+            "type": "SPRAYER", "state": "SPRAY_STATE_ON", "flags": "SPRAY_FLAGS_LEAK | SPRAY_FLAGS_COLD | 0x40",
+            "level": 300, "flow": [null, 0.1], "total": 0.1, "label": [97, 44, 34, 98, 255, 0, 0, 0],
         },
         "units": {"level": "cm", "flow": "g/min"},
         "views": {"mode": "SPRAY_LEVEL_HIGH"},
+        "view_units": {},
     });
     assert_eq!(lines[0], expected);
     let open = [true, true, false, false, false, false, false, false];
     let status = json!({"state": "SPRAY_STATE_ON", "angle": -0.5, "open": open});
     assert_eq!(lines[1]["views"], json!({"nozzles": [{"id": 9, "status": status}, {"id": null, "status": null}]}),);
+    assert_eq!(lines[1]["view_units"], json!({"nozzles": {"status": {"angle": "deg"}}}));
     assert_eq!(lines[2]["views"], json!({}), "the condition does not hold");
-    assert_eq!(lines[2]["fields"]["flags"], "0");
+    assert_eq!((&lines[2]["message"]["flags"], &lines[2]["message"]["label"]), (&json!(""), &json!("")));
     assert_eq!(lines.len(), 3);
 }
 
@@ -59,11 +64,11 @@ fn a_key_is_not_shown() {
     let frame = bench.frame(256, &[&[0xa7; 32][..], &[9]].concat());
     assert_eq!(bench.printed_without(&[], &frame), "1/2 #0 SETUP_SIGNING { secret_key: secret, target_system: 9 }\n");
     let json: Value = serde_json::from_str(&bench.printed_without(&["--format", "json"], &frame)).unwrap();
-    assert_eq!(json["fields"], json!({"secret_key": "secret", "target_system": 9}));
+    assert_eq!(json["message"], json!({"type": "SETUP_SIGNING", "secret_key": "secret", "target_system": 9}));
     let csv = bench.printed_without(&["--format", "csv"], &frame);
     assert_eq!(
         csv.lines().collect::<Vec<_>>(),
-        ["time,system,component,sequence,secret_key,target_system", ",1,2,0,secret,9"]
+        ["time,unix_time (s),system_id,component_id,sequence,secret_key,target_system", ",,1,2,0,secret,9"]
     );
 }
 
@@ -74,8 +79,9 @@ fn csv_has_a_column_for_each_value_that_there_can_be() {
     let text = bench.printed(&["--format", "csv", "--message", "NOZZLES"], &stream);
     let mut rows = csv::Reader::from_reader(text.as_bytes());
     let head: Vec<String> = rows.headers().unwrap().iter().map(str::to_owned).collect();
-    assert_eq!(head[..6], ["time", "system", "component", "sequence", "count", "id[0]"]);
-    assert_eq!(head.len(), 4 + 8 + 3 * (1 + 2 + 8 + 1));
+    assert_eq!(head[..4], ["time", "unix_time (s)", "system_id", "component_id"]);
+    assert_eq!(head[4..7], ["sequence", "count", "id[0]"]);
+    assert_eq!(head.len(), 5 + 8 + 3 * (1 + 2 + 8 + 1));
     let rows: Vec<csv::StringRecord> = rows.records().map(Result::unwrap).collect();
     assert_eq!(rows.len(), 2);
     let cell = |row: usize, name: &str| rows[row][head.iter().position(|column| column == name).unwrap()].to_owned();
@@ -94,8 +100,10 @@ fn csv_has_a_column_for_each_value_that_there_can_be() {
     let text = bench.printed(&["--format", "csv", "--message", "SPRAYER"], &stream);
     assert_eq!(
         text,
-        "time,system,component,sequence,state,flags,level (cm),flow[0] (g/min),flow[1] (g/min),total,label,mode\n\
-         ,1,2,1,SPRAY_STATE_ON,SPRAY_FLAGS_LEAK | SPRAY_FLAGS_COLD | 0x40,300,,0.1,0.1,\"a,\"\"b\u{fffd}\",SPRAY_LEVEL_HIGH\n"
+        "time,unix_time (s),system_id,component_id,sequence,\
+         state,flags,level (cm),flow[0] (g/min),flow[1] (g/min),total,label,mode\n\
+         ,,1,2,1,SPRAY_STATE_ON,SPRAY_FLAGS_LEAK | SPRAY_FLAGS_COLD | 0x40,300,,0.1,0.1,\
+         \"b\"\"a,\\\"\"b\\xff\"\"\",SPRAY_LEVEL_HIGH\n"
     );
 }
 
@@ -137,7 +145,7 @@ fn a_time_that_nobody_knows_is_absent() {
     let printed = |format: &str| bench.printed(&["--input", "tlog", "--format", format, "--message", "SPRAYER"], &log);
     assert!(printed("text").starts_with("1/2 #0 SPRAYER {"));
     assert_eq!(serde_json::from_str::<Value>(&printed("json")).unwrap()["time"], Value::Null);
-    assert!(printed("csv").lines().last().unwrap().starts_with(",1,2,0,SPRAY_STATE_ON,"));
+    assert!(printed("csv").lines().last().unwrap().starts_with(",,1,2,0,SPRAY_STATE_ON,"));
 }
 
 #[test]
@@ -169,7 +177,7 @@ fn unknown_messages_are_shown_as_they_are() {
     let json = bench.decode(&["less.xml", "--format", "json"], &stream);
     let line: Value = serde_json::from_slice(&json.stdout).unwrap();
     assert_eq!((&line["verified"], &line["crc_extra"]), (&json!(false), &json!(extra)));
-    assert_eq!((&line["payload"], line.get("fields")), (&json!("fd030000ffff0209ff0701"), None));
+    assert_eq!((&line["payload"], line.get("message")), (&json!("fd030000ffff0209ff0701"), None));
     let filtered = bench.decode(&["less.xml", "--messages", "SPRAYER"], &stream);
     assert_eq!(String::from_utf8(filtered.stdout).unwrap(), "");
 }
@@ -192,7 +200,16 @@ fn wrong_input_is_2() {
         (&["acme.xml"], b"fe 09 00 01 01 00 0g", "standard input: line 1: `g` is no hexadecimal digit"),
         (&["acme.xml", "--messages", "SPRYER"], b"", "SPRYER"),
         (&["acme.xml", "--format", "csv"], b"", "not of 2: name it with --messages"),
-        (&["acme.xml", "--format", "csv", "--messages", "*"], b"", "not of 2: name it with --messages"),
+        (&["acme.xml", "--format", "csv", "--messages", "*"], b"", "not of 2: name it with --messages, or give --out"),
+        (&["acme.xml", "--out", "tables"], b"", "--out is for tables: give --format csv"),
+        (
+            &["acme.xml", "--fields", "levle"],
+            b"",
+            "no field or value of a view of these messages is called `levle`; did you mean `level`?",
+        ),
+        (&["acme.xml", "--messages", "NOZZLES", "--fields", "level"], b"", "is called `level`"),
+        (&["acme.xml", "--views", "nozzles"], b"", "no view of these messages is called `nozzles`"),
+        (&["acme.xml", "--views", "a", "--no-view", "b"], b"", "cannot be used with"),
     ] {
         let output = bench.decode(arguments, input);
         assert_eq!(output.status.code(), Some(2), "{arguments:?}: {}", stderr(&output));

@@ -1,0 +1,54 @@
+//! `--format csv --out`: a table of each message.
+
+use std::fs;
+
+use crate::bench::{Bench, stderr};
+
+#[test]
+fn each_message_has_a_file() {
+    let mut bench = Bench::new();
+    let frames = [bench.nozzles(0), bench.sprayer(), bench.nozzles(1)];
+    let timed = frames.iter().zip(0..).flat_map(|(frame, at)| {
+        let time: u64 = 1_400_000_000_123_456 + at;
+        [&time.to_be_bytes()[..], frame].concat()
+    });
+    let log: Vec<u8> = timed.collect();
+    let options = ["--overlay", "acme.overlay.xml", "--format", "csv", "--out", "t/tables"];
+    let table = |name: &str| fs::read_to_string(bench.folder.path().join("t/tables").join(name)).unwrap();
+    for _ in 0..2 {
+        let output = bench.decode(&[&["acme.xml"][..], &options].concat(), &log);
+        let said = "frames: 3, of them unverified: 0, bytes skipped: 0\nt/tables: 2 tables written\n";
+        assert_eq!((output.status.code(), &*stderr(&output), output.stdout.len()), (Some(0), said, 0));
+        for (file, message) in [("NOZZLES.csv", "NOZZLES"), ("SPRAYER.csv", "SPRAYER")] {
+            assert_eq!(table(file), bench.printed(&["--format", "csv", "--message", message], &log));
+        }
+    }
+    let sprayer = table("SPRAYER.csv");
+    assert!(sprayer.contains("\n2014-05-13T16:53:20.123457Z,1400000000.123457,1,2,1,SPRAY_STATE_ON,"), "{sprayer}");
+
+    let less = bench.decode(&[&["acme.xml"][..], &options, &["--fields", "count"]].concat(), &log);
+    assert!(less.status.success() && stderr(&less).contains("1 table written"), "{}", stderr(&less));
+    assert!(table("NOZZLES.csv").starts_with("time,unix_time (s),system_id,component_id,sequence,count\n2014"));
+}
+
+#[test]
+fn somebodys_file_is_not_written_over() {
+    let mut bench = Bench::new();
+    let stream = bench.sprayer();
+    let theirs = bench.folder.path().join("SPRAYER.csv");
+    for text in ["time,level\n1,2\n", ""] {
+        fs::write(&theirs, text).unwrap();
+        let refused = bench.decode(&["acme.xml", "--format", "csv", "--out", "."], &stream);
+        let said = stderr(&refused);
+        assert!(said.contains("SPRAYER.csv: `mavgen decode` did not write this file"), "{said}");
+        assert_eq!((refused.status.code(), &*fs::read_to_string(&theirs).unwrap()), (Some(2), text));
+    }
+}
+
+#[test]
+fn nothing_is_written_where_there_is_nothing() {
+    let bench = Bench::new();
+    let output = bench.decode(&["acme.xml", "--format", "csv", "--out", "tables"], b"");
+    assert!(output.status.success() && stderr(&output).ends_with("tables: 0 tables written\n"), "{}", stderr(&output));
+    assert!(!bench.folder.path().join("tables").exists());
+}
