@@ -28,7 +28,8 @@ pub(super) struct Check {
 const AFTER_HELP: &str = "\
 Examples, in CI, with the options that the sources were generated with:
   mavgen check xml/acme.xml --out src/acme
-  mavgen check xml/acme.xml --overlay xml/overlay/acme.xml --out src/acme --deny-warnings
+  mavgen check xml/acme.xml --out src/acme --deny-warnings
+  mavgen check xml/acme.xml --overlay xml/overlay/acme.xml --out src/acme
 
 Exit status: 0 current, 1 not current, 2 the definitions are wrong or a file cannot be read.";
 

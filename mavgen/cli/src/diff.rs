@@ -50,9 +50,9 @@ pub(super) struct Diff {
 const AFTER_HELP: &str = "\
 Examples:
   mavgen diff v1/acme.xml v2/acme.xml
-  mavgen diff v1/acme.xml v2/acme.xml --wire     can both states talk to each other?
-  mavgen diff v1/acme.xml v2/acme.xml --api      is a crate of the new state a breaking release?
-  mavgen diff v1/acme.xml v2/acme.xml --json | jq '.changes[] | select(.breaking) | .text'
+  mavgen diff v1/acme.xml v2/acme.xml --wire  can both talk to each other?
+  mavgen diff v1/acme.xml v2/acme.xml --api   is the crate's release breaking?
+  mavgen diff v1/acme.xml v2/acme.xml --json | jq '.changes[].text'
 
 Exit status: 0 nothing is broken, 1 something is, 2 the input or the usage is wrong.";
 

@@ -37,7 +37,7 @@ use vendor::Vendor;
 /// It reads a dialect and all that it includes, understands it exactly as pymavlink does, and says what is wrong with it, with
 /// file, line and column.
 #[derive(Parser)]
-#[command(name = "mavgen", version, after_help = AFTER_HELP)]
+#[command(name = "mavgen", version, after_help = AFTER_HELP, term_width = WIDTH)]
 struct Command {
     #[command(subcommand)]
     action: Action,
@@ -47,16 +47,20 @@ struct Command {
     report: Report,
 }
 
+/// Columns of help on every terminal. Examples are written for them: where clap breaks a line, the second half of a command would
+/// be a command of its own.
+const WIDTH: usize = 80;
+
 const AFTER_HELP: &str = "\
 Examples:
-  mavgen lint xml/acme.xml                        what is wrong with it?
-  mavgen generate xml/acme.xml --out src/acme     write Rust
-  mavgen check xml/acme.xml --out src/acme        in CI: is what is committed current?
-  mavgen dump xml/acme.xml                        ids, offsets, lengths, crc_extra, values
-  mavgen decode xml/acme.xml flight.tlog          what did it say?
-  mavgen diff old/acme.xml xml/acme.xml           what breaks, on the wire and in Rust?
-  mavgen vendor up/acme.xml --out xml             copy it and its includes
-  mavgen explain M304                             what does a diagnostic mean?
+  mavgen lint xml/acme.xml                     what is wrong with it?
+  mavgen generate xml/acme.xml --out src/acme  write Rust
+  mavgen check xml/acme.xml --out src/acme     in CI: is what is there current?
+  mavgen dump xml/acme.xml                     ids, offsets, crc_extra, values
+  mavgen decode xml/acme.xml flight.tlog       what did it say?
+  mavgen diff old/acme.xml xml/acme.xml        what breaks, and what in Rust?
+  mavgen vendor up/acme.xml --out xml          copy it and its includes
+  mavgen explain M304                          what does a diagnostic mean?
 
 Exit status: 0 fine, 1 the answer is no (check, diff, lint), 2 the input or the usage is wrong.";
 
@@ -116,6 +120,21 @@ mod tests {
             let example = format!("mavgen {} ", command.get_name());
             assert!(help.starts_with("Example") && format!("{help} ").contains(&example), "{}", command.get_name());
             assert!(command.get_about().is_some(), "{}", command.get_name());
+        }
+    }
+
+    /// What is copied from help is what was written: no example is broken into two lines.
+    #[test]
+    fn examples_are_not_wrapped() {
+        let mut all = Command::command();
+        all.build();
+        let subcommands: Vec<clap::Command> = all.get_subcommands().cloned().collect();
+        for mut command in std::iter::once(all).chain(subcommands) {
+            let written = command.get_after_help().map(ToString::to_string).unwrap_or_default();
+            let shown = command.render_long_help().to_string();
+            for line in written.lines().filter(|line| line.starts_with("  ")) {
+                assert!(shown.lines().any(|shown| shown == line), "{}: {line}", command.get_name());
+            }
         }
     }
 }

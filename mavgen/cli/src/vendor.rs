@@ -30,7 +30,7 @@ use super::report::{Report, plural};
 Examples:
   mavgen vendor mavlink/message_definitions/v1.0/ardupilotmega.xml --out xml
   mavgen vendor upstream/common.xml --out xml --messages 'HEARTBEAT,PARAM_*'
-  mavgen vendor upstream/common.xml --out xml --prose-from xml   take over new facts, keep our descriptions
+  mavgen vendor upstream/common.xml --out xml --prose-from xml
   mavgen vendor acme.xml --include-dir upstream --out xml --deny-warnings")]
 pub(super) struct Vendor {
     /// The dialect's XML file.

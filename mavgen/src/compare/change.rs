@@ -46,6 +46,8 @@ pub enum Kind {
     MessageRemoved,
     /// A message is called differently; its `crc_extra` hangs on its name.
     MessageName,
+    /// A message is called differently and has other fields: another one has taken its id.
+    MessageReplaced,
     /// A message has another id.
     MessageId,
     /// A field is new.
@@ -125,6 +127,7 @@ impl Kind {
     pub fn group(self) -> Group {
         match self {
             Self::MessageAdded | Self::MessageRemoved | Self::MessageName | Self::MessageId => Group::Wire,
+            Self::MessageReplaced => Group::Wire,
             Self::FieldAdded | Self::FieldRemoved | Self::FieldName => Group::Wire,
             Self::FieldType | Self::FieldOrder | Self::FieldExtension => Group::Wire,
             Self::EnumAdded | Self::EnumRemoved | Self::EnumName => Group::Enums,
@@ -141,6 +144,7 @@ impl Kind {
             Self::MessageAdded => "message-added",
             Self::MessageRemoved => "message-removed",
             Self::MessageName => "message-name",
+            Self::MessageReplaced => "message-replaced",
             Self::MessageId => "message-id",
             Self::FieldAdded => "field-added",
             Self::FieldRemoved => "field-removed",
@@ -170,6 +174,7 @@ impl Kind {
     fn noun(self) -> &'static str {
         match self {
             Self::MessageAdded | Self::MessageRemoved | Self::MessageName | Self::MessageId => "message ",
+            Self::MessageReplaced => "message ",
             Self::FieldAdded | Self::FieldRemoved | Self::FieldName => "field ",
             Self::FieldType | Self::FieldOrder | Self::FieldExtension => "field ",
             Self::EnumAdded | Self::EnumRemoved | Self::EnumName => "enum ",
@@ -225,6 +230,7 @@ impl fmt::Display for Change {
                 None => write!(f, " is gone"),
             },
             name if name.ends_with("-name") => write!(f, " is called {to} now"),
+            "message-replaced" => write!(f, " is {to} now, with other fields"),
             "message-id" => write!(f, " has the id {to}, was {from}"),
             "field-order" => write!(f, " begins at byte {to}, was {from}"),
             "item-deprecated" => write!(f, " is deprecated"),

@@ -56,13 +56,26 @@ fn entries<'a>(old: &'a Enum, new: &'a Enum) -> Matched<'a, Entry, (&'a Entry, &
     matched(&old.entries, &new.entries, |entry| &entry.name.text, |old, new| old.value == new.value)
 }
 
-/// Whether messages of different names are one.
+/// Whether messages of different names are one: on the wire there is nothing but the id.
 fn same_message(old: &Message, new: &Message) -> bool {
-    let layout = |message: &Message| {
-        let fields = message.wire_order().into_iter();
-        fields.map(|field| (type_of(field), field.extension)).collect::<Vec<_>>()
-    };
-    old.id == new.id && layout(old) == layout(new)
+    old.id == new.id
+}
+
+impl MessagePair<'_> {
+    /// Whether both have the same types in the same places.
+    pub(super) fn has_one_layout(&self) -> bool {
+        let layout = |message: &Message| {
+            let fields = message.wire_order().into_iter();
+            fields.map(|field| (type_of(field), field.extension)).collect::<Vec<_>>()
+        };
+        layout(self.old) == layout(self.new)
+    }
+
+    /// Whether the new message is the old one, and not another that has taken its id: half of its fields are still there.
+    pub(super) fn is_one_message(&self) -> bool {
+        let kept = self.fields.both.iter().filter(|(old, new)| old.name.text == new.name.text).count();
+        self.old.name.text == self.new.name.text || self.has_one_layout() || 2 * kept >= self.old.fields.len()
+    }
 }
 
 /// Whether fields of different names are one.

@@ -15,7 +15,7 @@ pub(super) struct Renamed<'a> {
 impl<'a> Renamed<'a> {
     pub(super) fn of(pairs: &Pairs<'a>) -> Self {
         let (mut types, mut members) = (HashMap::new(), HashMap::new());
-        for pair in &pairs.messages.both {
+        for pair in pairs.messages.both.iter().filter(|pair| pair.is_one_message()) {
             types.insert(pair.old.name.rust.as_str(), pair.new.name.rust.as_str());
             let fields = pair.fields.both.iter().map(|(old, new)| (&old.name, &new.name));
             members

@@ -35,6 +35,11 @@ fn message(pair: &MessagePair<'_>) -> Vec<Change> {
     let MessagePair { old, new, .. } = pair;
     let (frame, mut changes) = (frame(pair), Vec::new());
     let both = |change: Change| change.at(Some(old.origin.span), Some(new.origin.span));
+    if old.name.text != new.name.text && !pair.has_one_layout() {
+        // The id has another message now. That its fields are others says nothing more.
+        let change = Change::new(Kind::MessageReplaced, true, name(old)).to(name(new));
+        return vec![Change { frame, ..both(change) }];
+    }
     if old.name.text != new.name.text {
         changes.push(both(Change::new(Kind::MessageName, checksum_differs(pair), name(old)).to(name(new))));
     }

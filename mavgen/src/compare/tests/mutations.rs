@@ -149,12 +149,22 @@ fn messages() {
     assert_eq!(
         edit(beat, other),
         [
-            "wire! message BEAT is gone: id 201",
-            "wire message OTHER is new: id 201",
+            "wire! message BEAT is OTHER now, with other fields (crc_extra 246, was 193; 2 bytes, was 1)",
             "api! Beat is gone",
             "api Other is new"
         ],
-        "another layout is another message"
+        "another layout is another message, on which the wire has one opinion"
+    );
+    let wider = r#"<message id="201" name="WIDER"><description>.</description><field type="uint16_t" name="version"/></message>"#;
+    assert_eq!(
+        edit(beat, wider),
+        [
+            "wire! message BEAT is WIDER now, with other fields (crc_extra 218, was 193; 2 bytes, was 1)",
+            "api! Beat is called Wider now",
+            "api! Beat.version is u16, was u8",
+            "metadata field BEAT.version: no constant, was uint8_t_mavlink_version"
+        ],
+        "renamed and widened"
     );
     let elsewhere = beat.replace("201", "202").replace("BEAT", "PULSE");
     assert_eq!(
