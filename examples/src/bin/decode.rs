@@ -3,53 +3,70 @@
 //! `decode FILE.tlog` reads the log of a ground station, `decode FILE` any other file of frames, such as a raw serial log,
 //! and `decode` alone standard input. What could not be read is counted at the end.
 
+use std::error::Error;
 use std::fs::File;
-use std::io::{self, Read};
+use std::io::{self, ErrorKind, Read, Write};
 use std::path::Path;
+use std::process::ExitCode;
 
 use mavlink_autoquad::autoquad::Autoquad;
 use mavlink_autoquad::wire::io::FrameReader;
 use mavlink_autoquad::wire::{Dialect, Encode, Frame, tlog};
 
-fn main() -> io::Result<()> {
-    match std::env::args_os().nth(1) {
-        Some(path) if Path::new(&path).extension().is_some_and(|extension| extension == "tlog") => {
-            print_log(File::open(path)?)
+fn main() -> ExitCode {
+    match run() {
+        Ok(()) => ExitCode::SUCCESS,
+        // Whoever reads the output has seen enough.
+        Err(error) if error.downcast_ref().is_some_and(|error: &io::Error| error.kind() == ErrorKind::BrokenPipe) => {
+            ExitCode::SUCCESS
         }
-        Some(path) => print_stream(File::open(path)?),
-        None => print_stream(io::stdin()),
+        Err(error) => {
+            eprintln!("decode: {error}");
+            ExitCode::FAILURE
+        }
     }
 }
 
-fn print_log(input: impl Read) -> io::Result<()> {
+fn run() -> Result<(), Box<dyn Error>> {
+    let mut out = io::stdout().lock();
+    let Some(path) = std::env::args_os().nth(1) else { return Ok(print_stream(io::stdin(), &mut out)?) };
+    let path = Path::new(&path);
+    let file = File::open(path).map_err(|error| format!("{}: {error}", path.display()))?;
+    match path.extension() {
+        Some(extension) if extension == "tlog" => Ok(print_log(file, &mut out)?),
+        _ => Ok(print_stream(file, &mut out)?),
+    }
+}
+
+fn print_log(input: impl Read, out: &mut impl Write) -> io::Result<()> {
     let mut reader = tlog::Reader::new(input, Autoquad::TABLE);
-    while let Some(entry) = reader.read()? {
+    while let Some(entry) = reader.receive()? {
         match entry.time_us {
-            Some(us) => print!("{}.{:06} ", us / 1_000_000, us % 1_000_000),
-            None => print!("time unknown "),
+            Some(us) => write!(out, "{}.{:06} ", us / 1_000_000, us % 1_000_000)?,
+            None => write!(out, "time unknown ")?,
         }
-        print(&entry.frame);
+        print(&entry.frame, out)?;
     }
     eprintln!("{} bytes belong to no entry", reader.skipped_bytes());
     Ok(())
 }
 
-fn print_stream(input: impl Read) -> io::Result<()> {
+fn print_stream(input: impl Read, out: &mut impl Write) -> io::Result<()> {
     let mut reader = FrameReader::new(input, Autoquad::TABLE);
     while let Some(frame) = reader.receive()? {
-        print(&frame);
+        print(&frame, out)?;
     }
     let counts = reader.statistics();
     eprintln!("{} frames, {} damaged, {} bytes skipped", counts.frames, counts.bad_checksums, counts.skipped_bytes);
     Ok(())
 }
 
-fn print(frame: &Frame<'_>) {
+fn print(frame: &Frame<'_>, out: &mut impl Write) -> io::Result<()> {
     let (system, component, sequence) = (frame.system_id(), frame.component_id(), frame.sequence());
     match frame.message::<Autoquad>() {
         Some(message) => {
-            println!("{system}/{component} #{sequence} {} {message:?}", message.info().name)
+            writeln!(out, "{system}/{component} #{sequence} {} {message:?}", message.info().name)
         }
-        None => println!("{system}/{component} #{sequence} message {} {:02x?}", frame.message_id(), frame.payload()),
+        None => writeln!(out, "{system}/{component} #{sequence} message {} {:02x?}", frame.message_id(), frame.payload()),
     }
 }

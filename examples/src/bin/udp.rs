@@ -6,6 +6,7 @@
 use std::error::Error;
 use std::io;
 use std::net::{SocketAddr, UdpSocket};
+use std::process::ExitCode;
 use std::thread::sleep;
 use std::time::Duration;
 
@@ -20,12 +21,23 @@ const BEAT: Heartbeat = Heartbeat {
     ..Heartbeat::DEFAULT
 };
 
-fn main() -> Result<(), Box<dyn Error>> {
+fn main() -> ExitCode {
+    match run() {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("udp: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run() -> Result<(), Box<dyn Error>> {
     match std::env::args().nth(1) {
         Some(address) => {
-            let (mut vehicle, address) = (endpoint("0.0.0.0:0", 1)?, address.parse()?);
+            let to = address.parse().map_err(|_| format!("`{address}` is no address: write it as 127.0.0.1:14550"))?;
+            let mut vehicle = endpoint("0.0.0.0:0", 1)?;
             for second in 0.. {
-                send(&mut vehicle, address, second)?;
+                send(&mut vehicle, to, second)?;
                 sleep(Duration::from_secs(1));
             }
         }

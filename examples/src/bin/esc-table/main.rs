@@ -11,6 +11,7 @@ use std::error::Error;
 use std::fs::File;
 use std::io::{self, ErrorKind, Read};
 use std::net::UdpSocket;
+use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
 use display::Display;
@@ -21,12 +22,32 @@ use mavlink_autoquad::wire::{Dialect, Frame, Message, Sender, Targeted};
 
 const USAGE: &str = "usage: esc-table udp ADDRESS | tlog FILE | --simulate";
 
-fn main() -> Result<(), Box<dyn Error>> {
+fn main() -> ExitCode {
+    match run() {
+        Ok(()) => ExitCode::SUCCESS,
+        // Whoever reads the output has seen enough.
+        Err(error) if error.downcast_ref().is_some_and(|error: &io::Error| error.kind() == ErrorKind::BrokenPipe) => {
+            ExitCode::SUCCESS
+        }
+        Err(error) => {
+            eprintln!("esc-table: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let mut display = Display::new(io::stdout().lock());
     match arguments.iter().map(String::as_str).collect::<Vec<_>>().as_slice() {
-        ["udp", address] => Ok(listen(UdpSocket::bind(address)?, &mut display)?),
-        ["tlog", path] => Ok(read(File::open(path)?, &mut display)?),
+        ["udp", address] => {
+            let socket = UdpSocket::bind(address).map_err(|error| format!("{address}: {error}"))?;
+            Ok(listen(socket, &mut display)?)
+        }
+        ["tlog", path] => {
+            let file = File::open(path).map_err(|error| format!("{path}: {error}"))?;
+            Ok(read(file, &mut display)?)
+        }
         ["--simulate"] => Ok(read(simulator::Stream::default(), &mut display)?),
         _ => Err(USAGE.into()),
     }

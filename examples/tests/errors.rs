@@ -1,0 +1,21 @@
+//! What the programs say when something is wrong: a sentence, and exit status 1.
+
+use std::process::Command;
+
+#[test]
+fn errors_are_sentences() {
+    let (decode, udp, esc_table) =
+        (env!("CARGO_BIN_EXE_decode"), env!("CARGO_BIN_EXE_udp"), env!("CARGO_BIN_EXE_esc-table"));
+    for (program, arguments, said) in [
+        (decode, &["none.tlog"][..], "decode: none.tlog: "),
+        (udp, &["nowhere"], "udp: `nowhere` is no address: write it as 127.0.0.1:14550"),
+        (esc_table, &["tlog", "none.tlog"], "esc-table: none.tlog: "),
+        (esc_table, &["udp", "nowhere"], "esc-table: nowhere: "),
+        (esc_table, &[], "esc-table: usage: "),
+    ] {
+        let output = Command::new(program).args(arguments).output().unwrap();
+        let text = String::from_utf8(output.stderr).unwrap();
+        assert_eq!((output.status.code(), output.stdout.len(), text.lines().count()), (Some(1), 0, 1), "{text}");
+        assert!(text.starts_with(said) && !text.contains("Os {"), "{text}");
+    }
+}
