@@ -40,7 +40,7 @@ fn run() -> Result<(), Box<dyn Error>> {
 
 fn print_log(input: impl Read, out: &mut impl Write) -> io::Result<()> {
     let mut reader = tlog::Reader::new(input, Autoquad::TABLE);
-    while let Some(entry) = reader.receive()? {
+    while let Some(entry) = reader.read()? {
         match entry.time_us {
             Some(us) => write!(out, "{}.{:06} ", us / 1_000_000, us % 1_000_000)?,
             None => write!(out, "time unknown ")?,
