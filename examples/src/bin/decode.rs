@@ -67,6 +67,8 @@ fn print(frame: &Frame<'_>, out: &mut impl Write) -> io::Result<()> {
         Some(message) => {
             writeln!(out, "{system}/{component} #{sequence} {} {message:?}", message.info().name)
         }
-        None => writeln!(out, "{system}/{component} #{sequence} message {} {:02x?}", frame.message_id(), frame.payload()),
+        None => {
+            writeln!(out, "{system}/{component} #{sequence} message {} {:02x?}", frame.message_id(), frame.payload())
+        }
     }
 }
