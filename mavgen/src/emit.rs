@@ -83,6 +83,7 @@ pub(crate) fn items_of_message(
 ) -> Result<TokenStream, Internal> {
     let context = Context { dialect, names, union: None, home: Home::Shared, options };
     let mut items = message_file(&context, message)?;
+    items.extend(context.deprecated_name(message)?);
     for view in &message.views {
         items.extend(view_file(&context, message, view)?);
     }
@@ -130,12 +131,18 @@ impl<'a> Context<'a> {
         self.options.deprecated && matches!(origin.lifecycle, Some(Lifecycle::Deprecated(_)))
     }
 
-    /// Whether the message, or an enum that its fields or bindings name, makes the compiler warn.
+    /// Whether an enum that the message's fields or bindings name makes the compiler warn.
     pub(crate) fn names_deprecated(&self, message: &Message) -> bool {
         let fields = message.fields.iter().filter_map(|field| Some(field.values?.id()));
         let mut enums = fields.chain(message.bindings.iter().map(|binding| binding.values));
         let is_deprecated = |id| self.dialect.enum_by_id(id).is_some_and(|named| self.is_deprecated(&named.origin));
-        self.is_deprecated(&message.origin) || enums.any(is_deprecated)
+        enums.any(is_deprecated)
+    }
+
+    /// The alias by which a deprecated message is used.
+    pub(crate) fn deprecated_name(&self, message: &Message) -> Result<Option<TokenStream>, Internal> {
+        let lowered = self.items().message(message, rivals::of_message(self, message))?;
+        Ok(message::deprecated_name(&lowered, &item_module_name(&message.name.text)))
     }
 }
 
@@ -214,7 +221,7 @@ impl Job<'_> {
         let tokens = match self.file {
             File::Root => modules::root(context, folder),
             File::Dialect => modules::dialect(context, folder),
-            File::Messages => modules::messages(context, folder),
+            File::Messages => modules::messages(context, folder)?,
             File::Enums => modules::enums(context, folder),
             File::Views => modules::views(context, folder)?,
             File::View(message, view) => view_file(context, message, view)?,

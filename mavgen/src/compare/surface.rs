@@ -59,7 +59,7 @@ fn add(surface: &mut Surface, item: Item) {
     match item {
         Item::Struct(item) if is_public(&item.vis) => {
             let shape = surface.entry(plain(&item.ident)).or_default();
-            shape.deprecated = is_deprecated(&item.attrs);
+            shape.deprecated |= is_deprecated(&item.attrs);
             let exhaustive =
                 matches!(&item.fields, Fields::Named(fields) if fields.named.iter().all(|field| is_public(&field.vis)));
             shape.exhaustive = exhaustive;
@@ -70,6 +70,10 @@ fn add(surface: &mut Surface, item: Item) {
                 member.signature = readable(field.ty);
                 member.deprecated = is_deprecated(&field.attrs);
             }
+        }
+        // The name of a deprecated message; the struct does not say that it is.
+        Item::Type(item) if is_public(&item.vis) => {
+            surface.entry(plain(&item.ident)).or_default().deprecated = is_deprecated(&item.attrs);
         }
         Item::Impl(item) => add_impl(surface, item),
         Item::Macro(item) => {

@@ -36,7 +36,7 @@ use quote::quote;
 use super::method::method;
 use super::token::{decimal, ident};
 use super::{doc, field, secret};
-use crate::rust::{Frame, Struct, Target};
+use crate::rust::{Docs, Frame, Paragraph, Struct, Target};
 
 /// The items of a message's file, without its imports.
 pub(crate) fn message(message: &Struct<'_>) -> TokenStream {
@@ -57,20 +57,30 @@ pub(crate) fn message(message: &Struct<'_>) -> TokenStream {
 
 /// The struct, in the order of the XML.
 fn declaration(message: &Struct<'_>) -> TokenStream {
-    let Struct { ident: name, alias, docs, deprecated, fields, .. } = message;
+    let Struct { ident: name, alias, docs, fields, .. } = message;
     let (docs, alias) = (doc::documentation(docs), doc::alias(*alias));
-    let deprecated = doc::deprecated(deprecated.as_ref());
     let secretive = fields.iter().any(|field| field.secret).then(|| secret::debug(message));
     let debug = secretive.is_none().then(|| quote!(Debug,));
     let (name, fields) = (ident(name), fields.iter().map(field::declaration));
     quote! {
         #docs
         #alias
-        #deprecated
         #[derive(Clone, Copy, #debug PartialEq)]
         pub struct #name { #(#fields)* }
         #secretive
     }
+}
+
+/// The name by which a deprecated message is used: `#[deprecated(…)] pub type HilControls = hil_controls::HilControls;`.
+///
+/// The struct itself cannot have the attribute: its fields would inherit it, and each mention of one would warn.
+pub(crate) fn deprecated_name(message: &Struct<'_>, file: &str) -> Option<TokenStream> {
+    let Struct { ident: name, alias, docs, deprecated, .. } = message;
+    let deprecated = doc::deprecated(deprecated.as_ref())?;
+    let told = docs.0.iter().filter(|paragraph| !matches!(paragraph, Paragraph::Table(..)));
+    let (docs, alias) = (doc::documentation(&Docs(told.cloned().collect())), doc::alias(*alias));
+    let (file, name) = (ident(file), ident(name));
+    Some(quote!(#docs #alias #deprecated pub type #name = #file::#name;))
 }
 
 /// The implementation of `wire::Message`: the facts, the loads in the order of the XML, the stores in wire order.

@@ -61,7 +61,7 @@ pub(crate) fn dialect(context: &Context<'_>, folder: &Folder<'_>) -> TokenStream
 }
 
 /// `messages.rs`, with a table of contents by id.
-pub(crate) fn messages(context: &Context<'_>, folder: &Folder<'_>) -> TokenStream {
+pub(crate) fn messages(context: &Context<'_>, folder: &Folder<'_>) -> Result<TokenStream, Internal> {
     let messages = &folder.messages;
     let rows: Vec<_> = messages
         .iter()
@@ -76,14 +76,13 @@ pub(crate) fn messages(context: &Context<'_>, folder: &Folder<'_>) -> TokenStrea
         None => "The messages that are the same in all dialects that have them, one type each.",
     };
     let docs = doc::inner_attributes(&doc::lines(&Docs(vec![Paragraph::line(title), toc])));
-    let modules = messages.iter().map(|&Listed { item, home }| Module {
-        name: &item.name,
-        home,
-        expect: context.names_deprecated(item),
-        deprecated: context.is_deprecated(&item.origin),
+    let modules = messages.iter().map(|&Listed { item, home }| {
+        let deprecated = context.is_deprecated(&item.origin);
+        let alias = if deprecated { context.deprecated_name(item)? } else { None };
+        Ok(Module { name: &item.name, home, expect: context.names_deprecated(item), deprecated, alias })
     });
-    let modules = declare(context, "messages", modules.collect());
-    quote!(#docs #modules)
+    let modules = declare(context, "messages", modules.collect::<Result<_, Internal>>()?);
+    Ok(quote!(#docs #modules))
 }
 
 /// `enums.rs`, with a table of contents.
@@ -109,6 +108,7 @@ pub(crate) fn enums(context: &Context<'_>, folder: &Folder<'_>) -> TokenStream {
         home,
         expect: deprecated(&item.origin),
         deprecated: deprecated(&item.origin),
+        alias: None,
     });
     let modules = declare(context, "enums", modules.collect());
     quote!(#docs #modules)
@@ -157,9 +157,11 @@ struct Module<'a> {
     expect: bool,
     /// Whether its type is deprecated.
     deprecated: bool,
+    /// The alias that its type is exported by, if it is not by its own name.
+    alias: Option<TokenStream>,
 }
 
-/// `mod heartbeat; …`, then `pub use heartbeat::Heartbeat; …`, each by name; then what other folders declare.
+/// `mod heartbeat; …`, then `pub use heartbeat::Heartbeat; …`, each by name; then what other folders declare, and aliases.
 fn declare(context: &Context<'_>, module: &str, mut modules: Vec<Module<'_>>) -> TokenStream {
     modules.sort_by(|a, b| a.name.cmp(b.name));
     let (own, others): (Vec<_>, Vec<_>) = modules.into_iter().partition(|module| module.home == context.home);
@@ -167,13 +169,14 @@ fn declare(context: &Context<'_>, module: &str, mut modules: Vec<Module<'_>>) ->
         let (expect, file) = (expect_deprecated(module.expect), ident(&item_module_name(&module.name.text)));
         quote!(#expect mod #file;)
     });
-    let exports = own.iter().map(|module| {
+    let exports = own.iter().filter(|module| module.alias.is_none()).map(|module| {
         let (file, name) = (ident(&item_module_name(&module.name.text)), ident(&module.name.rust));
         let expect = expect_deprecated(module.deprecated);
         quote!(#expect pub use #file::#name;)
     });
     let reexports = reexports(context, module, &others);
-    quote!(#(#declarations)* #(#exports)* #reexports)
+    let aliases = own.iter().filter_map(|module| module.alias.as_ref());
+    quote!(#(#declarations)* #(#exports)* #reexports #(#aliases)*)
 }
 
 /// `pub use super::super::messages::{Heartbeat, SystemTime};`, for each folder, those that are deprecated for themselves.

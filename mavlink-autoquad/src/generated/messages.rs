@@ -282,7 +282,6 @@ mod command_ack;
 mod command_cancel;
 mod command_int;
 mod command_long;
-#[expect(deprecated, reason = "what is deprecated is still on the wire")]
 mod component_information;
 mod component_information_basic;
 mod component_metadata;
@@ -370,11 +369,9 @@ mod mission_ack;
 mod mission_clear_all;
 mod mission_count;
 mod mission_current;
-#[expect(deprecated, reason = "what is deprecated is still on the wire")]
 mod mission_item;
 mod mission_item_int;
 mod mission_item_reached;
-#[expect(deprecated, reason = "what is deprecated is still on the wire")]
 mod mission_request;
 mod mission_request_int;
 mod mission_request_list;
@@ -417,7 +414,6 @@ mod play_tune_v2;
 mod position_target_global_int;
 mod position_target_local_ned;
 mod power_status;
-#[expect(deprecated, reason = "what is deprecated is still on the wire")]
 mod protocol_version;
 mod radio_status;
 mod raw_imu;
@@ -463,9 +459,7 @@ mod terrain_report;
 mod terrain_request;
 mod timesync;
 mod time_estimate_to_target;
-#[expect(deprecated, reason = "what is deprecated is still on the wire")]
 mod trajectory_representation_bezier;
-#[expect(deprecated, reason = "what is deprecated is still on the wire")]
 mod trajectory_representation_waypoints;
 mod tunnel;
 mod uavcan_node_info;
@@ -526,8 +520,6 @@ pub use command_ack::CommandAck;
 pub use command_cancel::CommandCancel;
 pub use command_int::CommandInt;
 pub use command_long::CommandLong;
-#[expect(deprecated, reason = "what is deprecated is still on the wire")]
-pub use component_information::ComponentInformation;
 pub use component_information_basic::ComponentInformationBasic;
 pub use component_metadata::ComponentMetadata;
 pub use control_system_state::ControlSystemState;
@@ -613,12 +605,8 @@ pub use mission_ack::MissionAck;
 pub use mission_clear_all::MissionClearAll;
 pub use mission_count::MissionCount;
 pub use mission_current::MissionCurrent;
-#[expect(deprecated, reason = "what is deprecated is still on the wire")]
-pub use mission_item::MissionItem;
 pub use mission_item_int::MissionItemInt;
 pub use mission_item_reached::MissionItemReached;
-#[expect(deprecated, reason = "what is deprecated is still on the wire")]
-pub use mission_request::MissionRequest;
 pub use mission_request_int::MissionRequestInt;
 pub use mission_request_list::MissionRequestList;
 pub use mission_request_partial_list::MissionRequestPartialList;
@@ -660,8 +648,6 @@ pub use play_tune_v2::PlayTuneV2;
 pub use position_target_global_int::PositionTargetGlobalInt;
 pub use position_target_local_ned::PositionTargetLocalNed;
 pub use power_status::PowerStatus;
-#[expect(deprecated, reason = "what is deprecated is still on the wire")]
-pub use protocol_version::ProtocolVersion;
 pub use radio_status::RadioStatus;
 pub use raw_imu::RawImu;
 pub use raw_pressure::RawPressure;
@@ -706,10 +692,6 @@ pub use terrain_report::TerrainReport;
 pub use terrain_request::TerrainRequest;
 pub use timesync::Timesync;
 pub use time_estimate_to_target::TimeEstimateToTarget;
-#[expect(deprecated, reason = "what is deprecated is still on the wire")]
-pub use trajectory_representation_bezier::TrajectoryRepresentationBezier;
-#[expect(deprecated, reason = "what is deprecated is still on the wire")]
-pub use trajectory_representation_waypoints::TrajectoryRepresentationWaypoints;
 pub use tunnel::Tunnel;
 pub use uavcan_node_info::UavcanNodeInfo;
 pub use uavcan_node_status::UavcanNodeStatus;
@@ -726,3 +708,64 @@ pub use wheel_distance::WheelDistance;
 pub use wifi_config_ap::WifiConfigAp;
 pub use winch_status::WinchStatus;
 pub use wind_cov::WindCov;
+
+/// Where the metadata files of a component can be had; `COMPONENT_METADATA` has taken its place.
+///
+/// **Deprecated** since 2022-04, replaced by `COMPONENT_METADATA`.
+///
+/// `COMPONENT_INFORMATION`, message 395 of `common.xml`: 212 bytes, CRC_EXTRA 0; MAVLink 2 only.
+/// See the [message reference](https://mavlink.io/en/messages/common.html#COMPONENT_INFORMATION).
+#[doc(alias = "COMPONENT_INFORMATION")]
+#[deprecated(note = "since 2022-04: replaced by `COMPONENT_METADATA`")]
+pub type ComponentInformation = component_information::ComponentInformation;
+
+/// One mission item with coordinates as floats, which lose precision; `MISSION_ITEM_INT` has taken
+/// its place.
+///
+/// **Deprecated** since 2020-06, replaced by `MISSION_ITEM_INT`.
+///
+/// `MISSION_ITEM`, message 39 of `common.xml`: 38 bytes, 37 in MAVLink 1, CRC_EXTRA 254.
+/// See the [message reference](https://mavlink.io/en/messages/common.html#MISSION_ITEM).
+#[doc(alias = "MISSION_ITEM")]
+#[deprecated(note = "since 2020-06: replaced by `MISSION_ITEM_INT`")]
+pub type MissionItem = mission_item::MissionItem;
+
+/// Asks for one mission item as `MISSION_ITEM`; `MISSION_REQUEST_INT` has taken its place.
+///
+/// **Deprecated** since 2020-06, replaced by `MISSION_REQUEST_INT`.
+///
+/// `MISSION_REQUEST`, message 40 of `common.xml`: 5 bytes, 4 in MAVLink 1, CRC_EXTRA 230.
+/// See the [message reference](https://mavlink.io/en/messages/common.html#MISSION_REQUEST).
+#[doc(alias = "MISSION_REQUEST")]
+#[deprecated(note = "since 2020-06: replaced by `MISSION_REQUEST_INT`")]
+pub type MissionRequest = mission_request::MissionRequest;
+
+/// MAVLink versions that a component can speak.
+///
+/// **Deprecated** since 2025-11, replaced by Nothing.
+///
+/// `PROTOCOL_VERSION`, message 300 of `common.xml`: 22 bytes, CRC_EXTRA 217; MAVLink 2 only.
+/// See the [message reference](https://mavlink.io/en/messages/common.html#PROTOCOL_VERSION).
+#[doc(alias = "PROTOCOL_VERSION")]
+#[deprecated(note = "since 2025-11: replaced by Nothing")]
+pub type ProtocolVersion = protocol_version::ProtocolVersion;
+
+/// A trajectory of up to five Bezier control points.
+///
+/// **Deprecated** since 2025-03, replaced by Nothing.
+///
+/// `TRAJECTORY_REPRESENTATION_BEZIER`, message 333 of `common.xml`: 109 bytes, CRC_EXTRA 231; MAVLink 2 only.
+/// See the [message reference](https://mavlink.io/en/messages/common.html#TRAJECTORY_REPRESENTATION_BEZIER).
+#[doc(alias = "TRAJECTORY_REPRESENTATION_BEZIER")]
+#[deprecated(note = "since 2025-03: replaced by Nothing")]
+pub type TrajectoryRepresentationBezier = trajectory_representation_bezier::TrajectoryRepresentationBezier;
+
+/// A trajectory of up to five waypoints.
+///
+/// **Deprecated** since 2025-03, replaced by Nothing.
+///
+/// `TRAJECTORY_REPRESENTATION_WAYPOINTS`, message 332 of `common.xml`: 239 bytes, CRC_EXTRA 236; MAVLink 2 only.
+/// See the [message reference](https://mavlink.io/en/messages/common.html#TRAJECTORY_REPRESENTATION_WAYPOINTS).
+#[doc(alias = "TRAJECTORY_REPRESENTATION_WAYPOINTS")]
+#[deprecated(note = "since 2025-03: replaced by Nothing")]
+pub type TrajectoryRepresentationWaypoints = trajectory_representation_waypoints::TrajectoryRepresentationWaypoints;

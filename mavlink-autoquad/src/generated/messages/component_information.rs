@@ -18,7 +18,6 @@ use wire::generated::{get, put};
 /// |     12 | `general_metadata_uri`          | `char[100]` |  |
 /// |    112 | `peripherals_metadata_uri`      | `char[100]` |  |
 #[doc(alias = "COMPONENT_INFORMATION")]
-#[deprecated(note = "since 2022-04: replaced by `COMPONENT_METADATA`")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ComponentInformation {
     /// Time since the sender booted; wraps after about 49.7 days. In ms.

@@ -30,7 +30,6 @@ use wire::generated::{get, put};
 /// |     36 | `autocontinue`             | `uint8_t` |
 /// |     37 | `mission_type` (extension) | `uint8_t` |
 #[doc(alias = "MISSION_ITEM")]
-#[deprecated(note = "since 2020-06: replaced by `MISSION_ITEM_INT`")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MissionItem {
     /// Id of the system this is meant for; 0 is every system.

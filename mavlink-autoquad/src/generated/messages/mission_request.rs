@@ -18,7 +18,6 @@ use wire::generated::{get, put};
 /// |      3 | `target_component`         | `uint8_t` |
 /// |      4 | `mission_type` (extension) | `uint8_t` |
 #[doc(alias = "MISSION_REQUEST")]
-#[deprecated(note = "since 2020-06: replaced by `MISSION_REQUEST_INT`")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MissionRequest {
     /// Id of the system this is meant for; 0 is every system.

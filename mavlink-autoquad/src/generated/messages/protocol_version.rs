@@ -18,7 +18,6 @@ use wire::generated::{get, put};
 /// |      6 | `spec_version_hash`    | `uint8_t[8]` |
 /// |     14 | `library_version_hash` | `uint8_t[8]` |
 #[doc(alias = "PROTOCOL_VERSION")]
-#[deprecated(note = "since 2025-11: replaced by Nothing")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ProtocolVersion {
     /// Version in use, times 100: 200 is MAVLink 2.

@@ -20,7 +20,6 @@ use wire::generated::{get, put};
 /// |     88 | `pos_yaw`      | `float[5]` | rad |
 /// |    108 | `valid_points` | `uint8_t`  |  |
 #[doc(alias = "TRAJECTORY_REPRESENTATION_BEZIER")]
-#[deprecated(note = "since 2025-03: replaced by Nothing")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TrajectoryRepresentationBezier {
     /// Clock of the sender, counted from 1970 or from its boot; the size of the number shows which. In

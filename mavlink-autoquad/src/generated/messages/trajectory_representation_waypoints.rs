@@ -28,7 +28,6 @@ use wire::generated::{get, put};
 /// |    228 | `command`      | `uint16_t[5]` |  |
 /// |    238 | `valid_points` | `uint8_t`     |  |
 #[doc(alias = "TRAJECTORY_REPRESENTATION_WAYPOINTS")]
-#[deprecated(note = "since 2025-03: replaced by Nothing")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TrajectoryRepresentationWaypoints {
     /// Clock of the sender, counted from 1970 or from its boot; the size of the number shows which. In
