@@ -12,5 +12,10 @@ mod drive;
 mod old_drive;
 
 pub use drive::Drive;
-#[expect(deprecated, reason = "what is deprecated is still on the wire")]
-pub use old_drive::OldDrive;
+
+/// **Deprecated** since 2021-03, replaced by DRIVE.
+///
+/// `OLD_DRIVE`, message 305 of `main.xml`: 1 byte, CRC_EXTRA 38; MAVLink 2 only.
+#[doc(alias = "OLD_DRIVE")]
+#[deprecated(note = "since 2021-03: replaced by DRIVE")]
+pub type OldDrive = old_drive::OldDrive;

@@ -12,7 +12,6 @@ use wire::generated::{get, put};
 /// |-------:|--------|---|
 /// |      0 | `mode` | `uint8_t` |
 #[doc(alias = "OLD_DRIVE")]
-#[deprecated(note = "since 2021-03: replaced by DRIVE")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OldDrive {
     /// Mode.
