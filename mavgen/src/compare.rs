@@ -17,6 +17,7 @@ mod metadata;
 mod order;
 mod pairs;
 mod renamed;
+mod state;
 mod surface;
 mod surfaces;
 mod wire;
@@ -30,31 +31,29 @@ use crate::builder::Failure;
 use crate::ir::Dialect;
 use crate::select::Selection;
 use pairs::Pairs;
-
-/// Both states with only these messages and what they need, as [`Builder::messages`](crate::Builder::messages) cuts one.
-///
-/// # Errors
-/// [`Failure::Usage`] if a name means no message of either state: one that was added or removed is only in one of them.
-pub fn select(mut old: Dialect, mut new: Dialect, messages: &[String]) -> Result<(Dialect, Dialect), Failure> {
-    let selection = Selection::new(messages.iter().map(String::as_str)).map_err(Failure::Usage)?;
-    selection.check(&[&old, &new]).map_err(Failure::Usage)?;
-    for dialect in [&mut old, &mut new] {
-        dialect.cut(&selection.kept(dialect));
-    }
-    Ok((old, new))
-}
+use state::State;
 
 /// The changes from `old` to `new`, group by group, in each by message or enum; nothing if they are the same but for their prose.
+///
+/// Both are whole dialects. With `messages`, only those are compared, and what they need, as
+/// [`Builder::messages`](crate::Builder::messages) cuts a dialect.
 ///
 /// The dialects may be called differently, like `acme_1.xml` and `acme_2.xml`: what that alone changes in Rust is not listed.
 ///
 /// # Errors
-/// [`Failure::Internal`] for a model that says something impossible.
-pub fn compare(old: &Dialect, new: &Dialect) -> Result<Vec<Change>, Failure> {
-    let pairs = Pairs::of(old, new);
+/// [`Failure::Usage`] if one of `messages` means no message of either state: one that was added or removed is only in one of
+/// them. [`Failure::Internal`] for a model that says something impossible.
+pub fn compare(old: &Dialect, new: &Dialect, messages: Option<&[String]>) -> Result<Vec<Change>, Failure> {
+    let selection = messages.map(|names| Selection::new(names.iter().map(String::as_str)));
+    let selection = selection.transpose().map_err(Failure::Usage)?;
+    if let Some(selection) = &selection {
+        selection.check(&[old, new]).map_err(Failure::Usage)?;
+    }
+    let (old, new) = (State::of(old, selection.as_ref()), State::of(new, selection.as_ref()));
+    let pairs = Pairs::of(&old.dialect, &new.dialect);
     let mut changes = wire::changes(&pairs);
     changes.extend(enums::changes(&pairs));
-    changes.extend(api::changes(old, new, &pairs).map_err(|internal| Failure::Internal(internal.to_string()))?);
-    changes.extend(metadata::changes(old, new, &pairs));
+    changes.extend(api::changes(&old, &new, &pairs).map_err(|internal| Failure::Internal(internal.to_string()))?);
+    changes.extend(metadata::changes(&old.dialect, &new.dialect, &pairs));
     Ok(changes)
 }

@@ -4,7 +4,7 @@ use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 
 use crate::diag::Diagnostics;
-use crate::ir::Dialect;
+use crate::ir::{Dialect, Kept};
 use crate::lower::link::{self, Part, Union};
 use crate::lower::names::Names;
 use crate::lower::spelling::dialect_module_name;
@@ -26,9 +26,13 @@ pub(crate) struct Named {
 impl Named {
     /// Drops what is not selected. What stays keeps its name: those are given before.
     pub(crate) fn select(&mut self, selection: &Selection) {
-        let kept = selection.kept(&self.dialect);
-        self.dialect.cut(&kept);
-        self.names.cut(&kept);
+        self.cut(&selection.kept(&self.dialect));
+    }
+
+    /// Drops what does not stay, and what it is called.
+    pub(crate) fn cut(&mut self, kept: &Kept) {
+        self.dialect.cut(kept);
+        self.names.cut(kept);
     }
 }
 

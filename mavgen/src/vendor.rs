@@ -48,7 +48,7 @@ use std::path::{Path, PathBuf};
 use crate::builder::{Builder, Failure, Problems};
 use crate::diag::Diagnostics;
 use crate::read::{self, load};
-use crate::roots::{Named, resolve};
+use crate::roots::resolve;
 use crate::source::{FileId, Sources};
 
 use original::{Original, originals};
@@ -148,7 +148,7 @@ pub fn vendor(builder: &Builder, prose: &Prose) -> Result<Vendored, Failure> {
     let selection = builder.selection()?;
     let (mut sources, mut diagnostics) = (Sources::default(), Diagnostics::leaving_out(builder.allowed_codes()?));
     let loaded = load(xml, &builder.include_dirs, &[], &mut sources, &mut diagnostics);
-    let Some(Named { dialect: whole, .. }) = resolve(&loaded, &sources, &mut diagnostics) else {
+    let Some(whole) = resolve(&loaded, &sources, &mut diagnostics) else {
         let watched = loaded.watched;
         return Err(Failure::Definitions(Box::new(Problems { diagnostics, sources, watched })));
     };

@@ -6,7 +6,7 @@ use std::process::ExitCode;
 
 use clap::Args;
 use mavgen::Failure;
-use mavgen::compare::{Change, Group, compare, select};
+use mavgen::compare::{Change, Group, compare};
 use mavgen::source::{Sources, Span};
 use serde_json::{Value, json};
 
@@ -62,12 +62,9 @@ impl Diff {
         if !self.old_overlay.is_empty() {
             before.overlay.clone_from(&self.old_overlay);
         }
-        let mut old = resolve_silently(&before.whole(&self.old).deny_warnings(false))?;
-        let mut new = resolve(&self.reading.whole(&self.new), report)?;
-        if let Some(messages) = &self.reading.definitions.messages {
-            (old.dialect, new.dialect) = select(old.dialect, new.dialect, messages)?;
-        }
-        let mut changes = compare(&old.dialect, &new.dialect)?;
+        let old = resolve_silently(&before.whole(&self.old).deny_warnings(false))?;
+        let new = resolve(&self.reading.whole(&self.new), report)?;
+        let mut changes = compare(&old.dialect, &new.dialect, self.reading.definitions.messages.as_deref())?;
         changes.retain(|change| self.asks_for(change.group()));
         let places = Places { old: &old.sources, new: &new.sources };
         report::print(&if self.json { self.as_json(&changes, &places) } else { self.text(&changes, &places) })?;

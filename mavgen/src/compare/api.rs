@@ -4,16 +4,16 @@ use std::collections::{BTreeMap, HashMap};
 
 use super::pairs::Pairs;
 use super::renamed::Renamed;
+use super::state::State;
 use super::surface::{Member, Name, Shape, Surface};
 use super::surfaces::surfaces;
 use super::{Change, Kind};
-use crate::ir::Dialect;
 use crate::lower::Internal;
 use crate::source::Span;
 
 /// The changes of all types.
-pub(super) fn changes(old: &Dialect, new: &Dialect, pairs: &Pairs<'_>) -> Result<Vec<Change>, Internal> {
-    let names = Renamed::of(pairs);
+pub(super) fn changes(old: &State, new: &State, pairs: &Pairs<'_>) -> Result<Vec<Change>, Internal> {
+    let names = Renamed::of(pairs, old, new);
     let (before, after) = surfaces(old, new, &names)?;
     let (before, after) = (Side::of(old, before), Side::of(new, after));
     let mut changes = Vec::new();
@@ -43,20 +43,19 @@ struct Side {
 }
 
 impl Side {
-    fn of(dialect: &Dialect, surface: Surface) -> Self {
+    fn of(state: &State, surface: Surface) -> Self {
         let mut places = HashMap::new();
-        for message in &dialect.messages {
-            let name = &message.name.rust;
-            places.insert((name.clone(), None), message.origin.span);
-            let fields = message.fields.iter().map(|field| (field.name.rust.clone(), field.origin.span));
-            places.extend(fields.map(|(field, span)| ((name.clone(), Some(field)), span)));
-            places.extend(message.views.iter().map(|view| ((view.name.rust.clone(), None), view.origin.span)));
+        for (message, names) in state.messages() {
+            places.insert((names.ty.clone(), None), message.origin.span);
+            let fields = names.fields.iter().zip(&message.fields);
+            places.extend(fields.map(|(name, field)| ((names.ty.clone(), Some(name.clone())), field.origin.span)));
+            let views = names.views.iter().zip(&message.views);
+            places.extend(views.map(|(names, view)| ((names.ty.clone(), None), view.origin.span)));
         }
-        for values in &dialect.enums {
-            let name = &values.name.rust;
-            places.insert((name.clone(), None), values.origin.span);
-            let entries = values.entries.iter().map(|entry| (entry.name.rust.clone(), entry.origin.span));
-            places.extend(entries.map(|(entry, span)| ((name.clone(), Some(entry)), span)));
+        for (values, names) in state.enums() {
+            places.insert((names.ty.clone(), None), values.origin.span);
+            let entries = names.constants.iter().zip(&values.entries);
+            places.extend(entries.map(|(name, entry)| ((names.ty.clone(), Some(name.clone())), entry.origin.span)));
         }
         Self { surface, places }
     }

@@ -3,6 +3,7 @@
 use std::collections::{HashMap, HashSet};
 
 use super::pairs::Pairs;
+use super::state::{State, constant, field};
 use super::surface::Name;
 
 /// What generated items are called now.
@@ -13,20 +14,27 @@ pub(super) struct Renamed<'a> {
 }
 
 impl<'a> Renamed<'a> {
-    pub(super) fn of(pairs: &Pairs<'a>) -> Self {
+    pub(super) fn of(pairs: &Pairs<'_>, old: &'a State, new: &'a State) -> Self {
         let (mut types, mut members) = (HashMap::new(), HashMap::new());
         for pair in pairs.messages.both.iter().filter(|pair| pair.is_one_message()) {
-            types.insert(pair.old.name.rust.as_str(), pair.new.name.rust.as_str());
-            let fields = pair.fields.both.iter().map(|(old, new)| (&old.name, &new.name));
-            members
-                .extend(fields.map(|(old, new)| ((pair.old.name.rust.as_str(), old.rust.as_str()), new.rust.as_str())));
+            let (Some(before), Some(after)) = (old.names_of_message(pair.old), new.names_of_message(pair.new)) else {
+                continue;
+            };
+            types.insert(before.ty.as_str(), after.ty.as_str());
+            let fields = pair.fields.both.iter().filter_map(|(old, new)| {
+                Some(((before.ty.as_str(), field(pair.old, before, old)?), field(pair.new, after, new)?))
+            });
+            members.extend(fields);
         }
         for pair in &pairs.enums.both {
-            types.insert(pair.old.name.rust.as_str(), pair.new.name.rust.as_str());
-            let entries = pair.entries.both.iter().map(|(old, new)| (&old.name, &new.name));
-            members.extend(
-                entries.map(|(old, new)| ((pair.old.name.rust.as_str(), old.rust.as_str()), new.rust.as_str())),
-            );
+            let (Some(before), Some(after)) = (old.names_of_enum(pair.old), new.names_of_enum(pair.new)) else {
+                continue;
+            };
+            types.insert(before.ty.as_str(), after.ty.as_str());
+            let entries = pair.entries.both.iter().filter_map(|(old, new)| {
+                Some(((before.ty.as_str(), constant(pair.old, before, old)?), constant(pair.new, after, new)?))
+            });
+            members.extend(entries);
         }
         Self { types, members }
     }

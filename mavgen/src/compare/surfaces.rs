@@ -6,17 +6,15 @@ use std::iter;
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
 use super::renamed::Renamed;
+use super::state::State;
 use super::surface::{Surface, plain, surface};
 use crate::emit::threads::in_order;
 use crate::emit::{Options, items_of_enum, items_of_message};
-use crate::ir::{Dialect, Enum, Message};
+use crate::ir::{Enum, Message};
 use crate::lower::Internal;
-use crate::lower::names::Names;
 
 /// What users see of the types of both states, but for those of messages and enums whose code is the same in both.
-pub(super) fn surfaces(old: &Dialect, new: &Dialect, names: &Renamed<'_>) -> Result<(Surface, Surface), Internal> {
-    let (old_names, new_names) = (Names::of(old), Names::of(new));
-    let (old, new) = ((old, &old_names), (new, &new_names));
+pub(super) fn surfaces(old: &State, new: &State, names: &Renamed<'_>) -> Result<(Surface, Surface), Internal> {
     let renamed = names.changed();
     let (mut before, mut after) = (Surface::new(), Surface::new());
     for pair in in_order(&pairs(old, new), |pair| of_pair(pair, &renamed)) {
@@ -27,26 +25,23 @@ pub(super) fn surfaces(old: &Dialect, new: &Dialect, names: &Renamed<'_>) -> Res
     Ok((before, after))
 }
 
-/// A dialect, and what everything in it is called.
-type State<'a> = (&'a Dialect, &'a Names);
-
 /// What declares types: an enum; a message, which has views.
 #[derive(Clone, Copy)]
 enum Declared<'a> {
-    Enum(State<'a>, &'a Enum),
-    Message(State<'a>, &'a Message),
+    Enum(&'a State, &'a Enum),
+    Message(&'a State, &'a Message),
 }
 
 /// What both states call the same in Rust, and what only one of them has.
 type Pair<'a> = [Option<Declared<'a>>; 2];
 
-fn pairs<'a>(old: State<'a>, new: State<'a>) -> Vec<Pair<'a>> {
+fn pairs<'a>(old: &'a State, new: &'a State) -> Vec<Pair<'a>> {
     let mut pairs: BTreeMap<&str, Pair<'a>> = BTreeMap::new();
-    for (side, dialect) in [old, new].into_iter().enumerate() {
-        let enums = dialect.0.enums.iter().map(|values| (&values.name, Declared::Enum(dialect, values)));
-        let messages = dialect.0.messages.iter().map(|message| (&message.name, Declared::Message(dialect, message)));
+    for (side, state) in [old, new].into_iter().enumerate() {
+        let enums = state.enums().map(|(values, names)| (&names.ty, Declared::Enum(state, values)));
+        let messages = state.messages().map(|(message, names)| (&names.ty, Declared::Message(state, message)));
         for (name, declared) in enums.chain(messages) {
-            if let Some(place) = pairs.entry(&name.rust).or_default().get_mut(side) {
+            if let Some(place) = pairs.entry(name).or_default().get_mut(side) {
                 *place = Some(declared);
             }
         }
@@ -71,8 +66,8 @@ impl Declared<'_> {
     fn code(self) -> Result<TokenStream, Internal> {
         let options = Options { runtime: "::mavlink_wire".to_owned(), deprecated: true, sources: String::new() };
         match self {
-            Self::Enum((dialect, names), values) => Ok(items_of_enum(dialect, names, &options, values)),
-            Self::Message((dialect, names), message) => items_of_message(dialect, names, &options, message),
+            Self::Enum(state, values) => Ok(items_of_enum(&state.dialect, &state.names, &options, values)),
+            Self::Message(state, message) => items_of_message(&state.dialect, &state.names, &options, message),
         }
     }
 }

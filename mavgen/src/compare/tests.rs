@@ -44,5 +44,5 @@ fn shown(change: &Change) -> String {
 
 /// The changes from one text to another.
 fn changes(old: &str, new: &str) -> Vec<String> {
-    compare(&of(old), &of(new)).unwrap().iter().map(shown).collect()
+    compare(&of(old), &of(new), None).unwrap().iter().map(shown).collect()
 }

@@ -21,7 +21,7 @@ use crate::ir::{Dialect, Enum, Kept, Message};
 use crate::lower::spelling;
 use crate::read::Loaded;
 use crate::resolve::integer;
-use crate::roots::resolve;
+use crate::roots::{Named, resolve};
 use crate::select::Selection;
 use crate::source::Sources;
 use crate::syntax;
@@ -51,22 +51,23 @@ impl Part {
     /// [`Failure::Usage`] if a name means no message.
     pub(super) fn of(
         selection: &Selection,
-        whole: &Dialect,
+        whole: &Named,
         loaded: &Loaded,
         sources: &Sources,
     ) -> Result<Self, Failure> {
-        selection.check(&[whole]).map_err(Failure::Usage)?;
-        let selected = whole.messages.iter().filter(|message| selection.means(message));
+        let dialect = &whole.dialect;
+        selection.check(&[dialect]).map_err(Failure::Usage)?;
+        let selected = dialect.messages.iter().filter(|message| selection.means(message));
         let messages = selected.map(|message| message.name.text.clone()).collect();
         let mut part = Self { messages, enums: BTreeSet::new(), besides: Vec::new() };
         loop {
             let before = part.besides.len();
             let model = part.model(whole);
-            part.enums.extend(model.enums.iter().map(|values| values.name.text.clone()));
-            part.keep_named(whole, loaded);
+            part.enums.extend(model.dialect.enums.iter().map(|values| values.name.text.clone()));
+            part.keep_named(dialect, loaded);
             part.keep_names(whole, &model);
             if part.besides.len() == before {
-                part.keep_owners(whole, &model, loaded, sources)?;
+                part.keep_owners(dialect, &model.dialect, loaded, sources)?;
             }
             if part.besides.len() == before {
                 return Ok(part);
@@ -83,10 +84,10 @@ impl Part {
     }
 
     /// The model as it should be: cut out of that of the whole.
-    fn model(&self, whole: &Dialect) -> Dialect {
+    fn model(&self, whole: &Named) -> Named {
         let wants_enum = |values: &Enum| self.enums.contains(&values.name.text);
         let mut model = whole.clone();
-        model.cut(&Kept::of(whole, |message| self.messages.contains(&message.name.text), wants_enum));
+        model.cut(&Kept::of(&whole.dialect, |message| self.messages.contains(&message.name.text), wants_enum));
         model
     }
 
@@ -121,24 +122,27 @@ impl Part {
     }
 
     /// Keeps what enums and the dialect are not called after.
-    fn keep_names(&mut self, whole: &Dialect, model: &Dialect) {
-        for values in &model.enums {
+    fn keep_names(&mut self, whole: &Named, model: &Named) {
+        for (values, names) in model.dialect.enums.iter().zip(&model.names.enums) {
             let rust = spelling::type_name(&values.name.text);
             let why = || format!("without it, enum `{}` would have another name in Rust", values.name.text);
-            if rust != values.name.rust {
+            if rust != names.ty {
                 self.keep_called(&rust, whole, why);
             }
         }
-        let rust = spelling::dialect_type_name(&whole.name);
-        if rust != whole.type_name {
+        let rust = spelling::dialect_type_name(&whole.dialect.name);
+        if rust != whole.names.dialect {
             self.keep_called(&rust, whole, || "without it, the dialect's type would have another name in Rust".into());
         }
     }
 
     /// Keeps the messages and enums that have a name in Rust.
-    fn keep_called(&mut self, rust: &str, whole: &Dialect, why: impl Fn() -> String) {
-        whole.messages.iter().filter(|one| one.name.rust == rust).for_each(|one| self.keep_message(one, why()));
-        whole.enums.iter().filter(|one| one.name.rust == rust).for_each(|one| self.keep_enum(one, why()));
+    fn keep_called(&mut self, rust: &str, whole: &Named, why: impl Fn() -> String) {
+        let Named { dialect, names } = whole;
+        let messages = dialect.messages.iter().zip(&names.messages).filter(|(_, names)| names.ty == rust);
+        messages.for_each(|(message, _)| self.keep_message(message, why()));
+        let enums = dialect.enums.iter().zip(&names.enums).filter(|(_, names)| names.ty == rust);
+        enums.for_each(|(values, _)| self.keep_enum(values, why()));
     }
 
     /// Keeps a message that decides on the integer or the owner of an enum, for each that would have others.

@@ -21,7 +21,7 @@ fn views_are_compared() {
     let of = |bits: &str| dialect(&[("acme.xml", ACME)], Some(&overlay(bits)));
     let old = of("<bits name='level' at='0' width='8'/><bits name='open' at='8' width='1'/>");
     let new = of("<bits name='level' at='0' width='12'/><bits name='leak' at='15' width='1'/>");
-    let changes: Vec<String> = compare(&old, &new).unwrap().iter().map(shown).collect();
+    let changes: Vec<String> = compare(&old, &new, None).unwrap().iter().map(shown).collect();
     assert_eq!(
         changes,
         [
@@ -31,7 +31,7 @@ fn views_are_compared() {
         ]
     );
     let without = dialect(&[("acme.xml", ACME)], None);
-    let added: Vec<String> = compare(&without, &old).unwrap().iter().map(shown).collect();
+    let added: Vec<String> = compare(&without, &old, None).unwrap().iter().map(shown).collect();
     assert_eq!(added, ["api Tank::tank() is new", "api TankBits is new"]);
 }
 
@@ -44,7 +44,7 @@ fn a_message_that_moves_to_another_file_is_the_same() {
     let empty = "<mavlink><messages/></mavlink>";
     let old = dialect(&[("acme.xml", ACME), ("base.xml", BASE)], None);
     let new = dialect(&[("acme.xml", &own), ("base.xml", empty)], None);
-    let changes: Vec<String> = compare(&old, &new).unwrap().iter().map(shown).collect();
+    let changes: Vec<String> = compare(&old, &new, None).unwrap().iter().map(shown).collect();
     assert_eq!(changes, ["metadata message BASE: file acme.xml, was base.xml"]);
 }
 
@@ -52,11 +52,11 @@ fn a_message_that_moves_to_another_file_is_the_same() {
 fn both_places_are_told() {
     let new = ACME.replace("'uint16_t'", "'uint32_t'");
     let text = |source: &str, span: Option<Span>| source[span.unwrap().range()].to_owned();
-    for change in compare(&of(ACME), &of(&new)).unwrap() {
+    for change in compare(&of(ACME), &of(&new), None).unwrap() {
         assert_eq!(text(ACME, change.old), "<field type='uint16_t' name='bits'/>", "{change}");
         assert_eq!(text(&new, change.new), "<field type='uint32_t' name='bits'/>", "{change}");
     }
-    let gone = compare(&of(ACME), &of("<mavlink><messages/></mavlink>")).unwrap();
+    let gone = compare(&of(ACME), &of("<mavlink><messages/></mavlink>"), None).unwrap();
     assert_eq!(gone.len(), 2);
     assert!(gone.iter().all(|change| change.old.is_some() && change.new.is_none()));
     assert_eq!(gone[0].group(), Group::Wire);

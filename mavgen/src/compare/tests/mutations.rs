@@ -43,7 +43,7 @@ fn a_dialect_is_the_same_as_itself() {
     assert_eq!(changes(BASE, BASE), [""; 0]);
     assert_eq!(changes(BASE, &BASE.replace("Whether it sprays.", "Otherwise said.")), [""; 0]);
     let (one, other) = (dialect(&[("acme_1.xml", BASE)], None), dialect(&[("acme_2.xml", BASE)], None));
-    assert_eq!(compare(&one, &other).unwrap(), []);
+    assert_eq!(compare(&one, &other, None).unwrap(), []);
 }
 
 #[test]

@@ -7,7 +7,7 @@ use super::*;
 use crate::diag::Diagnostics;
 use crate::ir::Dialect;
 use crate::read::load;
-use crate::roots::{Named, resolve};
+use crate::roots::resolve;
 use crate::select::Selection;
 use crate::source::Sources;
 use crate::vendor::part::Part;
@@ -78,12 +78,13 @@ fn parts_of_real_dialects_are_what_they_are_in_the_whole() {
 fn every_message_alone_is_what_it_is_in_the_whole() {
     let (mut sources, mut diagnostics) = (Sources::default(), Diagnostics::default());
     let loaded = load(&xml().join("autoquad.xml"), &[], &[], &mut sources, &mut diagnostics);
-    let Named { dialect: whole, .. } = resolve(&loaded, &sources, &mut diagnostics).unwrap();
+    let named = resolve(&loaded, &sources, &mut diagnostics).unwrap();
+    let whole = &named.dialect;
     let originals = originals(&loaded, &sources).unwrap();
     let (mut besides, mut sizes) = (BTreeSet::new(), Vec::new());
     for (index, message) in whole.messages.iter().enumerate() {
         let name = &*message.name.text;
-        let part = Part::of(&Selection::new([name]).unwrap(), &whole, &loaded, &sources).unwrap();
+        let part = Part::of(&Selection::new([name]).unwrap(), &named, &loaded, &sources).unwrap();
         besides.extend(part.besides.iter().map(|one| one.name.clone()));
         let prose = if index % 2 == 0 { Prose::Keep } else { Prose::Drop };
         let folder = tempfile::tempdir().unwrap();
@@ -92,7 +93,7 @@ fn every_message_alone_is_what_it_is_in_the_whole() {
         }
         let copy = Builder::new(folder.path().join("autoquad.xml")).messages([name]);
         let (copied, mut expected) = (resolved(&copy), whole.clone());
-        expected.cut(&Selection::new([name]).unwrap().kept(&whole));
+        expected.cut(&Selection::new([name]).unwrap().kept(whole));
         let words = prose == Prose::Keep;
         sizes.push(copied.enums.len());
         assert!(shown(copied, words) == shown(expected, words), "{name}");
@@ -178,8 +179,8 @@ fn what_is_called_alike_stays_called_otherwise() {
     let names: Vec<&str> = vendored.besides.iter().map(|one| one.name.as_str()).collect();
     assert_eq!(names, ["message SPRAYER", "enum A"]);
     let out = written(&vendored, folder.path());
-    let copied = resolved(&Builder::new(out.join("a.xml")));
-    assert_eq!((&*copied.type_name, &*copied.enums[0].name.rust), ("ADialect", "SprayerEnum"));
+    let copied = Builder::new(out.join("a.xml")).resolve().unwrap();
+    assert_eq!((&*copied.names.dialect, &*copied.names.enums[0].ty), ("ADialect", "SprayerEnum"));
 }
 
 #[test]
