@@ -62,7 +62,7 @@ impl Builder {
             .ok_or_else(|| Failure::Usage("OUT_DIR is not set: this is no build script".into()))?;
         let (name, docs) = match &resolved.union {
             Some(union) => (&union.all.name, of_several(union)),
-            None => (&resolved.dialect.name, of_one(&resolved.dialect)),
+            None => (&resolved.dialect.name, of_one(&resolved.dialect, &resolved.names.dialect)),
         };
         let module = dialect_module_name(name);
         let (tree, path) = match &self.out_dir {
@@ -97,11 +97,11 @@ impl Builder {
 }
 
 /// What stands over the module of a dialect.
-fn of_one(dialect: &Dialect) -> String {
+fn of_one(dialect: &Dialect, type_name: &str) -> String {
     if dialect.messages.is_empty() {
         return format!("/// The `{}` dialect.", dialect.name);
     }
-    let (name, type_name, module) = (&dialect.name, &dialect.type_name, dialect_module_name(&dialect.name));
+    let (name, module) = (&dialect.name, dialect_module_name(&dialect.name));
     format!("/// The `{name}` dialect: its messages, its enums, and [`{module}::{type_name}`] over all messages.")
 }
 

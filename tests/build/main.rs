@@ -23,10 +23,11 @@ fn main() {
     let text = fs::read_to_string("vectors/autoquad.txt").unwrap();
     let definitions: Vec<Definition> = text.lines().filter_map(Definition::read).collect();
 
-    let autoquad = Builder::new("../xml/autoquad.xml").overlay("../xml/overlay/autoquad.xml").resolve();
-    let autoquad = autoquad.unwrap_or_else(|failure| panic!("{failure}"));
+    let builder = Builder::new("../xml/autoquad.xml").overlay("../xml/overlay/autoquad.xml");
+    let autoquad = builder.resolve().unwrap_or_else(|failure| panic!("{failure}"));
+    let files = builder.emit(&autoquad).unwrap_or_else(|failure| panic!("{failure}"));
     let module = "::mavlink_autoquad::autoquad";
-    write(&out.join("autoquad_subjects.rs"), &subjects::subjects(module, &autoquad.dialect, &definitions));
+    write(&out.join("autoquad_subjects.rs"), &subjects::subjects(module, &autoquad.dialect, &files, &definitions));
     mutants::generate(&out, &definitions);
     generate_others(&out);
 }

@@ -6,12 +6,13 @@
 use std::fmt::Write;
 
 use heck::{ToSnakeCase, ToUpperCamelCase};
+use mavgen::GeneratedFile;
 use mavgen::ir::{Dialect, Enum, Repr};
 
 use crate::definition::{Definition, Field};
 
 /// `SUBJECTS` and `CONSTANTS` of the dialect in `module`.
-pub(crate) fn subjects(module: &str, dialect: &Dialect, definitions: &[Definition]) -> String {
+pub(crate) fn subjects(module: &str, dialect: &Dialect, files: &[GeneratedFile], definitions: &[Definition]) -> String {
     let mut code = format!("use {module} as d;\nuse crate::subject::{{Golden, Subject}};\n");
     code.push_str("use crate::constants::Constants;\nuse crate::values::{Reader, Writer};\n");
     for definition in definitions {
@@ -19,10 +20,10 @@ pub(crate) fn subjects(module: &str, dialect: &Dialect, definitions: &[Definitio
     }
     let rows: String =
         definitions.iter().map(|definition| format!("Subject::of::<d::{}>(),\n", type_name(definition))).collect();
-    let (type_name, count) = (&dialect.type_name, definitions.len());
+    let (type_name, count) = (dialect.name.to_upper_camel_case(), definitions.len());
     writeln!(code, "/// The messages, by id.\npub static SUBJECTS: [Subject<d::{type_name}>; {count}] = [\n{rows}];")
         .unwrap();
-    let rows: String = dialect.enums.iter().map(constants).collect();
+    let rows: String = dialect.enums.iter().map(|values| constants(values, files)).collect();
     let count = dialect.enums.len();
     writeln!(code, "/// The enums.\npub static CONSTANTS: [Constants; {count}] = [\n{rows}];").unwrap();
     code
@@ -67,13 +68,19 @@ fn field_name(field: &Field) -> String {
 }
 
 /// `Constants::of::<d::MavState>(&[("MAV_STATE_ACTIVE", "ACTIVE", d::MavState::ACTIVE.0 as u64), …]),`
-fn constants(values: &Enum) -> String {
-    let name = &values.name.rust;
+///
+/// What a constant is called stands in the generated file, where the constants are by value as the entries are.
+fn constants(values: &Enum, files: &[GeneratedFile]) -> String {
+    let path = format!("enums/{}.rs", values.name.text.to_snake_case());
+    let text = &files.iter().find(|file| file.path == path).unwrap_or_else(|| panic!("no {path}")).text;
+    let name = text.split("pub struct ").nth(1).unwrap().split('(').next().unwrap();
+    let constants: Vec<&str> = text.split("pub const ").skip(1).map(|rest| rest.split(':').next().unwrap()).collect();
+    assert_eq!(constants.len(), values.entries.len(), "{path}");
     let number = if values.bitmask { "bits()" } else { "0" };
     let cast = if values.repr == Repr::U64 { "" } else { " as u64" };
     let mut code = format!("Constants::of::<d::{name}>(&[\n");
-    for entry in &values.entries {
-        let (xml, rust) = (&entry.name.text, &entry.name.rust);
+    for (entry, rust) in values.entries.iter().zip(constants) {
+        let xml = &entry.name.text;
         writeln!(code, "(\"{xml}\", \"{rust}\", d::{name}::{rust}.{number}{cast}),").unwrap();
     }
     code + "]),\n"

@@ -112,7 +112,7 @@ fn a_name_can_be_given() {
     fs::write(folder.path().join("my fork.xml"), BASE).unwrap();
     let builder = Builder::new(folder.path().join("my fork.xml"));
     let resolved = builder.clone().name("acme").resolve().unwrap();
-    assert_eq!((resolved.dialect.name.as_str(), resolved.dialect.type_name.as_str()), ("acme", "Acme"));
+    assert_eq!((resolved.dialect.name.as_str(), resolved.names.dialect.as_str()), ("acme", "Acme"));
     assert!(matches!(builder.name("---").resolve(), Err(Failure::Definitions(_))));
 }
 

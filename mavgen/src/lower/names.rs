@@ -3,6 +3,8 @@
 //! The spelling is [`super::spelling`]'s; here is what depends on other names.
 
 mod check;
+#[cfg(test)]
+mod tests;
 
 use std::collections::HashSet;
 

@@ -85,7 +85,7 @@ fn esc32_status() {
     let dialect = autoquad();
     let message = dialect.messages.iter().find(|message| message.id == 152).unwrap();
     let [status, unpacked] = &message.views[..] else { panic!("two views") };
-    assert_eq!((&*status.name.rust, &*unpacked.name.rust), ("Esc32Status", "Esc32StatusUnpacked"));
+    assert_eq!((&*status.name.text, &*unpacked.name.text), ("ESC32_STATUS", "ESC32_STATUS_UNPACKED"));
     let (legacy, version_3) = ("[0..=2, 10..=29]", "[3..=9, 30..=255]");
     assert_eq!(
         members(&dialect, status),
@@ -112,10 +112,10 @@ fn esc32_status() {
             "errors 55+9",
         ]
     );
-    for (view, item, items) in [(status, "Esc", "escs"), (unpacked, "LegacyEsc", "legacy_escs")] {
+    for (view, item, items) in [(status, "esc", "escs"), (unpacked, "legacy_esc", "legacy_escs")] {
         assert_eq!((view.width, words(&dialect, view)), (64, vec!["data0[i]".to_owned(), "data1[i]".to_owned()]));
         let Access::Slots(slots) = &view.access else { panic!("no slots") };
-        assert_eq!((&*slots.item.rust, &*slots.items.shown(), slots.length.get()), (item, items, 4));
+        assert_eq!((&*slots.item.text, &*slots.items.shown(), slots.length.get()), (item, items, 4));
         assert_eq!(message.fields[slots.count.unwrap().0].name.text, "num_in_seq");
         let keys: Vec<_> = slots.keys.iter().map(|key| (key.name.shown(), key.units.as_deref(), key.invalid)).collect();
         assert_eq!(keys, [("id".to_owned(), None, None), ("age_ms".to_owned(), Some("ms"), Some(65535))]);

@@ -1,6 +1,6 @@
 //! Layout, checksum and names of messages.
 
-use super::{enumeration, message, of, outcome};
+use super::{message, of, outcome};
 use crate::ir::Scalar;
 
 /// Micro-cases made with pymavlink: message A, id 1.
@@ -86,22 +86,4 @@ fn versions() {
     }
     assert_eq!(of("<version>7</version>").dialect().version, 7);
     assert_eq!(of("").dialect().version, 2);
-}
-
-#[test]
-fn types_with_one_name_are_told_apart() {
-    let content = [
-        message(1, "STATUS", &["uint8_t type", "uint8_t Index"]),
-        message(2, "A", &["uint8_t f"]),
-        enumeration("STATUS", &["STATUS_OK=0"]),
-        enumeration("OTHER", &["OTHER_A=1"]),
-    ];
-    let outcome = of(&content.concat());
-    let dialect = outcome.dialect();
-    assert_eq!(outcome.find_enum("STATUS").name.rust, "StatusEnum");
-    assert_eq!(outcome.find_enum("OTHER").name.rust, "Other");
-    assert_eq!(dialect.messages[0].name.rust, "Status");
-    assert_eq!(dialect.messages[0].fields[0].name.rust, "type");
-    assert_eq!(dialect.messages[0].fields[1].name.rust, "index");
-    assert_eq!(dialect.type_name, "ADialect");
 }

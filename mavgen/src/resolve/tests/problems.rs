@@ -91,7 +91,6 @@ fn names_that_become_one() {
 fn file_names() {
     let named = |name: &str| outcome(&[(name, "")]);
     assert_eq!(named("my-dialect.v2.xml").dialect().name, "my-dialect.v2");
-    assert_eq!(named("my-dialect.v2.xml").dialect().type_name, "MyDialectV2");
     assert_eq!(named("---.xml").codes(), [Code::BadName]);
 }
 
