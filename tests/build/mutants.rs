@@ -123,17 +123,17 @@ impl Mutant {
         }
         let builder = Builder::new(folder.join(XML[0]));
         let resolved = builder.resolve().unwrap_or_else(|failure| panic!("{}: {failure}", self.name));
-        for GeneratedFile { path, text } in builder.files().unwrap() {
-            write(&folder.join("generated").join(&path), &self.edited(&path, text));
+        let files = builder.emit(&resolved).unwrap();
+        for GeneratedFile { path, text } in &files {
+            write(&folder.join("generated").join(path), &self.edited(path, text.clone()));
         }
         let of_dialect = |definition: &&Definition| {
             resolved.dialect.messages.iter().any(|message| message.name.text == definition.name)
         };
         let definitions: Vec<Definition> = definitions.iter().filter(of_dialect).cloned().collect();
         let module = format!("super::{}", self.name);
-        let subjects =
-            subjects::subjects(&module, &resolved.dialect, &definitions).replace("crate::", "mavlink_conformance::");
-        write(&folder.join("subjects.rs"), &subjects);
+        let subjects = subjects::subjects(&module, &resolved.dialect, &files, &definitions);
+        write(&folder.join("subjects.rs"), &subjects.replace("crate::", "mavlink_conformance::"));
     }
 
     /// A file with the mistake, if it is the one that has it.
