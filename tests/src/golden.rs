@@ -25,6 +25,7 @@ goldens! {
     roots: "../../mavgen/tests/golden/roots/generated/mod.rs", "Two dialects.";
     targets: "../../mavgen/tests/golden/targets/generated/mod.rs", "A message to somebody.";
     view_bits: "../../mavgen/tests/golden/view_bits/generated/mod.rs", "Views over words: flags, enums, numbers, several alike.";
+    view_floats: "../../mavgen/tests/golden/view_floats/generated/mod.rs", "Views over the bits of floats.";
     view_scaled: "../../mavgen/tests/golden/view_scaled/generated/mod.rs", "Bits that stand for another number.";
     view_slots: "../../mavgen/tests/golden/view_slots/generated/mod.rs", "A view for each element of arrays.";
     view_switch: "../../mavgen/tests/golden/view_switch/generated/mod.rs", "Layouts that depend on something.";

@@ -140,6 +140,39 @@ fn view_bits() {
     assert_eq!((status.low, status.high), (0x8f5f_f9f3, [0xfff4, 0xffff]), "the reserved bits stay");
 }
 
+/// -1 in the bits of a float is a signalling or a quiet NaN, and comes back.
+#[test]
+fn view_floats() {
+    use view_floats::{Gauges, IntParam, ParamValue};
+
+    let mut param = ParamValue { param_value: f32::from_bits(u32::MAX), param_type: 6 };
+    assert_eq!(param.int().value(), -1);
+    for value in [0, 7, -2, i32::MIN, i32::MAX, 0x7f80_0001] {
+        let mut int = IntParam::from_bits(0);
+        _ = int.set_value(value);
+        param.set_int(int);
+        assert_eq!((param.param_value.to_bits(), param.int().value()), (value as u32, value));
+        assert_eq!(payload(&param), [&value.to_le_bytes()[..], &[6]].concat());
+    }
+
+    let bits = [0x3f80_0000, 0xffff_ffff, 0x7fff_ffff];
+    let mut gauges = Gauges {
+        word: f64::from_bits(0xfff0_0000_0000_0001),
+        pair: [f32::from_bits(3), f32::from_bits(0xff80_0001)],
+        cell: bits.map(f32::from_bits),
+        id: [7, 8, 9],
+    };
+    let joined = gauges.joined();
+    assert_eq!((joined.pair(), joined.low(), joined.high()), (0xff80_0001_0000_0003, 1, 0xfff_0000_0000_0000));
+    let slots: Vec<_> =
+        gauges.gauges().map(|slot| (slot.id, slot.status.map(|status| (status.raw(), status.sign())))).collect();
+    assert_eq!(slots, [(7, Some((0x3f80_0000, false))), (8, None), (9, Some((0x7fff_ffff, false)))]);
+    let mut slot = gauges.gauge(2).unwrap();
+    slot.status = None;
+    assert_eq!(gauges.set_gauge(0, slot), Ok(()));
+    assert_eq!((gauges.cell[0].to_bits(), gauges.id[0]), (u32::MAX, 9));
+}
+
 #[test]
 fn view_scaled() {
     use view_scaled::Battery;

@@ -6,6 +6,7 @@ use mavgen::ir::Dialect;
 use mavlink_autoquad::autoquad::{AqEscTelemetry, Autoquad, Esc, Heartbeat, LegacyEsc};
 use mavlink_conformance::autoquad::SUBJECTS;
 use mavlink_conformance::dialects::packed::{self, Packed};
+use mavlink_conformance::golden::view_floats::{Gauge, Gauges, ParamValue};
 use mavlink_conformance::payload::Fill;
 use mavlink_conformance::random::Random;
 use mavlink_wire::{Dialect as _, Message, Repr};
@@ -79,7 +80,7 @@ macro_rules! given {
     )*};
 }
 
-given!(bool u8 u16 u32 u64);
+given!(bool u8 u16 u32 u64 i32);
 
 /// An enum's number.
 fn of<E: mavlink_wire::Enum>(value: E) -> u64 {
@@ -184,6 +185,29 @@ fn likely_esc_telemetry(payload: &mut [u8], random: u64) {
 fn esc_telemetry_in_both_layouts() {
     let views: [(&str, Compiled<AqEscTelemetry>); 2] = [("ESC32_STATUS", escs), ("ESC32_STATUS_UNPACKED", legacy_escs)];
     compare(&autoquad(), likely_esc_telemetry, &views);
+}
+
+#[test]
+fn bits_of_floats() {
+    let dialect = Builder::new("../mavgen/tests/golden/view_floats/main.xml")
+        .overlay("../mavgen/tests/golden/view_floats/main.overlay.xml")
+        .resolve()
+        .unwrap()
+        .dialect;
+    let int = |message: &ParamValue| once(members! { "value" [message.int().value()]; });
+    compare::<ParamValue>(&dialect, |_, _| {}, &[("INT_PARAM", int)]);
+    let joined = |message: &Gauges| {
+        let v = message.joined();
+        once(members! { "pair" [v.pair()]; "low" [v.low()]; "high" [v.high()]; })
+    };
+    let gauges = |message: &Gauges| {
+        let slot = |gauge: Gauge| {
+            let status = gauge.status.map(|v| members! { "raw" [v.raw()]; "sign" [v.sign()]; });
+            (vec![Some(gauge.id.into())], status)
+        };
+        message.gauges().map(slot).collect()
+    };
+    compare::<Gauges>(&dialect, |_, _| {}, &[("JOINED", joined), ("CELL", gauges)]);
 }
 
 #[test]

@@ -144,7 +144,7 @@ impl<'d> Source<'d> {
         self.number(place, index)?.as_integer()
     }
 
-    /// An integer's bits, zeros above.
+    /// The bits of an integer or a float, zeros above.
     fn pattern(&self, place: Place, index: u8) -> Option<u64> {
         match self.number(place, index)? {
             Number::U64(value) => Some(value),
@@ -152,7 +152,8 @@ impl<'d> Source<'d> {
                 let bits = self.element_bits(place.field);
                 Some(value as u64 & u64::MAX.checked_shr(64_u32.saturating_sub(bits)).unwrap_or_default())
             }
-            Number::F32(_) | Number::F64(_) => None,
+            Number::F32(value) => Some(value.to_bits().into()),
+            Number::F64(value) => Some(value.to_bits()),
         }
     }
 

@@ -69,7 +69,7 @@ pub(crate) const MUTATIONS: &[Mutation] = &[
     m("M720", "a word twice", "words=\"time_usec\"", "words=\"time_usec ‸time_usec\""),
     m("M721", "an index of a scalar", "words=\"time_usec\"", "words=\"‸time_usec[i]\""),
     m("M721", "an array without index", "words=\"time_usec\"", "words=\"‸flows\""),
-    m("M722", "a word that is a float", "words=\"time_usec\"", "words=\"‸flows[*]\""),
+    m("M722", "a word that is signed", "words=\"time_usec\"", "words=\"‸heat\""),
     m("M726", "an iterator without slots", "item=\"time\"", "item=\"time\" items=\"‸times\""),
     m("M726", "a view without item", " item=\"time\"", ""),
     m("M729", "a value that does not fit the words", "<invalid value=\"0\"/>", "<invalid value=\"‸-1\"/>"),

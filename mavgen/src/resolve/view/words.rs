@@ -1,4 +1,4 @@
-//! `words`: the integers that a view is read from, least significant first.
+//! `words`: the fields whose bits a view is read from, least significant first.
 
 use std::num::NonZeroU8;
 
@@ -59,11 +59,13 @@ pub(super) fn resolve(scene: &Scene<'_, '_>, text: &Text, diagnostics: &mut Diag
 fn one<'s>(scene: &Scene<'s, '_>, text: Text, diagnostics: &mut Diagnostics) -> Option<Read<'s>> {
     let (found, index) = place::found(scene, &text, diagnostics)?;
     let ty = found.field.ty;
-    if !matches!(ty.scalar, Scalar::U8 | Scalar::U16 | Scalar::U32 | Scalar::U64) {
+    if !is_word(ty.scalar) {
         let (message, spelled) = (scene.name(), &found.syntax.ty);
         let message = format!("`{message}.{}` is `{}`, which is no word", found.syntax.name.value, spelled.value);
         let problem = Diagnostic::new(Code::WordType, text.span, message).related(spelled.span, "the field");
-        diagnostics.push(problem.help("words are unsigned integers: `uint8_t`, `uint16_t`, `uint32_t`, `uint64_t`"));
+        diagnostics.push(
+            problem.help("words are unsigned integers, `uint8_t` to `uint64_t`, and the bits of `float` and `double`"),
+        );
         return None;
     }
     let element = 8 * ty.scalar.size();
@@ -73,6 +75,14 @@ fn one<'s>(scene: &Scene<'s, '_>, text: Text, diagnostics: &mut Diagnostics) -> 
         Index::None => (Word::One(Place { field: found.index, element: false }), element),
     };
     Some(Read { text, word, found, bits })
+}
+
+/// Whether the bits of a type are as they were sent, with no sign to drag along and no text to keep.
+fn is_word(scalar: Scalar) -> bool {
+    match scalar {
+        Scalar::U8 | Scalar::U16 | Scalar::U32 | Scalar::U64 | Scalar::F32 | Scalar::F64 => true,
+        Scalar::I8 | Scalar::I16 | Scalar::I32 | Scalar::I64 | Scalar::Char | Scalar::Version(_) => false,
+    }
 }
 
 /// No word stands twice: a setter would contradict itself.
