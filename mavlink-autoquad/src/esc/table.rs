@@ -1,6 +1,6 @@
 //! All controllers of a vehicle, put together from batches of four.
 
-use super::clock::{UptimeClock, true_age_ms};
+use super::clock::{Report, UptimeClock, true_age_ms};
 use crate::autoquad::{AqEscTelemetry, Esc, Esc32Status};
 
 /// Controllers that one vehicle can have: motor ports 1 to 16.
@@ -22,8 +22,8 @@ const CYCLE_US: u64 = 2_000;
 /// out of order. All times are the vehicle's uptime in microseconds. For ages on a link that may fall silent, take
 /// [`EscTable::uptime_us`] plus what has passed since the last message by a clock of your own.
 ///
-/// A vehicle that restarts begins at zero, which looks like time that ran on, or in its first minute like messages that come
-/// late: begin with a new table if you know of it.
+/// A vehicle that restarts is noticed at its second or third message, by the rules of [`UptimeClock`]: what was known of its
+/// controllers is void then.
 #[derive(Clone, Copy, Debug)]
 pub struct EscTable {
     /// By index.
@@ -72,6 +72,10 @@ pub enum Update {
     Repeated,
     /// The batch belongs to an earlier cycle. Of its rows those are new that have not been reported since.
     Late,
+    /// Nothing is new: the message is dated more than a minute away from the others. It is believed when the next one agrees.
+    Doubted,
+    /// The vehicle has restarted: what was known is void, and the rows of this message are all.
+    Restarted,
     /// Nothing is new: the message contradicts itself.
     Invalid,
 }
@@ -88,6 +92,10 @@ pub struct Counts {
     pub repeated: u32,
     /// Batches that came after a batch of a later cycle.
     pub late: u32,
+    /// Messages that were dated more than a minute away from the others.
+    pub doubted: u32,
+    /// Restarts of the vehicle.
+    pub restarts: u32,
     /// Messages that contradict themselves, and controllers with a motor port that does not exist.
     pub invalid: u32,
 }
@@ -106,7 +114,7 @@ impl EscTable {
             rows: [None; MAX_ESCS],
             clock: UptimeClock::new(),
             cycle: Cycle { uptime_us: 0, num_motors: 0, seen: 0 },
-            counts: Counts { cycles: 0, lost: 0, repeated: 0, late: 0, invalid: 0 },
+            counts: Counts { cycles: 0, lost: 0, repeated: 0, late: 0, doubted: 0, restarts: 0, invalid: 0 },
         }
     }
 
@@ -115,7 +123,23 @@ impl EscTable {
         if !is_consistent(telemetry) {
             return self.invalid();
         }
-        let uptime = self.clock.update(telemetry.time_boot_ms);
+        let (uptime, report) = self.clock.judge(telemetry.time_boot_ms);
+        match report {
+            Report::Newest | Report::Late => self.update_at(uptime, telemetry),
+            Report::Doubted => {
+                self.counts.doubted = self.counts.doubted.saturating_add(1);
+                Update::Doubted
+            }
+            Report::Restarted => {
+                let restarts = self.counts.restarts.saturating_add(1);
+                *self = Self { clock: self.clock, counts: Counts { restarts, ..self.counts }, ..Self::new() };
+                self.update_at(uptime, telemetry);
+                Update::Restarted
+            }
+        }
+    }
+
+    fn update_at(&mut self, uptime: u64, telemetry: &AqEscTelemetry) -> Update {
         let known = self.cycle.num_motors != 0;
         if known && uptime.saturating_add(CYCLE_US) < self.cycle.uptime_us {
             self.counts.late = self.counts.late.saturating_add(1);

@@ -19,8 +19,56 @@ fn the_clock_goes_on_over_many_turns() {
     while uptime < 20 << 32 {
         assert_eq!(clock.update(time_boot_ms(uptime)), sent_us(uptime));
         assert_eq!(clock.newest_us(), Some(sent_us(uptime)));
-        // From a cycle to a silence of an hour.
-        uptime += 5_000 + random.number() % [20_000, 60_000_000, 3_600_000_000][random.below(3)];
+        // From a cycle to a silence of half an hour, after which the first report is doubted.
+        let silence = random.number() % [20_000, 59_000_000, 1_800_000_000][random.below(3)];
+        uptime += 5_000 + silence;
+        if silence > 59_990_000 {
+            let newest = clock.newest_us();
+            assert_eq!((clock.update(time_boot_ms(uptime)), clock.newest_us()), (sent_us(uptime), newest));
+            uptime += 5_000;
+        }
+    }
+}
+
+/// The reports of a case in milliseconds, and the newest uptime after each.
+type Case = (&'static str, &'static [(u32, u64)]);
+
+const CASES: [Case; 13] = [
+    ("runs on", &[(300_000, 300_000), (300_005, 300_005), (360_005, 360_005)]),
+    ("one report is ahead", &[(300_000, 300_000), (900_000, 300_000), (300_010, 300_010), (300_020, 300_020)]),
+    ("every other report is ahead", &[(1, 1), (900_000, 1), (10, 10), (900_010, 10), (20, 20), (900_020, 20)]),
+    ("ten minutes of silence", &[(300_000, 300_000), (900_000, 300_000), (900_005, 900_005), (900_010, 900_010)]),
+    ("two batches of one time agree", &[(300_000, 300_000), (900_000, 300_000), (900_000, 900_000)]),
+    ("reports that do not agree", &[(0, 0), (900_000, 0), (700_000, 0), (500_000, 0), (100, 100)]),
+    ("restart after a minute", &[(59_000, 59_000), (1_000, 59_000), (1_005, 59_000), (1_010, 1_010), (1_015, 1_015)]),
+    ("restart, batches of one time", &[(9_000, 9_000), (1, 9_000), (1, 9_000), (1, 9_000), (6, 9_000), (11, 11)]),
+    ("restart after five minutes", &[(300_000, 300_000), (1_000, 300_000), (1_005, 1_005), (1_010, 1_010)]),
+    ("restart after an hour", &[(3_600_000, 3_600_000), (1_000, 3_600_000), (1_100, 1_100)]),
+    ("the first report is ahead", &[(900_000, 900_000), (300_000, 900_000), (300_005, 300_005)]),
+    (
+        "late ones that fall",
+        &[(59_000, 59_000), (50_000, 59_000), (40_000, 59_000), (30_000, 59_000), (59_005, 59_005)],
+    ),
+    ("late by less than a second", &[(59_000, 59_000), (58_100, 59_000), (58_200, 59_000), (58_300, 59_000)]),
+];
+
+#[test]
+fn restarts_and_jumps_are_told_apart() {
+    for (case, reports) in CASES {
+        let mut clock = UptimeClock::new();
+        for (at, &(sent, newest)) in reports.iter().enumerate() {
+            clock.update(sent);
+            assert_eq!(clock.newest_us(), Some(newest * 1000), "{case}: report {at}");
+        }
+    }
+}
+
+#[test]
+fn a_late_report_between_newer_ones_is_no_restart() {
+    let mut clock = UptimeClock::new();
+    for step in 0..100 {
+        assert_eq!(clock.update(50_000 + 10 * step), u64::from(50_000 + 10 * step) * 1000);
+        assert_eq!(clock.update(20_000 + 10 * step), u64::from(20_000 + 10 * step) * 1000);
     }
 }
 
@@ -62,8 +110,8 @@ fn a_report_from_before_the_first_is_at_zero() {
 #[test]
 fn a_true_clock_of_milliseconds_is_followed() {
     let mut clock = UptimeClock::new();
-    for step in 0..9_000_u64 {
-        let uptime_ms = step * 1_000_000;
+    for step in 0..180_000_u64 {
+        let uptime_ms = step * 50_000;
         assert_eq!(clock.update(uptime_ms as u32), uptime_ms * 1000);
     }
 }

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use mavlink_autoquad::autoquad::AqEscTelemetry;
-use mavlink_autoquad::esc::{Conversion, EscTable, InfoBits, Silent, Update};
+use mavlink_autoquad::esc::{Conversion, EscTable, InfoBits, Silent, Update, UptimeClock};
 use proptest::array::uniform4;
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -63,11 +63,37 @@ proptest! {
         let mut table = EscTable::new();
         for message in &messages {
             let uptime = table.uptime_us();
-            table.update(message);
-            prop_assert!(table.uptime_us() >= uptime);
+            let restarted = table.update(message) == Update::Restarted;
+            prop_assert!(restarted || table.uptime_us() >= uptime);
             holds(&table, table.uptime_us());
         }
         holds(&table, now);
+    }
+
+    /// A vehicle that restarts, a message with a wrong time now and then, and late ones: from the fourth message after each on
+    /// the uptime is that of the vehicle, but for a second.
+    #[test]
+    fn the_uptime_is_soon_that_of_the_vehicle(steps in vec((0..8_u8, 5..1_000_u32, any::<u32>()), 0..200)) {
+        let (mut clock, mut uptime_ms, mut since) = (UptimeClock::new(), 0_u32, 0);
+        for (kind, step, other) in steps {
+            since += 1;
+            match kind {
+                // The vehicle restarts.
+                0 if since > 4 => (uptime_ms, since) = (other % 3_000, 1),
+                // A report of any time.
+                1 if since > 4 => {
+                    clock.update(other % 4_294_968);
+                    since = 0;
+                }
+                // One that comes late, of before the newest.
+                2 if since > 4 => _ = clock.update(uptime_ms.saturating_sub(other % 900)),
+                _ => uptime_ms += step,
+            }
+            clock.update(uptime_ms);
+            let newest = clock.newest_us().unwrap();
+            let right = newest.abs_diff(u64::from(uptime_ms) * 1000) <= 1_000_000;
+            prop_assert!(right || since < 4, "{newest} for {uptime_ms} ms, {since} after a change");
+        }
     }
 
     #[test]

@@ -177,6 +177,36 @@ fn a_silent_controller_ages() {
 }
 
 #[test]
+fn after_a_restart_nobody_is_online_by_what_was() {
+    for uptime in [5_000, 59_000, 300_000, 3_000_000] {
+        let mut table = EscTable::new();
+        cycle(uptime, 8, 5_000).iter().for_each(|one| _ = table.update(one));
+        let updates: Vec<Update> = (0..3).map(|step| table.update(&cycle(1_000 + 10 * step, 8, 0)[0])).collect();
+        assert!(updates.contains(&Update::Restarted), "{uptime}: {updates:?}");
+        assert_eq!((table.counts().restarts, table.uptime_us() / 1_000_000), (1, 1), "{uptime}");
+        // Of the second batch, which has not come since, nothing is known any more.
+        assert_eq!(speeds(&table), expected(4, 0), "{uptime}");
+        assert_eq!(table.update(&cycle(1_030, 8, 7)[1]), Update::Partial);
+        assert_eq!(speeds(&table)[4..], expected(8, 7)[4..]);
+    }
+}
+
+#[test]
+fn one_message_from_the_future_changes_nothing() {
+    let mut table = EscTable::new();
+    for step in 0..10 {
+        cycle(300_000 + 10 * step, 8, 100).iter().for_each(|one| _ = table.update(one));
+    }
+    let (rows, counts) = (speeds(&table), table.counts());
+    assert_eq!(table.update(&cycle(900_000, 8, 999)[0]), Update::Doubted);
+    assert_eq!((speeds(&table), table.uptime_us()), (rows, 300_090_000));
+    assert_eq!(table.counts(), Counts { doubted: 1, ..counts });
+    assert_eq!(table.update(&cycle(300_100, 8, 200)[0]), Update::Partial);
+    assert_eq!(table.uptime_us(), 300_100_000);
+    assert!(table.get(1).unwrap().is_online(table.uptime_us(), ONLINE_LIMIT_MS));
+}
+
+#[test]
 fn ages_are_right_over_a_turn_of_the_clock() {
     let mut table = EscTable::new();
     table.update(&cycle(4_294_966, 4, 1)[0]);
