@@ -36,7 +36,7 @@ impl Label {
     /// What it is called in Rust.
     pub(crate) fn rust(&self) -> String {
         match &self.suffix {
-            Some(suffix) => format!("{}_{suffix}", self.name.rust),
+            Some(suffix) => format!("{}_{suffix}", self.name.rust.trim_end_matches('_')),
             None => self.name.rust.clone(),
         }
     }

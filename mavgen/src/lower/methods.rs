@@ -81,8 +81,8 @@ fn of_view<'a>(view: &'a View, names: &ViewNames, found: &mut Vec<Collision<'a>>
 /// The methods of bits.
 fn member_methods(member: &Member, name: &str) -> Vec<String> {
     let Meaning::Scaled(scaled) = &member.meaning else { return vec![name.to_owned(), setter(name)] };
-    let raw = format!("{name}_raw");
-    let exact = scaled.exact.as_ref().map(|exact| format!("{name}_{}", exact.suffix()));
+    let raw = spelling::beside(name, "raw");
+    let exact = scaled.exact.as_ref().map(|exact| spelling::beside(name, &exact.suffix()));
     let setters = [setter(name), setter(&raw)];
     [name.to_owned(), raw].into_iter().chain(exact).chain(setters).collect()
 }

@@ -10,12 +10,28 @@ use crate::ir::Label;
 const RESERVED_TYPES: [&str; 9] = ["Self", "Option", "Some", "None", "Result", "Ok", "Err", "Into", "Iterator"];
 
 /// Methods that every message has, and names that readers and lints take for something else: no getter can be called so.
-pub(crate) const MESSAGE_METHODS: [&str; 9] =
-    ["clone", "cmp", "decode", "default", "info", "new", "payload", "to", "write"];
+pub(crate) const MESSAGE_METHODS: [&str; 10] =
+    ["clone", "cmp", "decode", "default", "info", "len", "new", "payload", "to", "write"];
 
 /// Methods that every view has, and names that readers and lints take for something else: no bits can be called so.
-pub(crate) const VIEW_METHODS: [&str; 9] =
-    ["bits", "from_bits", "clone", "cmp", "default", "hash", "neg", "new", "not"];
+pub(crate) const VIEW_METHODS: [&str; 16] = [
+    "bits",
+    "from_bits",
+    "clone",
+    "clone_from",
+    "cmp",
+    "default",
+    "eq",
+    "fmt",
+    "hash",
+    "into",
+    "len",
+    "ne",
+    "neg",
+    "new",
+    "not",
+    "try_into",
+];
 
 /// The methods of operators with two sides: a method with such a name that takes an index looks like one.
 pub(crate) const OPERATORS: [&str; 10] = ["add", "bitand", "bitor", "bitxor", "div", "mul", "rem", "shl", "shr", "sub"];
@@ -53,6 +69,11 @@ pub(crate) fn field_name(xml: &str) -> String {
 /// The name of a method or field that an overlay names: `age` in milliseconds becomes `age_ms`.
 pub(crate) fn label(label: &Label) -> String {
     member(label.shown())
+}
+
+/// The name of a method beside the one of this name: `voltage_raw`; what sets `self_` apart from `self` is not needed there.
+pub(crate) fn beside(name: &str, suffix: &str) -> String {
+    format!("{}_{suffix}", name.trim_end_matches('_'))
 }
 
 fn member(name: String) -> String {

@@ -68,7 +68,7 @@ const TYPES: [&str; 52] = [
 ];
 
 /// Names of fields and getters: keywords, methods of messages, views and slots, locals of templates.
-const GETTERS: [&str; 59] = [
+const GETTERS: [&str; 55] = [
     "type",
     "self",
     "super",
@@ -81,10 +81,7 @@ const GETTERS: [&str; 59] = [
     "try",
     "async",
     "dyn",
-    "eq",
-    "fmt",
     "from",
-    "into",
     "index",
     "value",
     "raw",
@@ -93,7 +90,6 @@ const GETTERS: [&str; 59] = [
     "i",
     "f",
     "next",
-    "len",
     "add",
     "sub",
     "mul",
@@ -131,7 +127,7 @@ const GETTERS: [&str; 59] = [
 ];
 
 /// Names that every message, view or slot has already: mostly refused.
-const REFUSED: [&str; 15] = [
+const REFUSED: [&str; 22] = [
     "bits",
     "from_bits",
     "clone",
@@ -147,6 +143,13 @@ const REFUSED: [&str; 15] = [
     "to",
     "write",
     "status",
+    "eq",
+    "fmt",
+    "into",
+    "len",
+    "ne",
+    "try_into",
+    "clone_from",
 ];
 
 /// The last word of an entry's name.

@@ -1,6 +1,6 @@
 //! Named bits: getters and setters of what they hold, and of the values that raw numbers stand for.
 
-use super::super::{Internal, Items};
+use super::super::{Internal, Items, spelling};
 use crate::ir::{Meaning, Member, Presence, Scaled, SwitchOn, View};
 use crate::rust::{
     BitField, Docs, Error, Holds, Int, Kind, Method, Paragraph, Present, Receiver, Scale, Selector, Sig, Ty,
@@ -91,7 +91,7 @@ fn scaled_accessors<'d>(
     methods.extend(scale.exact.map(|(exact, int)| {
         let docs = Docs::line(format!("[`Self::{name}`] exactly, in {}.", exact.units));
         let getter = Sig::const_getter(Ty::Int(int).optional(optional));
-        method(format!("{name}_{}", exact.suffix()), getter, docs, Kind::ExactGet(scale.clone()))
+        method(spelling::beside(name, &exact.suffix()), getter, docs, Kind::ExactGet(scale.clone()))
     }));
     let raw = |text: &str| Docs::line(format!("{text} raw number behind [`Self::{name}`]."));
     methods.extend(accessors(&scale.get_raw, bits, [raw("The"), raw("Sets the")]));
@@ -110,8 +110,8 @@ fn scale<'d>(name: &str, bits: &BitField<'d>, scaled: &'d Scaled) -> Scale<'d> {
     });
     Scale {
         bits: bits.clone(),
-        get_raw: format!("{name}_raw"),
-        set_raw: format!("set_{name}_raw"),
+        get_raw: spelling::beside(name, "raw"),
+        set_raw: spelling::beside(&format!("set_{name}"), "raw"),
         factor,
         bias,
         divisor,
