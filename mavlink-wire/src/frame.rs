@@ -4,6 +4,7 @@ mod buffer;
 pub mod crc;
 pub(crate) mod header;
 mod id;
+pub(crate) mod key;
 #[cfg(any(feature = "std", feature = "embedded-io", feature = "embedded-io-async"))]
 mod outline;
 mod timestamp;
@@ -17,11 +18,9 @@ pub use timestamp::Timestamp;
 pub use version::Version;
 
 use self::header::{Header, STX_V2};
+pub(crate) use self::key::SETUP_SIGNING;
 use crate::reflect::Reflected;
 use crate::{Dialect, FieldInfo, FrameError, Message, MessageInfo, Table};
-
-/// Id of `SETUP_SIGNING`.
-pub(crate) const SETUP_SIGNING: u32 = 256;
 
 /// A frame whose checksum was verified; a view of the received bytes.
 ///
@@ -49,7 +48,7 @@ pub struct Frame<'a> {
 /// What verification found out.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Facts {
-    id: u32,
+    pub(crate) id: u32,
     crc_extra: u8,
     pub(crate) verified: bool,
 }

@@ -16,6 +16,7 @@ use search::{Search, Step};
 
 use crate::Frame;
 use crate::frame::Facts;
+use crate::frame::key::WIPES;
 use crate::header::Header;
 
 /// Finds frames in a stream of bytes, wherever it is cut into chunks.
@@ -91,6 +92,7 @@ impl<'t> Parser<'t> {
         input: &mut &'i [u8],
         mut bad_checksum: impl FnMut(u32),
     ) -> Option<Frame<'s>> {
+        self.wipe_used_key();
         if IN_PLACE && self.held.is_empty() {
             return self.search_in_place(input, &mut bad_checksum);
         }
@@ -132,11 +134,20 @@ impl<'t> Parser<'t> {
     /// The frames behind an unfinished one, as [`finish`](Self::finish) gives them. `bad_checksum` is told the message of each
     /// frame that [`Statistics::bad_checksums`] counts.
     pub fn finish_reporting_bad_checksums(&mut self, mut bad_checksum: impl FnMut(u32)) -> Option<Frame<'_>> {
+        self.wipe_used_key();
         let found = self.resume(&mut &[][..], true, &mut bad_checksum);
         if found.is_none() {
             self.search.restart();
         }
         found.map(|(header, facts)| self.held_frame(header, facts))
+    }
+
+    /// Overwrites the key that was handed over last.
+    #[inline]
+    fn wipe_used_key(&mut self) {
+        if WIPES && core::mem::take(&mut self.search.found_key) {
+            self.held.wipe_used();
+        }
     }
 
     /// What was found since the parser was made.

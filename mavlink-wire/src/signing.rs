@@ -85,6 +85,13 @@
 //! }
 //! ```
 //!
+//! # Keys in memory
+//!
+//! A [`Key`] is overwritten when it is dropped. So is the stack that a hash took, and what a parser, a reader, a writer or an
+//! endpoint holds of a `SETUP_SIGNING`, once the frame is written or the next one asked for. The buffers that you lend are yours
+//! to overwrite: the one for [`Sender::encode`](crate::Sender::encode), chunks for a parser, a
+//! [`FrameBuf`](crate::FrameBuf).
+//!
 //! # What to save
 //!
 //! The key, [`Signer::timestamp`] of each link, [`Verifier::timestamp`] and, against replays of the last minute,
@@ -95,6 +102,7 @@ mod key;
 mod setup;
 mod signer;
 mod verifier;
+mod wipe;
 
 pub use error::SigningError;
 pub use key::Key;

@@ -20,6 +20,11 @@ impl Outline {
         Self { length: frame.bytes.len(), payload: (start, start + frame.payload.len()), facts: frame.facts }
     }
 
+    /// Id of the message.
+    pub(crate) fn message_id(&self) -> u32 {
+        self.facts.id
+    }
+
     /// The frame that ends where these bytes end.
     pub(crate) fn at_end_of<'b>(&self, bytes: &'b [u8]) -> Frame<'b> {
         let bytes = bytes.get(bytes.len().saturating_sub(self.length)..).unwrap_or_default();

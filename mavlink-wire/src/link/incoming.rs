@@ -1,10 +1,11 @@
 //! What the readers share: a parser, and the bytes that it has still to see.
 
 use crate::frame::Outline;
+use crate::frame::key::{SETUP_SIGNING, WIPES, wipe_around};
 use crate::{Frame, Parser, Statistics, Table};
 
 /// A parser and its input, in a buffer `B`.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub(crate) struct Incoming<'t, B> {
     parser: Parser<'t>,
     buffer: B,
@@ -12,6 +13,8 @@ pub(crate) struct Incoming<'t, B> {
     start: usize,
     end: usize,
     ended: bool,
+    /// A frame that carries a key was found, and is to be wiped once it is used.
+    found_key: bool,
 }
 
 /// A frame that was found, and where: a frame itself could not be kept while the search may go on.
@@ -36,6 +39,11 @@ impl Found {
         Some(Self { outline: Outline::of(&frame), held: true })
     }
 
+    /// Whether the frame [carries a key](Frame::carries_key).
+    pub(crate) fn carries_key(&self) -> bool {
+        self.outline.message_id() == SETUP_SIGNING
+    }
+
     /// The frame, if it was the parser's last one; `used` is what is used of the input.
     pub(crate) fn frame<'f>(&self, parser: &'f Parser<'_>, used: &'f [u8]) -> Frame<'f> {
         self.outline.at_end_of(if self.held { parser.released() } else { used })
@@ -45,7 +53,7 @@ impl Found {
 impl<'t, const N: usize> Incoming<'t, [u8; N]> {
     pub(crate) const fn new(table: &'t Table<'t>) -> Self {
         const { assert!(N > 0, "nothing can be read into an empty buffer") }
-        Self { parser: Parser::new(table), buffer: [0; N], start: 0, end: 0, ended: false }
+        Self { parser: Parser::new(table), buffer: [0; N], start: 0, end: 0, ended: false, found_key: false }
     }
 }
 
@@ -69,10 +77,19 @@ impl<B: AsRef<[u8]> + AsMut<[u8]>> Incoming<'_, B> {
     }
 
     fn next(&mut self, bad_checksum: &mut impl FnMut(u32)) -> Option<Found> {
+        self.wipe_used_key();
         let mut input = self.buffer.as_ref().get(self.start..self.end).unwrap_or_default();
         let found = Found::next(&mut self.parser, &mut input, bad_checksum);
         self.start = self.end - input.len();
+        self.found_key = found.is_some_and(|found| found.carries_key());
         found
+    }
+
+    /// Overwrites the key that was handed over last, in pieces of former reads, too.
+    fn wipe_used_key(&mut self) {
+        if WIPES && core::mem::take(&mut self.found_key) {
+            wipe_around(self.buffer.as_mut(), self.start, self.end);
+        }
     }
 
     /// The frame that was found last.
@@ -95,5 +112,19 @@ impl<B: AsRef<[u8]> + AsMut<[u8]>> Incoming<'_, B> {
     /// Whether the stream has ended. It is said once: a file may grow.
     pub(crate) fn take_end(&mut self) -> bool {
         core::mem::take(&mut self.ended)
+    }
+}
+
+/// What it holds is left out: it may be a key.
+impl<B> core::fmt::Debug for Incoming<'_, B> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        let Self { parser, start, end, ended, .. } = self;
+        let mut debug = f.debug_struct("Incoming");
+        debug
+            .field("parser", parser)
+            .field("start", start)
+            .field("end", end)
+            .field("ended", ended)
+            .finish_non_exhaustive()
     }
 }

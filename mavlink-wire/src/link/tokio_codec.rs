@@ -39,6 +39,7 @@ use std::io::{Error, ErrorKind, Result};
 use bytes::{Buf, BufMut, BytesMut};
 use tokio_util::codec::{Decoder, Encoder};
 
+use crate::frame::key::{SETUP_SIGNING, wipe};
 use crate::parser::not_told;
 use crate::{Encode, EncodeError, FrameBuf, MAX_FRAME, Parser, Sender, Statistics, Table};
 
@@ -95,8 +96,11 @@ impl<F: FnMut(u32)> Decoder for Codec<'_, F> {
     fn decode(&mut self, bytes: &mut BytesMut) -> Result<Option<FrameBuf>> {
         let mut input = &bytes[..];
         let frame = self.parser.next_reporting_bad_checksums(&mut input, &mut self.bad_checksum).map(FrameBuf::from);
-        let left = input.len();
-        bytes.advance(bytes.len() - left);
+        let used = bytes.len() - input.len();
+        if frame.is_some_and(|frame| frame.as_frame().carries_key()) {
+            wipe(bytes.get_mut(..used).unwrap_or_default());
+        }
+        bytes.advance(used);
         Ok(frame)
     }
 
@@ -114,8 +118,12 @@ impl<M: Encode + ?Sized, F> Encoder<&M> for Codec<'_, F> {
     fn encode(&mut self, message: &M, bytes: &mut BytesMut) -> Result<()> {
         let mut buffer = [0; MAX_FRAME];
         let frame = self.sender.encode(message, &mut buffer);
-        bytes.put_slice(frame.map_err(|error| Error::new(ErrorKind::InvalidInput, error))?);
-        Ok(())
+        let done =
+            frame.map(|frame| bytes.put_slice(frame)).map_err(|error| Error::new(ErrorKind::InvalidInput, error));
+        if message.info().id == SETUP_SIGNING {
+            wipe(&mut buffer);
+        }
+        done
     }
 }
 

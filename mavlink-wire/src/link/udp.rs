@@ -175,8 +175,10 @@ impl<'t> Endpoint<'t> {
 
     /// The next frame in what was received, and the place of who sent it.
     fn find(&mut self, bad_checksum: &mut impl FnMut(u32)) -> Option<(usize, Found)> {
-        if let Some(found) = self.peers.finish(bad_checksum) {
-            return Some(found);
+        self.datagram.wipe_used_key();
+        if let Some((place, found)) = self.peers.finish(bad_checksum) {
+            self.datagram.found_key = found.carries_key();
+            return Some((place, found));
         }
         let place = self.peers.place_of(self.datagram.from?)?;
         let mut input = self.datagram.rest();
@@ -186,6 +188,7 @@ impl<'t> Endpoint<'t> {
         if found.is_none() {
             self.datagram.from = None;
         }
+        self.datagram.found_key = found.is_some_and(|found| found.carries_key());
         found.map(|found| (place, found))
     }
 

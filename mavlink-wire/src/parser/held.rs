@@ -1,6 +1,7 @@
 //! The bytes that wait for the rest of a frame.
 
 use crate::MAX_FRAME;
+use crate::frame::key::wipe_around;
 use crate::message::wire::{copy, put};
 
 /// A frame of an unknown message, and behind its last byte the rest of a known one that may start there.
@@ -59,6 +60,11 @@ impl Held {
             put(&mut self.bytes, at, byte);
         }
         (self.start, self.end) = (0, length);
+    }
+
+    /// Overwrites what is not to be searched any more.
+    pub(super) fn wipe_used(&mut self) {
+        wipe_around(&mut self.bytes, self.start, self.end);
     }
 
     /// Has used so many bytes.

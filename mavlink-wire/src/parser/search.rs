@@ -2,6 +2,7 @@
 
 use super::belief::{Belief, Judgement};
 use crate::frame::Facts;
+use crate::frame::key::{SETUP_SIGNING, WIPES};
 use crate::header::{Header, to_next_start};
 use crate::{FrameError, Statistics, Table};
 
@@ -13,6 +14,8 @@ pub(super) struct Search<'t> {
     /// How many of the next bytes belong to a frame that was counted as damaged.
     damaged: usize,
     pub(super) statistics: Statistics,
+    /// A frame that carries a key was found, and is to be wiped once it is used.
+    pub(super) found_key: bool,
 }
 
 /// How to go on where there is no frame.
@@ -26,7 +29,7 @@ pub(super) enum Step {
 
 impl<'t> Search<'t> {
     pub(super) const fn new(table: &'t Table<'t>) -> Self {
-        Self { table, belief: Belief::NEW, damaged: 0, statistics: Statistics::NONE }
+        Self { table, belief: Belief::NEW, damaged: 0, statistics: Statistics::NONE, found_key: false }
     }
 
     /// What comes next is the beginning of a stream.
@@ -53,6 +56,7 @@ impl<'t> Search<'t> {
                 }
                 self.damaged = 0;
                 self.statistics.frames += 1;
+                self.found_key |= WIPES && facts.id == SETUP_SIGNING;
                 Ok((header, facts))
             }
             Err(error) => Err(self.give_up(bytes, error, at_end, bad_checksum)),

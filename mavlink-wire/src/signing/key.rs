@@ -6,13 +6,15 @@ use sha2::{Digest, Sha256};
 use subtle::ConstantTimeEq;
 use zeroize::{Zeroize, ZeroizeOnDrop};
 
+use super::wipe::wipe_stack;
+
 /// Bytes of the hash that are sent.
 pub(crate) const HASH: usize = 6;
 
 /// The secret that the signing sides of a network share: 32 bytes.
 ///
 /// Overwritten with zeros when dropped, compared in constant time, and not shown by `Debug`. What [`Key::new`] was
-/// given is a copy of yours to overwrite.
+/// given is a copy of yours to overwrite. So is what a move leaves behind: make a key where it stays.
 #[derive(Clone)]
 pub struct Key([u8; 32]);
 
@@ -46,8 +48,18 @@ impl Key {
     /// The hash of a frame: of everything up to it, link id and timestamp included. Plain SHA-256 behind the key, no
     /// HMAC.
     pub(crate) fn hash(&self, signed: &[u8]) -> [u8; HASH] {
-        let whole: [u8; 32] = Sha256::new().chain_update(self.0).chain_update(signed).finalize().into();
-        let [a, b, c, d, e, f, ..] = whole;
+        let hash = self.hash_on_the_stack(signed);
+        wipe_stack();
+        hash
+    }
+
+    /// Not inlined: what it leaves on the stack is then where the next call of the caller overwrites it.
+    #[inline(never)]
+    fn hash_on_the_stack(&self, signed: &[u8]) -> [u8; HASH] {
+        let mut sha = Sha256::new();
+        sha.update(self.as_bytes());
+        sha.update(signed);
+        let [a, b, c, d, e, f, ..] = <[u8; 32]>::from(sha.finalize());
         [a, b, c, d, e, f]
     }
 

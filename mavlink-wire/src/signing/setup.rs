@@ -2,7 +2,7 @@
 
 use super::{Key, SigningError};
 use crate::frame::SETUP_SIGNING;
-use crate::message::wire::{get, put};
+use crate::message::wire::{copy, get, put};
 use crate::{ComponentId, Encode, Frame, MAX_PAYLOAD, MessageInfo, SystemId, Timestamp};
 
 static INFO: MessageInfo =
@@ -74,7 +74,7 @@ impl Encode for Setup {
         put(payload, 0, self.timestamp.units());
         put(payload, 8, self.target_system.to_u8());
         put(payload, 9, self.target_component.to_u8());
-        put(payload, 10, *self.key.as_bytes());
+        copy(self.key.as_bytes(), payload.get_mut(10..).unwrap_or_default());
     }
 }
 

@@ -1,6 +1,8 @@
 //! The adapters, over real sockets and pipes on the loopback interface.
 
 mod bad_checksums;
+#[cfg(feature = "signing")]
+mod keys;
 mod scripted;
 mod std_io;
 mod udp;

@@ -97,7 +97,7 @@ fn a_tracker_without_room_counts_nothing() {
 proptest! {
     /// However many are lost at random, the counts are right, and no restart is made up.
     #[test]
-    fn random_losses_are_counted(kept in proptest::collection::vec(proptest::bool::weighted(0.5), 2000)) {
+    fn random_losses_are_counted(kept in proptest::collection::vec(proptest::bool::weighted(0.5), 300)) {
         let mut losses = Losses::<1>::new();
         let arrived: Vec<u8> = (0..=255_u8).cycle().zip(&kept).filter(|(_, kept)| **kept).map(|(number, _)| number).collect();
         arrivals(&mut losses, 1, &arrived);

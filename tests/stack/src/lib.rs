@@ -11,7 +11,7 @@ use mavlink_autoquad::autoquad::Autoquad;
 use mavlink_autoquad::wire::embedded_io::FrameReader;
 use mavlink_autoquad::wire::{Dialect, Encode, Frame, MAX_FRAME, MAX_PAYLOAD, MessageInfo, Sender};
 
-pub use paint::used;
+pub use paint::{copy_of, copy_used, lies_in, used};
 
 /// The most that decoding may take, in bytes.
 const DECODING: usize = if cfg!(debug_assertions) { 6 * 1024 } else { 1536 };

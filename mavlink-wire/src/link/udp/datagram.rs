@@ -6,17 +6,21 @@ use std::net::{SocketAddr, UdpSocket};
 use std::time::{Duration, Instant};
 use std::vec;
 
+use crate::frame::key::{WIPES, wipe_around};
+
 /// No datagram is longer.
 pub(super) const MAX_DATAGRAM: usize = 65_536;
 
 /// The last datagram; the search has still to see `start..end` of it.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub(super) struct Datagram {
     buffer: Box<[u8]>,
     start: usize,
     end: usize,
     /// Who sent it, until it is used up.
     pub(super) from: Option<SocketAddr>,
+    /// A frame that carries a key was found, and is to be wiped once it is used.
+    pub(super) found_key: bool,
 }
 
 /// What came of waiting for one.
@@ -29,7 +33,14 @@ pub(super) enum Wait {
 
 impl Datagram {
     pub(super) fn new() -> Self {
-        Self { buffer: vec![0; MAX_DATAGRAM].into_boxed_slice(), start: 0, end: 0, from: None }
+        Self { buffer: vec![0; MAX_DATAGRAM].into_boxed_slice(), start: 0, end: 0, from: None, found_key: false }
+    }
+
+    /// Overwrites the key that was handed over last, in pieces of former datagrams, too.
+    pub(super) fn wipe_used_key(&mut self) {
+        if WIPES && core::mem::take(&mut self.found_key) {
+            wipe_around(&mut self.buffer, self.start, self.end);
+        }
     }
 
     /// What is still to be searched.
@@ -66,6 +77,14 @@ impl Datagram {
             Err(error) if is_passing(error.kind()) => Ok(Wait::Nothing),
             Err(error) => Err(error),
         }
+    }
+}
+
+/// What it holds is left out: it may be a key.
+impl core::fmt::Debug for Datagram {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        let Self { start, end, from, .. } = self;
+        f.debug_struct("Datagram").field("start", start).field("end", end).field("from", from).finish_non_exhaustive()
     }
 }
 

@@ -5,7 +5,7 @@ use std::net::SocketAddr;
 use std::time::Instant;
 
 use super::Endpoint;
-use crate::frame::SETUP_SIGNING;
+use crate::frame::key::{SETUP_SIGNING, wipe};
 #[cfg(feature = "signing")]
 use crate::link::clock;
 use crate::{Encode, EncodeError, Frame, MAX_FRAME, Version};
@@ -21,8 +21,12 @@ impl Endpoint<'_> {
         let theirs = self.peers.version_of(to, Instant::now());
         let version = self.only_version().or(theirs).unwrap_or(self.sender.version());
         let mut buffer = [0; MAX_FRAME];
-        let frame = self.encode(message, version, &mut buffer)?;
-        self.socket.send_to(frame, to).map(drop)
+        let frame = self.encode(message, version, &mut buffer);
+        let sent = frame.and_then(|frame| self.socket.send_to(frame, to)).map(drop);
+        if message.info().id == SETUP_SIGNING {
+            wipe(&mut buffer);
+        }
+        sent
     }
 
     /// Sends a message to all peers under one number, to each in its version. Gives to how many: none, if there is no peer now.
