@@ -6,8 +6,8 @@ use std::path::{PathBuf, absolute};
 
 use crate::builder::{Builder, Failure};
 use crate::diag::{Diagnostic, Diagnostics, Severity, Style, render};
-use crate::emit::MARK;
 use crate::ir::Dialect;
+use crate::lower::MARK;
 use crate::lower::link::Union;
 use crate::lower::spelling::dialect_module_name;
 use crate::output::{write, write_file};

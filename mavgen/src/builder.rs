@@ -6,7 +6,8 @@ use std::fmt;
 use std::path::{Path, PathBuf};
 
 use crate::diag::{Diagnostics, Style, render};
-use crate::emit::{GeneratedFile, Options, emit, emit_union};
+use crate::emit::{GeneratedFile, emit};
+use crate::lower::{Options, tree, tree_of_several};
 use crate::output::{Differences, OutputError, Report, check, write};
 use crate::read::load_all;
 use crate::resolved::Resolved;
@@ -247,11 +248,11 @@ impl Builder {
             sources.push_str(&format!("\n// only {selection}, and what they need"));
         }
         let options = Options { runtime: self.runtime.clone(), deprecated: self.deprecated, sources };
-        let files = match &resolved.union {
-            Some(union) => emit_union(union, &options),
-            None => emit(&resolved.dialect, &resolved.names, &options),
+        let tree = match &resolved.union {
+            Some(union) => tree_of_several(union, &options),
+            None => tree(&resolved.dialect, &resolved.names, &options),
         };
-        files.map_err(|internal| Failure::Internal(internal.to_string()))
+        tree.and_then(|files| emit(&files)).map_err(|internal| Failure::Internal(internal.to_string()))
     }
 
     pub(crate) fn selection(&self) -> Result<Option<Selection>, Failure> {

@@ -10,31 +10,52 @@
 mod accessors;
 mod binding;
 mod collision;
-pub(crate) mod docs;
-mod idents;
+mod conflicts;
+mod docs;
+mod enums;
+mod folder;
+mod imports;
 pub(crate) mod link;
 mod message;
 mod methods;
+mod modules;
+mod named;
 pub(crate) mod names;
 mod namespace;
 pub(crate) mod spelling;
+mod tree;
 mod types;
 mod view;
 
 use std::fmt;
+
+use link::{Home, Union};
+use names::Names;
+pub(crate) use tree::{MARK, Options, ROOT_MARK, tree, tree_of_several};
 
 use crate::ir::{Dialect, FileIndex, Lifecycle, Origin};
 
 /// What the items of a dialect are made of.
 #[derive(Clone, Copy)]
 pub(crate) struct Items<'d> {
-    pub(crate) dialect: &'d Dialect,
-    pub(crate) names: &'d names::Names,
+    /// All that is generated, of however many dialects.
+    dialect: &'d Dialect,
+    /// What everything in it is called.
+    names: &'d Names,
+    /// The dialects, if there are several.
+    union: Option<&'d Union>,
+    /// The folder of the file that is being made.
+    home: Home,
     /// Whether `<deprecated>` becomes `#[deprecated]`.
-    pub(crate) deprecated: bool,
+    deprecated: bool,
 }
 
 impl<'d> Items<'d> {
+    /// Those of one dialect.
+    pub(crate) fn of(dialect: &'d Dialect, names: &'d Names, deprecated: bool) -> Self {
+        Self { dialect, names, union: None, home: Home::Shared, deprecated }
+    }
+
     /// The name of a file.
     pub(crate) fn file_name(self, index: FileIndex) -> Result<&'d str, Internal> {
         let file = self.dialect.file(index).map(|file| file.name.as_str());

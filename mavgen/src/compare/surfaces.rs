@@ -8,10 +8,10 @@ use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use super::renamed::Renamed;
 use super::state::State;
 use super::surface::{Surface, plain, surface};
+use crate::emit::content;
 use crate::emit::threads::in_order;
-use crate::emit::{Options, items_of_enum, items_of_message};
-use crate::ir::{Enum, Message};
-use crate::lower::Internal;
+use crate::ir::EnumId;
+use crate::lower::{Internal, Items};
 
 /// What users see of the types of both states, but for those of messages and enums whose code is the same in both.
 pub(super) fn surfaces(old: &State, new: &State, names: &Renamed<'_>) -> Result<(Surface, Surface), Internal> {
@@ -28,8 +28,8 @@ pub(super) fn surfaces(old: &State, new: &State, names: &Renamed<'_>) -> Result<
 /// What declares types: an enum; a message, which has views.
 #[derive(Clone, Copy)]
 enum Declared<'a> {
-    Enum(&'a State, &'a Enum),
-    Message(&'a State, &'a Message),
+    Enum(&'a State, EnumId),
+    Message(&'a State, usize),
 }
 
 /// What both states call the same in Rust, and what only one of them has.
@@ -38,8 +38,10 @@ type Pair<'a> = [Option<Declared<'a>>; 2];
 fn pairs<'a>(old: &'a State, new: &'a State) -> Vec<Pair<'a>> {
     let mut pairs: BTreeMap<&str, Pair<'a>> = BTreeMap::new();
     for (side, state) in [old, new].into_iter().enumerate() {
-        let enums = state.enums().map(|(values, names)| (&names.ty, Declared::Enum(state, values)));
-        let messages = state.messages().map(|(message, names)| (&names.ty, Declared::Message(state, message)));
+        let enums = state.names.enums.iter().enumerate();
+        let enums = enums.map(|(at, names)| (&names.ty, Declared::Enum(state, EnumId(at))));
+        let messages = state.names.messages.iter().enumerate();
+        let messages = messages.map(|(at, names)| (&names.ty, Declared::Message(state, at)));
         for (name, declared) in enums.chain(messages) {
             if let Some(place) = pairs.entry(name).or_default().get_mut(side) {
                 *place = Some(declared);
@@ -62,13 +64,14 @@ fn of_pair(pair: &Pair<'_>, renamed: &HashSet<&str>) -> Result<(Surface, Surface
     Ok((old.map(surface).unwrap_or_default(), new.map(surface).unwrap_or_default()))
 }
 
-impl Declared<'_> {
+impl<'a> Declared<'a> {
     fn code(self) -> Result<TokenStream, Internal> {
-        let options = Options { runtime: "::mavlink_wire".to_owned(), deprecated: true, sources: String::new() };
-        match self {
-            Self::Enum(state, values) => Ok(items_of_enum(&state.dialect, &state.names, &options, values)),
-            Self::Message(state, message) => items_of_message(&state.dialect, &state.names, &options, message),
-        }
+        let items = |state: &'a State| Items::of(&state.dialect, &state.names, true);
+        let contents = match self {
+            Self::Enum(state, id) => vec![items(state).enum_content(id)?],
+            Self::Message(state, at) => items(state).message_contents(at)?,
+        };
+        contents.iter().map(content).collect()
     }
 }
 

@@ -13,47 +13,27 @@
 //! wire::dialect!(Acme { Heartbeat });
 //! ```
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::emit::folder::Titled;
-use crate::emit::token::ident;
-use crate::emit::{Context, doc};
-use crate::ir::Message;
+use super::doc;
+use super::token::ident;
+use crate::rust::{DialectEnum, Variant};
 
-/// The items of `dialect.rs`; nothing for a dialect without messages.
-pub(crate) fn dialect(context: &Context<'_>, dialect: Titled<'_>, messages: &[&Message]) -> TokenStream {
-    let (name, runtime) = (ident(dialect.type_name), context.use_runtime());
-    let names: Vec<Ident> = messages.iter().map(|message| ident(&message.name.rust)).collect();
-    let declaration = declaration(dialect, messages);
-    if names.is_empty() {
-        return TokenStream::new();
-    }
-    quote! {
-        use super::messages::*;
-        #runtime
-        #declaration
-        wire::dialect!(#name { #(#names),* });
-    }
-}
-
-fn declaration(dialect: Titled<'_>, messages: &[&Message]) -> TokenStream {
-    let docs = doc::attributes(&[
-        format!("Any message of the `{}` dialect.", dialect.name),
-        String::new(),
-        "New messages are added without a breaking release; match with a `_` arm.".to_owned(),
-    ]);
-    let variants = messages.iter().map(|message| {
-        let docs = doc::attributes(&[format!("`{}`, message {}.", message.name.text, message.id)]);
-        let name = ident(&message.name.rust);
+/// The items of `dialect.rs`.
+pub(super) fn dialect(dialect: &DialectEnum<'_>) -> TokenStream {
+    let (docs, name) = (doc::documentation(&dialect.docs), ident(dialect.ident));
+    let names = dialect.variants.iter().map(|variant| ident(variant.ident));
+    let variants = dialect.variants.iter().map(|Variant { ident: name, docs }| {
+        let (docs, name) = (doc::documentation(docs), ident(name));
         quote!(#docs #name(#name))
     });
-    let name = ident(dialect.type_name);
     quote! {
         #docs
         #[derive(Clone, Copy, Debug, PartialEq)]
         #[non_exhaustive]
         #[allow(clippy::large_enum_variant, reason = "there is no allocator to box the large ones")]
         pub enum #name { #(#variants),* }
+        wire::dialect!(#name { #(#names),* });
     }
 }

@@ -3,17 +3,21 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::docs::{first_sentence, prose_with};
-use crate::rust::{Cell, Docs, Paragraph};
+use crate::docs::{first_sentence, prose_with, words, wrap};
+use crate::rust::{Cell, Docs, ListItem, Paragraph};
+
+/// Characters of a line of a list, without indentation.
+const LIST_WIDTH: usize = 92;
 
 /// One `#[doc]` a line, which prints as `///`.
-pub(crate) fn attributes(lines: &[String]) -> TokenStream {
+fn attributes(lines: &[String]) -> TokenStream {
     let lines = lines.iter().map(|line| spaced(line));
     quote!(#(#[doc = #lines])*)
 }
 
-/// One inner `#![doc]` a line, which prints as `//!`.
-pub(crate) fn inner_attributes(lines: &[String]) -> TokenStream {
+/// A documentation as inner attributes, one `#![doc]` a line, which prints as `//!`.
+pub(crate) fn inner_documentation(docs: &Docs<'_>) -> TokenStream {
+    let lines = lines(docs);
     let lines = lines.iter().map(|line| spaced(line));
     quote!(#(#![doc = #lines])*)
 }
@@ -24,18 +28,35 @@ pub(crate) fn documentation(docs: &Docs<'_>) -> TokenStream {
 }
 
 /// The paragraphs, of which those that say nothing are left out.
-pub(crate) fn lines(docs: &Docs<'_>) -> Vec<String> {
+fn lines(docs: &Docs<'_>) -> Vec<String> {
     join(docs.0.iter().map(|paragraph| match paragraph {
         Paragraph::Prose(text, sentences) => {
             let words = sentences.iter().flat_map(|sentence| sentence.split(' ')).map(str::to_owned);
             prose_with(text, words.collect())
         }
         Paragraph::Lines(lines) => lines.clone(),
+        Paragraph::List(items) => items.iter().flat_map(list_item).collect(),
         Paragraph::Table(head, rows) => {
             let cells = |row: &Vec<Cell<'_>>| row.iter().map(cell).collect();
             table(head, &rows.iter().map(cells).collect::<Vec<_>>())
         }
     }))
+}
+
+/// An item of a list, wrapped and indented; nothing if it says nothing.
+fn list_item(item: &ListItem<'_>) -> Vec<String> {
+    let ListItem { head, label, text, sentences, link } = item;
+    let mut text = words(text);
+    text.extend(sentences.iter().flat_map(|sentence| sentence.split(' ')).map(str::to_owned));
+    text.extend(link.clone());
+    if text.is_empty() && label.is_empty() {
+        return Vec::new();
+    }
+    let end = if text.is_empty() { "" } else { ":" };
+    let mut item: Vec<String> = format!("{head}{label}{end}").split(' ').map(str::to_owned).collect();
+    item.append(&mut text);
+    let lines = wrap(&item, LIST_WIDTH).into_iter().enumerate();
+    lines.map(|(at, line)| if at == 0 { format!("- {line}") } else { format!("  {line}") }).collect()
 }
 
 fn cell(cell: &Cell<'_>) -> String {
@@ -60,7 +81,7 @@ fn spaced(line: &str) -> String {
 }
 
 /// Paragraphs joined into one documentation, empty ones left out.
-pub(crate) fn join(paragraphs: impl IntoIterator<Item = Vec<String>>) -> Vec<String> {
+fn join(paragraphs: impl IntoIterator<Item = Vec<String>>) -> Vec<String> {
     let mut joined: Vec<String> = Vec::new();
     for paragraph in paragraphs.into_iter().filter(|paragraph| !paragraph.is_empty()) {
         if !joined.is_empty() {
@@ -74,7 +95,7 @@ pub(crate) fn join(paragraphs: impl IntoIterator<Item = Vec<String>>) -> Vec<Str
 /// A markdown table with aligned columns: the first to the right, the last as it is.
 ///
 /// A column without content is left out.
-pub(crate) fn table(head: &[&str], rows: &[Vec<String>]) -> Vec<String> {
+fn table(head: &[&str], rows: &[Vec<String>]) -> Vec<String> {
     let told = |column: &usize| rows.iter().filter_map(|row| row.get(*column)).any(|cell| !cell.is_empty());
     let columns: Vec<usize> = (0..head.len()).filter(told).collect();
     let head: Vec<&str> = columns.iter().filter_map(|&column| head.get(column).copied()).collect();

@@ -1,4 +1,4 @@
-//! An enum or a set of flags: an open newtype, its constants, and the table of its names.
+//! An enum or a set of flags: an open newtype, its constants, the table of its names, and the parameters of commands.
 //!
 //! ```text
 //! /// State of a system.
@@ -16,38 +16,41 @@
 //! ```
 
 use proc_macro2::TokenStream;
-use quote::quote;
+use quote::{ToTokens, quote};
 
-use crate::emit::token::{bits, decimal, ident, repr};
-use crate::emit::{Context, command, doc, rivals};
-use crate::ir::{Entry, Enum};
-use crate::lower::docs;
-use crate::rust::Docs;
+use super::doc;
+use super::method::method;
+use super::token::{bits, decimal, float, ident};
+use super::ty::int;
+use crate::ir::{Limits, Param};
+use crate::rust::{Constant, Enum, ParamInfo};
 
 /// The items of an enum's file.
-pub(crate) fn enum_(context: &Context<'_>, values: &Enum) -> TokenStream {
-    let declaration = declaration(context, values);
-    let constants = values.entries.iter().map(|entry| constant(context, values, entry));
-    let commands = command::params(context, values);
-    let info = info(values);
-    let (name, int, runtime) = (ident(&values.name.rust), repr(values.repr), context.use_runtime());
-    let kind = ident(if values.bitmask { "flags" } else { "open_enum" });
+pub(super) fn enum_(one: &Enum<'_>) -> TokenStream {
+    let Enum { ident: name, int: of, flags, constants, methods, .. } = one;
+    let (declaration, params, info) = (declaration(one), params(one), info(one));
+    let (name, of, kind) = (ident(name), int(*of), ident(if *flags { "flags" } else { "open_enum" }));
+    let constants = constants.iter().map(|constant| self::constant(constant, *flags));
+    let methods = (!methods.is_empty()).then(|| {
+        let methods = methods.iter().map(method);
+        quote!(impl #name { #(#methods)* })
+    });
     quote! {
-        #runtime
         #declaration
         impl #name { #(#constants)* }
-        #commands
+        #methods
+        #params
         #info
-        wire::#kind!(#name, #int, INFO);
+        wire::#kind!(#name, #of, INFO);
     }
 }
 
-fn declaration(context: &Context<'_>, values: &Enum) -> TokenStream {
-    let docs = doc::attributes(&documentation(context, values));
-    let deprecated = doc::deprecated(context.items().deprecation(&values.origin).as_ref());
-    let (name, int, alias) =
-        (ident(&values.name.rust), repr(values.repr), doc::alias(docs::alias(&values.name.text, &values.name.rust)));
-    let inner = if values.bitmask { quote!(#int) } else { quote!(pub #int) };
+fn declaration(one: &Enum<'_>) -> TokenStream {
+    let Enum { ident: name, alias, docs, deprecated, int: of, flags, .. } = one;
+    let (docs, alias, deprecated) =
+        (doc::documentation(docs), doc::alias(*alias), doc::deprecated(deprecated.as_ref()));
+    let (name, of) = (ident(name), int(*of));
+    let inner = if *flags { quote!(#of) } else { quote!(pub #of) };
     quote! {
         #docs
         #alias
@@ -57,26 +60,11 @@ fn declaration(context: &Context<'_>, values: &Enum) -> TokenStream {
     }
 }
 
-fn documentation(context: &Context<'_>, values: &Enum) -> Vec<String> {
-    let file = context.dialect.file(values.defined_in).map_or("", |file| file.name.as_str());
-    let kind = if values.bitmask { "flags in a" } else { "numbers of type" };
-    let facts = vec![format!("`{}` of `{file}`: {kind} `{}`.", values.name.text, values.repr.rust_name())];
-    let facts = facts.into_iter().chain(docs::reference(file, &values.name.text)).collect();
-    let docs = Docs(docs::description(&values.origin));
-    doc::join([doc::lines(&docs), facts, rivals::of_enum(context, values)])
-}
-
 /// `pub const BOOT: Self = Self(1);` with its documentation.
-fn constant(context: &Context<'_>, values: &Enum, entry: &Entry) -> TokenStream {
-    let mut docs = doc::lines(&Docs(docs::description(&entry.origin)));
-    if docs.is_empty() {
-        docs.push(format!("`{}`.", entry.name.text));
-    }
-    let params = entry.command.as_ref().map(|command| command::documentation(context, command));
-    let docs = doc::attributes(&doc::join([docs, params.unwrap_or_default()]));
-    let deprecated = doc::deprecated(context.items().deprecation(&entry.origin).as_ref());
-    let name = ident(&entry.name.rust);
-    let value = if values.bitmask { bits(entry.value) } else { quote_decimal(entry.value) };
+fn constant(constant: &Constant<'_>, flags: bool) -> TokenStream {
+    let Constant { ident: name, docs, deprecated, value, .. } = constant;
+    let (docs, deprecated) = (doc::documentation(docs), doc::deprecated(deprecated.as_ref()));
+    let (name, value) = (ident(name), number(*value, flags));
     quote! {
         #docs
         #deprecated
@@ -84,17 +72,52 @@ fn constant(context: &Context<'_>, values: &Enum, entry: &Entry) -> TokenStream 
     }
 }
 
-fn quote_decimal(value: u64) -> TokenStream {
-    let value = decimal(value);
-    quote!(#value)
+/// `4`, `1 << 2`
+fn number(value: u64, flags: bool) -> TokenStream {
+    if flags { bits(value) } else { decimal(value).into_token_stream() }
 }
 
-fn info(values: &Enum) -> TokenStream {
-    let (name, bitmask) = (&values.name.text, values.bitmask);
-    let entries = values.entries.iter().map(|entry| {
-        let (value, name) = (if bitmask { bits(entry.value) } else { quote_decimal(entry.value) }, &entry.name.text);
+fn info(one: &Enum<'_>) -> TokenStream {
+    let Enum { name, flags, constants, .. } = one;
+    let entries = constants.iter().map(|Constant { value, name, .. }| {
+        let value = number(*value, *flags);
         quote!((#value, #name))
     });
-    let kind = ident(if bitmask { "bitmask" } else { "new" });
+    let kind = ident(if *flags { "bitmask" } else { "new" });
     quote!(static INFO: wire::EnumInfo = wire::EnumInfo::#kind(#name, &[#(#entries),*]);)
+}
+
+/// `static PARAMS: [(u16, &[wire::ParamInfo]); 1] = [(16, &[wire::ParamInfo::new(1).label("Hold").units("s").min(0.0)])];`
+fn params(one: &Enum<'_>) -> Option<TokenStream> {
+    let rows = one.params.iter().map(|(value, params)| {
+        let (value, params) = (decimal(*value), params.iter().map(param));
+        quote!((#value, &[#(#params),*]))
+    });
+    let (of, count) = (int(one.int), decimal(one.params.len() as u64));
+    (!one.params.is_empty()).then(|| quote!(static PARAMS: [(#of, &[wire::ParamInfo]); #count] = [#(#rows),*];))
+}
+
+/// `wire::ParamInfo::new(1).label("Hold").units("s").min(0.0)`
+fn param(info: &ParamInfo<'_>) -> TokenStream {
+    let ParamInfo { param: Param { index, label, units, limits, default, reserved, .. }, carries } = info;
+    let Limits { min, max, increment } = *limits;
+    let index = decimal(*index);
+    let label = label.as_ref().map(|label| quote!(.label(#label)));
+    let units = units.as_ref().map(|units| quote!(.units(#units)));
+    let values = carries.map(|name| quote!(.values(#name)));
+    let number = |name: &str, value: Option<f64>| {
+        let (name, value) = (ident(name), float(value?));
+        Some(quote!(.#name(#value)))
+    };
+    let (min, max, increment) = (number("min", min), number("max", max), number("increment", increment));
+    let (default, reserved) = (number("default", *default), reserved.then(|| quote!(.reserved())));
+    quote!(wire::ParamInfo::new(#index) #label #units #values #min #max #increment #default #reserved)
+}
+
+/// The row of the command in `PARAMS`, if it has one.
+pub(super) fn params_body() -> TokenStream {
+    quote! {
+        let found = PARAMS.binary_search_by_key(&self.0, |&(command, _)| command);
+        found.ok().and_then(|at| PARAMS.get(at)).map_or(&[], |&(_, params)| params)
+    }
 }

@@ -36,10 +36,10 @@ use quote::quote;
 use super::method::method;
 use super::token::{decimal, ident};
 use super::{doc, field, secret};
-use crate::rust::{Docs, Frame, Paragraph, Struct, Target};
+use crate::rust::{Frame, Struct, Target};
 
 /// The items of a message's file, without its imports.
-pub(crate) fn message(message: &Struct<'_>) -> TokenStream {
+pub(super) fn message(message: &Struct<'_>) -> TokenStream {
     let (name, methods) = (ident(message.ident), message.methods.iter().map(method));
     let declaration = declaration(message);
     let methods = (!message.methods.is_empty()).then(|| quote!(impl #name { #(#methods)* }));
@@ -69,18 +69,6 @@ fn declaration(message: &Struct<'_>) -> TokenStream {
         pub struct #name { #(#fields)* }
         #secretive
     }
-}
-
-/// The name by which a deprecated message is used: `#[deprecated(…)] pub type HilControls = hil_controls::HilControls;`.
-///
-/// The struct itself cannot have the attribute: its fields would inherit it, and each mention of one would warn.
-pub(crate) fn deprecated_name(message: &Struct<'_>, file: &str) -> Option<TokenStream> {
-    let Struct { ident: name, alias, docs, deprecated, .. } = message;
-    let deprecated = doc::deprecated(deprecated.as_ref())?;
-    let told = docs.0.iter().filter(|paragraph| !matches!(paragraph, Paragraph::Table(..)));
-    let (docs, alias) = (doc::documentation(&Docs(told.cloned().collect())), doc::alias(*alias));
-    let (file, name) = (ident(file), ident(name));
-    Some(quote!(#docs #alias #deprecated pub type #name = #file::#name;))
 }
 
 /// The implementation of `wire::Message`: the facts, the loads in the order of the XML, the stores in wire order.

@@ -6,7 +6,7 @@ use quote::quote;
 use super::token::ident;
 use super::ty::{number_in, ty, value_of};
 use super::view::{bits, scaled, slots, source};
-use super::{accessor, doc};
+use super::{accessor, doc, enums};
 use crate::rust::{Bind, Kind, Method, Receiver, Sig, Ty};
 
 pub(super) fn method(method: &Method<'_>) -> TokenStream {
@@ -23,7 +23,7 @@ pub(super) fn method(method: &Method<'_>) -> TokenStream {
         Receiver::Mut => Some(quote!(&mut self)),
     };
     let params = params.iter().map(|param| {
-        let (name, ty) = (ident(&param.ident), ty(&param.ty));
+        let (name, ty) = (ident(param.ident), ty(&param.ty));
         quote!(#name: #ty)
     });
     let params = receiver.into_iter().chain(params);
@@ -66,6 +66,7 @@ fn body(kind: &Kind<'_>) -> TokenStream {
         Kind::SlotSet { get, store } => slots::set(get, store),
         Kind::SlotPush { count, length, store } => slots::push(*count, *length, store),
         Kind::SlotStore(slot) => slots::store(slot),
+        Kind::Params => enums::params_body(),
         Kind::SentinelGet(sentinel) => accessor::get(sentinel),
         Kind::SentinelSet(sentinel) => accessor::set(sentinel),
         Kind::EnumGet(convert) => accessor::get_enum(convert),

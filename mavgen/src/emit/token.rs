@@ -3,7 +3,6 @@
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, quote};
 
-use crate::ir::Repr;
 use crate::lower::spelling::is_keyword;
 
 /// An identifier; a keyword becomes a raw one.
@@ -58,11 +57,6 @@ pub(crate) fn float(value: f64) -> TokenStream {
     let text = format!("{:?}", value.abs());
     let magnitude = text.parse().unwrap_or_else(|_| Literal::f64_unsuffixed(value.abs()));
     if value.is_sign_negative() { quote!(-#magnitude) } else { quote!(#magnitude) }
-}
-
-/// The Rust integer behind an enum.
-pub(crate) fn repr(repr: Repr) -> Ident {
-    ident(repr.rust_name())
 }
 
 #[cfg(test)]

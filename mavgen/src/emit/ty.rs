@@ -35,6 +35,7 @@ pub(super) fn ty(of: &Ty<'_>) -> TokenStream {
         }
         Ty::Fallible(Error::OutOfRange) => quote!(Result<(), wire::OutOfRange>),
         Ty::Fallible(Error::View) => quote!(Result<(), wire::ViewError>),
+        Ty::Params => quote!(&'static [wire::ParamInfo]),
         Ty::Iterator(item) => {
             let item = ty(item);
             quote!(impl Iterator<Item = #item> + '_)

@@ -37,12 +37,12 @@ use super::ty::int;
 use crate::rust::View;
 
 /// The items of a view's file, without its imports.
-pub(crate) fn view(view: &View<'_>) -> TokenStream {
+pub(super) fn view(view: &View<'_>) -> TokenStream {
     let View { ident: name, docs, storage, switch, methods, debug, slot, message, message_methods } = view;
     let (docs, debug) = (doc::documentation(docs), debug::debug(name, debug));
     let (name, message, storage) = (ident(name), ident(message), int(*storage));
-    let switch = switch.as_ref().map(|(name, of)| {
-        let (name, of) = (ident(name), int(*of));
+    let switch = switch.map(|(name, of)| {
+        let (name, of) = (ident(name), int(of));
         quote!(#name: #of,)
     });
     let (methods, message_methods) = (methods.iter().map(method), message_methods.iter().map(method));

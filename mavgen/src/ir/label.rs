@@ -32,14 +32,6 @@ impl Label {
             None => name,
         }
     }
-
-    /// What it is called in Rust.
-    pub(crate) fn rust(&self) -> String {
-        match &self.suffix {
-            Some(suffix) => format!("{}_{suffix}", self.name.rust.trim_end_matches('_')),
-            None => self.name.rust.clone(),
-        }
-    }
 }
 
 impl PartialEq for Label {

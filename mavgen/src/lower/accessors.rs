@@ -1,25 +1,27 @@
 //! Getters and setters beside the plain fields: for sentinels ("not known"), and for enums in fields of another width.
 
-use super::{Internal, Items, idents};
-use crate::ir::{self, EnumId, Field, Invalid, Message, Scalar, Scope, Values};
+use super::named::{NamedField, NamedMessage, spelled};
+use super::{Internal, Items};
+use crate::ir::{self, EnumId, Invalid, Scalar, Scope, Values};
 use crate::rust::{Convert, Docs, Error, Extent, Kind, Literal, Method, Sentinel, Sig, Ty, Unknown};
 
 impl<'d> Items<'d> {
     /// The accessors of a message, of those fields that have some.
-    pub(super) fn accessors(self, message: &'d Message) -> Result<Vec<Method<'d>>, Internal> {
+    pub(super) fn accessors(self, message: NamedMessage<'d>) -> Result<Vec<Method<'d>>, Internal> {
         let mut accessors = Vec::new();
-        for field in self.fields_with_accessors(message)? {
-            accessors.extend(match (field.values, &field.invalid) {
+        for &index in &message.names.accessors {
+            let field = message.field(index)?;
+            accessors.extend(match (field.model.values, &field.model.invalid) {
                 (Some(Values::Converted(id)), _) => self.converted(field, id)?,
                 (_, Some(invalid)) => self.optional(field, invalid)?,
-                (_, None) => return Err(Internal::new(format!("no accessor suits {}", self.field_name(field)))),
+                (_, None) => return Err(Internal::new(format!("no accessor suits {}", field.ident))),
             });
         }
         Ok(accessors)
     }
 
-    fn unknown(self, field: &'d Field, invalid: &Invalid) -> Result<Unknown<'d>, Internal> {
-        Ok(match (invalid.sentinel, field.ty.scalar) {
+    fn unknown(self, field: NamedField<'d>, invalid: &Invalid) -> Result<Unknown<'d>, Internal> {
+        Ok(match (invalid.sentinel, field.model.ty.scalar) {
             (ir::Sentinel::NotANumber, Scalar::F64) => Unknown::NanF64,
             (ir::Sentinel::NotANumber, _) => Unknown::NanF32,
             (ir::Sentinel::Float(value), _) => Unknown::Is(Literal::Float(value)),
@@ -28,14 +30,14 @@ impl<'d> Items<'d> {
     }
 
     /// A field that may be unknown: as an `Option`.
-    fn optional(self, field: &'d Field, invalid: &Invalid) -> Result<[Method<'d>; 2], Internal> {
-        let extent = match (invalid.scope, field.ty.array) {
+    fn optional(self, field: NamedField<'d>, invalid: &Invalid) -> Result<[Method<'d>; 2], Internal> {
+        let extent = match (invalid.scope, field.model.ty.array) {
             (_, None) => Extent::Scalar,
             (Scope::Each, Some(_)) => Extent::Each,
             (Scope::First, Some(_)) => Extent::First,
             (Scope::Whole, Some(n)) => Extent::Whole(n.get()),
         };
-        let sentinel = Sentinel { field: self.field_name(field), unknown: self.unknown(field, invalid)?, extent };
+        let sentinel = Sentinel { field: field.ident, unknown: self.unknown(field, invalid)?, extent };
         let element = self.element(field)?.ty();
         let ty = match extent {
             Extent::Whole(n) => Ty::Array(Box::new(element), n),
@@ -53,18 +55,18 @@ impl<'d> Items<'d> {
             ],
         };
         let kinds = [Kind::SentinelGet(sentinel.clone()), Kind::SentinelSet(sentinel)];
-        Ok(pair(self.field_name(field), [Sig::getter(value).indexed(indexed), setter], docs, kinds))
+        Ok(pair(field.ident, [Sig::getter(value).indexed(indexed), setter], docs, kinds))
     }
 
     /// An enum in a field of another width or sign: scalars without, arrays with an index.
-    fn converted(self, field: &'d Field, id: EnumId) -> Result<[Method<'d>; 2], Internal> {
-        let invalid = field.invalid.as_ref();
+    fn converted(self, field: NamedField<'d>, id: EnumId) -> Result<[Method<'d>; 2], Internal> {
+        let invalid = field.model.invalid.as_ref();
         let convert = Convert {
-            field: self.field_name(field),
+            field: field.ident,
             int: self.element(field)?.as_int().int,
             to: self.enum_type(id)?,
             unknown: invalid.map(|invalid| self.unknown(field, invalid)).transpose()?,
-            element: field.ty.array.is_some(),
+            element: field.model.ty.array.is_some(),
         };
         let (element, sets) = (convert.element, convert.always_sets());
         let getter = Sig::getter(Ty::Enum(convert.to).optional(convert.is_optional())).indexed(element);
@@ -97,7 +99,7 @@ fn converted_setter(convert: &Convert<'_>) -> &'static str {
 
 /// A getter and a setter, each with a line of documentation that has the field's name for `#`.
 fn pair<'d>(field: &str, sigs: [Sig<'d>; 2], docs: [&str; 2], kinds: [Kind<'d>; 2]) -> [Method<'d>; 2] {
-    let [get, set] = docs.map(|text| Docs::line(text.replace('#', &format!("`{}`", idents::spelled(field)))));
+    let [get, set] = docs.map(|text| Docs::line(text.replace('#', &format!("`{}`", spelled(field)))));
     let ([get_sig, set_sig], [get_kind, set_kind]) = (sigs, kinds);
     [
         Method { ident: field.to_owned(), sig: get_sig, docs: get, inline: true, kind: get_kind },

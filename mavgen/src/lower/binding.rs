@@ -1,25 +1,30 @@
 //! Enums that overlays bind to fields.
 
+use super::named::NamedMessage;
 use super::{Internal, Items};
-use crate::ir::{Binding, Message};
+use crate::ir::Binding;
 use crate::rust::{Bind, Docs, Kind, Method, Paragraph, Sig, Ty};
 
 impl<'d> Items<'d> {
     /// The getters and setters of what overlays bind to the fields of a message.
-    pub(crate) fn bindings(self, message: &'d Message) -> Result<Vec<Method<'d>>, Internal> {
-        let methods = message.bindings.iter().map(|binding| self.binding(message, binding));
+    pub(super) fn bindings(self, message: NamedMessage<'d>) -> Result<Vec<Method<'d>>, Internal> {
+        let methods = message.bindings().map(|binding| self.binding(message, binding));
         Ok(methods.collect::<Result<Vec<_>, _>>()?.into_iter().flatten().collect())
     }
 
-    fn binding(self, message: &'d Message, binding: &'d Binding) -> Result<[Method<'d>; 2], Internal> {
-        let field = self.field_name(self.field(message, binding.field)?);
+    fn binding(
+        self,
+        message: NamedMessage<'d>,
+        (binding, getter): (&'d Binding, &str),
+    ) -> Result<[Method<'d>; 2], Internal> {
+        let field = message.field(binding.field)?.ident;
         let bound = self.enum_type(binding.values)?;
         let when = binding.condition.as_ref().map(|condition| self.holds(message, condition)).transpose()?;
-        let (getter, link) = (self.binding_getter(binding), format!("[`Self::{field}`](field@Self::{field})"));
+        let link = format!("[`Self::{field}`](field@Self::{field})");
         let shown = Paragraph::line(format!("{link} as [`{}`].", bound.ident));
         let ty = Ty::Enum(bound);
         let get = Method {
-            ident: getter.clone(),
+            ident: getter.to_owned(),
             sig: Sig::getter(ty.clone().optional(when.is_some())),
             docs: Docs(vec![Paragraph::prose(&binding.description), shown]),
             inline: true,

@@ -18,14 +18,14 @@ use super::names::Names;
 use super::namespace::{Claim, Namespace, Scope, What};
 use super::{collision, spelling};
 use crate::diag::Diagnostics;
-use crate::ir::{Dialect, EnumId, FileIndex, Message, View};
+use crate::ir::{Dialect, EnumId, FileIndex};
 use crate::source::{FileId, Span};
 
 use enums::Enums;
 use files::Files;
 use messages::Messages;
 
-pub(crate) use placement::{Home, MessageHome, ViewHome};
+pub(crate) use placement::{Home, MessageHome};
 
 /// Several dialects, linked.
 #[derive(Clone, Debug)]
@@ -57,20 +57,6 @@ pub(crate) struct Root {
     pub(crate) enums: Vec<EnumId>,
     /// Its messages by id, as places in the messages of [`Union::all`].
     pub(crate) messages: Vec<usize>,
-}
-
-impl Union {
-    /// The messages of a dialect by id.
-    pub(crate) fn messages_of<'u>(&'u self, root: &'u Root) -> impl Iterator<Item = &'u Message> {
-        root.messages.iter().filter_map(|&at| self.all.messages.get(at))
-    }
-
-    /// All views, with their messages.
-    pub(crate) fn views(&self) -> impl Iterator<Item = (&Message, &View, &ViewHome)> {
-        let messages = self.all.messages.iter().zip(&self.message_homes);
-        messages
-            .flat_map(|(message, at)| message.views.iter().zip(&at.views).map(move |(view, at)| (message, view, at)))
-    }
 }
 
 /// A resolved dialect, what it is called, and the source behind each of its files.

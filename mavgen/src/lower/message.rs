@@ -1,55 +1,43 @@
 //! A message: its fields, its methods and its documentation.
 
+use super::named::{NamedField, NamedMessage};
 use super::{Internal, Items, docs, types};
 use crate::docs::line;
 use crate::ir::{self, Invalid, Message, Scalar, Scope, Sentinel, Values};
-use crate::rust::{Cell, Default, Docs, Field, Frame, Paragraph, Struct, Target};
+use crate::rust::{Alias, Cell, Default, Docs, Field, Frame, Paragraph, Struct, Target};
 
 impl<'d> Items<'d> {
     /// The items of a message; `conflicts` are lines about what other dialects have in its place.
-    pub(crate) fn message(self, message: &'d Message, conflicts: Vec<String>) -> Result<Struct<'d>, Internal> {
+    pub(super) fn message(self, at: usize, conflicts: Vec<String>) -> Result<Struct<'d>, Internal> {
+        let message = self.message_at(at)?;
         let mut methods = self.accessors(message)?;
         methods.extend(self.bindings(message)?);
         Ok(Struct {
-            ident: self.message_type(message),
-            alias: docs::alias(&message.name.text, self.message_type(message)),
-            docs: self.message_docs(message, conflicts)?,
-            deprecated: self.deprecation(&message.origin),
-            fields: message.fields.iter().map(|field| self.message_field(message, field)).collect::<Result<_, _>>()?,
+            ident: message.ty(),
+            alias: docs::alias(&message.model.name.text, message.ty()),
+            docs: self.message_docs(message.model, conflicts)?,
+            deprecated: self.deprecation(&message.model.origin),
+            fields: message.fields().map(|field| self.message_field(message, field)).collect::<Result<_, _>>()?,
             methods,
-            frame: self.frame(message),
+            frame: frame(message),
         })
     }
 
-    fn frame(self, message: &'d Message) -> Frame<'d> {
-        let target = |field: Option<&'d ir::Field>| {
-            field.map(|field| Target { field: self.field_name(field), offset: field.offset })
-        };
-        Frame {
-            id: message.id,
-            name: &message.name.text,
-            crc_extra: message.crc_extra,
-            len_v1: message.len_v1,
-            len_v2: message.len_v2,
-            target_system: target(message.target_system()),
-            target_component: target(message.target_component()),
-        }
-    }
-
-    fn message_field(self, message: &'d Message, field: &'d ir::Field) -> Result<Field<'d>, Internal> {
-        let secret = message.secret().is_some_and(|secret| secret.offset == field.offset);
+    fn message_field(self, message: NamedMessage<'d>, field: NamedField<'d>) -> Result<Field<'d>, Internal> {
+        let model = field.model;
+        let secret = message.model.secret().is_some_and(|secret| secret.offset == model.offset);
         Ok(Field {
-            ident: self.field_name(field),
+            ident: field.ident,
             element: self.element(field)?,
-            shape: types::shape(field),
-            default: match field.ty.scalar {
+            shape: types::shape(model),
+            default: match model.ty.scalar {
                 Scalar::Version(version) => Default::Version(version),
                 _ => Default::Zero,
             },
             docs: self.field_docs(field, secret)?,
             secret,
-            carries: field.values.map(|values| self.enum_type(values.id())).transpose()?,
-            wire: field,
+            carries: model.values.map(|values| self.enum_type(values.id())).transpose()?,
+            wire: model,
         })
     }
 
@@ -72,7 +60,8 @@ impl<'d> Items<'d> {
     }
 
     /// The description; then units, range, enum, sentinel, whether MAVLink 1 has it and whether it is a secret.
-    fn field_docs(self, field: &'d ir::Field, secret: bool) -> Result<Docs<'d>, Internal> {
+    fn field_docs(self, named: NamedField<'d>, secret: bool) -> Result<Docs<'d>, Internal> {
+        let field = named.model;
         let mut facts = docs::quantity(field.units.as_deref(), field.multiplier.as_deref(), &field.limits);
         facts.extend(field.invalid.as_ref().map(|invalid| sentinel_sentence(invalid, field)));
         let mut sentences = Vec::new();
@@ -80,7 +69,7 @@ impl<'d> Items<'d> {
             sentences.push(docs::capitalised(&format!("{}.", facts.join("; "))));
         }
         if let Some(Values::Converted(id)) = field.values {
-            let (name, to) = (self.field_name(field), self.enum_type(id)?);
+            let (name, to) = (named.ident, self.enum_type(id)?);
             sentences.push(format!("A number: [`Self::{name}()`] gives it as [`{}`].", to.ident));
         }
         if field.extension {
@@ -96,6 +85,31 @@ impl<'d> Items<'d> {
             sentences.push(format!("`{}`, a `{}`.", field.name.text, xml_type(field)));
         }
         Ok(Docs(vec![Paragraph::Prose(&field.origin.description, sentences)]))
+    }
+}
+
+/// The name by which a deprecated message is used.
+pub(super) fn alias<'d>(message: &Struct<'d>, module: &'d str) -> Option<Alias<'d>> {
+    let Struct { ident, alias, docs, deprecated, .. } = message;
+    let told = docs.0.iter().filter(|paragraph| !matches!(paragraph, Paragraph::Table(..)));
+    let (docs, deprecated) = (Docs(told.cloned().collect()), deprecated.clone()?);
+    Some(Alias { ident, alias: *alias, docs, deprecated, module })
+}
+
+fn frame(message: NamedMessage<'_>) -> Frame<'_> {
+    let NamedMessage { model, .. } = message;
+    let target = |field: Option<&ir::Field>| {
+        let field = message.named(field?)?;
+        Some(Target { field: field.ident, offset: field.model.offset })
+    };
+    Frame {
+        id: model.id,
+        name: &model.name.text,
+        crc_extra: model.crc_extra,
+        len_v1: model.len_v1,
+        len_v2: model.len_v2,
+        target_system: target(model.target_system()),
+        target_component: target(model.target_component()),
     }
 }
 

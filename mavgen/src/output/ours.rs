@@ -6,7 +6,8 @@ use std::io::{BufRead, BufReader, ErrorKind, Read};
 use std::path::{Path, PathBuf};
 
 use super::OutputError;
-use crate::emit::{GeneratedFile, MARK, ROOT_MARK};
+use crate::emit::GeneratedFile;
+use crate::lower::{MARK, ROOT_MARK};
 
 /// How many folders below the top one may hold files of ours.
 const DEEPEST: usize = 3;

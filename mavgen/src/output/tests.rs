@@ -3,7 +3,7 @@
 use std::time::{Duration, SystemTime};
 
 use super::*;
-use crate::emit::{MARK, ROOT_MARK};
+use crate::lower::{MARK, ROOT_MARK};
 
 fn file(path: &str, text: &str) -> GeneratedFile {
     GeneratedFile { path: path.to_owned(), text: format!("{MARK}\n{text}") }

@@ -11,8 +11,25 @@ pub(crate) enum Paragraph<'d> {
     Prose(&'d str, Vec<String>),
     /// Lines of ours, as they are.
     Lines(Vec<String>),
+    /// A list, of which items that say nothing are left out.
+    List(Vec<ListItem<'d>>),
     /// A table with aligned columns.
     Table(Vec<&'static str>, Vec<Vec<Cell<'d>>>),
+}
+
+/// `- 1, Hold: time to stay. In s; at least 0.`
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct ListItem<'d> {
+    /// `1`
+    pub(crate) head: String,
+    /// `, Hold`; nothing if it has none.
+    pub(crate) label: String,
+    /// What the XML says.
+    pub(crate) text: &'d str,
+    /// What we say.
+    pub(crate) sentences: Vec<String>,
+    /// A sentence that stays on one line.
+    pub(crate) link: Option<String>,
 }
 
 /// A cell of a table.

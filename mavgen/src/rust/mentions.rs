@@ -57,7 +57,8 @@ impl<'d> Mentions<'d> {
             | Ty::Unit
             | Ty::Own
             | Ty::Named(_)
-            | Ty::Fallible(_) => {}
+            | Ty::Fallible(_)
+            | Ty::Params => {}
         }
     }
 
@@ -89,7 +90,12 @@ impl<'d> Mentions<'d> {
                 convert.unknown.into_iter().for_each(|unknown| self.unknown(unknown));
             }
             Kind::EnumSet(convert) => self.named(convert.to),
-            Kind::FromBits { .. } | Kind::Bits | Kind::SwitchGet(_) | Kind::Slots { .. } | Kind::SlotSet { .. } => {}
+            Kind::FromBits { .. }
+            | Kind::Params
+            | Kind::Bits
+            | Kind::SwitchGet(_)
+            | Kind::Slots { .. }
+            | Kind::SlotSet { .. } => {}
             Kind::ScaledGet(_) | Kind::ScaledSet(_) | Kind::ExactGet(_) => {}
         }
     }

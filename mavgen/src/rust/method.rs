@@ -40,7 +40,7 @@ pub(crate) enum Receiver {
 /// `index: usize`
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Param<'d> {
-    pub(crate) ident: String,
+    pub(crate) ident: &'d str,
     pub(crate) ty: Ty<'d>,
 }
 
@@ -48,11 +48,11 @@ pub(crate) struct Param<'d> {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Kind<'d> {
     /// Of a view: makes one of its bits, and of the switch value that it carries along.
-    FromBits { switch: Option<String> },
+    FromBits { switch: Option<&'d str> },
     /// Of a view: its bits.
     Bits,
     /// Of a view: the switch value that it carries along.
-    SwitchGet(String),
+    SwitchGet(&'d str),
     /// Of a view: what some of its bits hold.
     MemberGet(BitField<'d>),
     /// Of a view: sets some of its bits.
@@ -68,15 +68,17 @@ pub(crate) enum Kind<'d> {
     /// Of a message: sets the bits of a view.
     ViewSet(Source<'d>),
     /// Of a message: iterates over the slots, of which `get` gives one.
-    Slots { get: String, length: u8 },
+    Slots { get: &'d str, length: u8 },
     /// Of a message: a slot.
     SlotGet(Slot<'d>),
     /// Of a message: sets a slot that is in use, as `get` says, by `store`.
-    SlotSet { get: String, store: String },
+    SlotSet { get: &'d str, store: String },
     /// Of a message: adds a slot by `store`.
     SlotPush { count: Count<'d>, length: u8, store: String },
     /// Of a message, and private: puts a slot into the arrays.
     SlotStore(Slot<'d>),
+    /// Of an enum of commands: what is known of the parameters.
+    Params,
     /// Of a message: a field that may be unknown.
     SentinelGet(Sentinel<'d>),
     /// Of a message: sets a field that may be unknown.
@@ -98,8 +100,8 @@ impl<'d> Sig<'d> {
     }
 
     /// `pub fn …(&mut self, value: T)`
-    pub(crate) fn setter(ident: &str, ty: Ty<'d>) -> Self {
-        let params = vec![Param { ident: ident.to_owned(), ty }];
+    pub(crate) fn setter(ident: &'d str, ty: Ty<'d>) -> Self {
+        let params = vec![Param { ident, ty }];
         Self { public: true, is_const: false, receiver: Receiver::Mut, params, result: Ty::Unit }
     }
 
@@ -111,7 +113,7 @@ impl<'d> Sig<'d> {
     /// With `index: usize` as the first parameter, if there are several.
     pub(crate) fn indexed(mut self, indexed: bool) -> Self {
         if indexed {
-            self.params.insert(0, Param { ident: "index".to_owned(), ty: Ty::Usize });
+            self.params.insert(0, Param { ident: "index", ty: Ty::Usize });
         }
         self
     }

@@ -117,6 +117,8 @@ pub(crate) enum Ty<'d> {
     Option(Box<Self>),
     /// `Result<(), E>`
     Fallible(Error),
+    /// `&'static [wire::ParamInfo]`
+    Params,
     /// `impl Iterator<Item = T> + '_`
     Iterator(Box<Self>),
 }

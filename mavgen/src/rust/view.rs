@@ -13,7 +13,7 @@ pub(crate) struct View<'d> {
     /// The integer that holds the bits.
     pub(crate) storage: Int,
     /// The switch value that it carries along, and its type.
-    pub(crate) switch: Option<(String, Int)>,
+    pub(crate) switch: Option<(&'d str, Int)>,
     pub(crate) methods: Vec<Method<'d>>,
     pub(crate) debug: Vec<Debugged<'d>>,
     /// The slot's type.
@@ -35,7 +35,7 @@ pub(crate) struct SlotType<'d> {
 /// A public field of a slot.
 #[derive(Clone, Debug)]
 pub(crate) struct SlotField<'d> {
-    pub(crate) ident: String,
+    pub(crate) ident: &'d str,
     pub(crate) ty: Ty<'d>,
     pub(crate) docs: Docs<'d>,
 }
@@ -71,15 +71,15 @@ pub(crate) enum Holds<'d> {
 /// The layouts that have some bits: the selector has one of these values.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Present<'d> {
-    pub(crate) selector: Selector,
+    pub(crate) selector: Selector<'d>,
     pub(crate) ranges: &'d [RangeInclusive<u64>],
 }
 
 /// What selects the layout.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) enum Selector {
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Selector<'d> {
     /// The value that the view carries along.
-    Field(String),
+    Field(&'d str),
     /// Bits of the view.
     Bits { at: u8, width: u8 },
 }
@@ -104,7 +104,7 @@ pub(crate) struct Scale<'d> {
 #[derive(Clone, Debug)]
 pub(crate) struct Debugged<'d> {
     /// The getter.
-    pub(crate) ident: String,
+    pub(crate) ident: &'d str,
     pub(crate) units: Option<&'d str>,
     /// How many digits stand behind the point, of a fraction.
     pub(crate) decimals: Option<usize>,
@@ -138,7 +138,7 @@ pub(crate) struct Word<'d> {
 pub(crate) struct Switch<'d> {
     pub(crate) place: Place<'d>,
     pub(crate) as_int: AsInt<'d>,
-    pub(crate) get: String,
+    pub(crate) get: &'d str,
 }
 
 /// Where a message has a view.
@@ -198,7 +198,7 @@ pub(crate) struct Count<'d> {
 /// A field of a slot that is copied from the message.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Key<'d> {
-    pub(crate) ident: String,
+    pub(crate) ident: &'d str,
     pub(crate) place: Place<'d>,
     /// The value that means "not known".
     pub(crate) invalid: Option<Literal<'d>>,
@@ -219,16 +219,6 @@ pub(crate) struct Bind<'d> {
     pub(crate) field: &'d str,
     pub(crate) bound: EnumType<'d>,
     pub(crate) when: Option<Test<'d>>,
-}
-
-impl<'d> Place<'d> {
-    /// The slot's element of an array.
-    pub(crate) fn element(self) -> Option<SlotElement<'d>> {
-        match self {
-            Self::Element(element) => Some(element),
-            Self::Field(_) | Self::At(..) => None,
-        }
-    }
 }
 
 impl<'d> BitField<'d> {

@@ -163,12 +163,12 @@ fn mask_of(width: u8) -> TokenStream {
 
 /// The value that selects the layout: `self.data_version`.
 fn selector(storage: Int, present: &Present<'_>) -> TokenStream {
-    match &present.selector {
+    match present.selector {
         Selector::Field(name) => {
             let name = ident(name);
             quote!(self.#name)
         }
-        Selector::Bits { at, width } => read(storage, &At::Bit(*at), *width, Int::of_bits(*width, false)),
+        Selector::Bits { at, width } => read(storage, &At::Bit(at), width, Int::of_bits(width, false)),
     }
 }
 

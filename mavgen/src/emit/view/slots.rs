@@ -72,7 +72,7 @@ pub(in crate::emit) fn get(slot: &Slot<'_>) -> TokenStream {
 
 /// `id: escid`, `age_ms: Some(status_age).filter(|&v| v != 65535)`
 fn key(key: &Key<'_>) -> TokenStream {
-    let (name, value) = (ident(&key.ident), value_at(&key.place));
+    let (name, value) = (ident(key.ident), value_at(&key.place));
     match (key.invalid, &key.place) {
         (Some(invalid), _) => {
             let invalid = literal(invalid);
@@ -148,7 +148,7 @@ pub(in crate::emit) fn store(slot: &Slot<'_>) -> TokenStream {
 /// Nothing for a scalar, which belongs to all slots: the first to be set would decide, so none does.
 fn store_key(key: &Key<'_>) -> Option<TokenStream> {
     let Place::Element(_) = key.place else { return None };
-    let name = ident(&key.ident);
+    let name = ident(key.ident);
     let value = match key.invalid {
         Some(invalid) => {
             let invalid = literal(invalid);

@@ -1,7 +1,8 @@
 //! Named bits: getters and setters of what they hold, and of the values that raw numbers stand for.
 
+use super::super::named::NamedView;
 use super::super::{Internal, Items, spelling};
-use crate::ir::{Meaning, Member, Presence, Scaled, SwitchOn, View};
+use crate::ir::{Meaning, Member, Presence, Scaled, SwitchOn};
 use crate::rust::{
     BitField, Docs, Error, Holds, Int, Kind, Method, Paragraph, Present, Receiver, Scale, Selector, Sig, Ty,
 };
@@ -11,40 +12,42 @@ const EXACT_IN_F32: i128 = 1 << 24;
 
 impl<'d> Items<'d> {
     /// Everything that one member contributes to its view.
-    pub(super) fn member_methods(self, view: &'d View, member: &'d Member) -> Result<Vec<Method<'d>>, Internal> {
-        let name = self.member_getter(member);
-        let docs = [member_docs(&name, member), setter_docs(&name)];
+    pub(super) fn member_methods(
+        self,
+        view: NamedView<'d>,
+        (member, name): (&'d Member, &str),
+    ) -> Result<Vec<Method<'d>>, Internal> {
+        let docs = [member_docs(name, member), setter_docs(name)];
+        let bits = |holds| bits(view, member, holds);
         Ok(match &member.meaning {
-            Meaning::Flag => accessors(&name, self.bits(view, member, Holds::Flag), docs),
-            Meaning::Values(id) => {
-                let holds = Holds::Enum(self.enum_type(*id)?);
-                accessors(&name, self.bits(view, member, holds), docs)
-            }
-            Meaning::Number { .. } => accessors(&name, self.bits(view, member, Holds::Number), docs),
-            Meaning::Scaled(scaled) => scaled_accessors(&name, self.bits(view, member, Holds::Number), scaled, docs),
+            Meaning::Flag => accessors(name, bits(Holds::Flag)?, docs),
+            Meaning::Values(id) => accessors(name, bits(Holds::Enum(self.enum_type(*id)?))?, docs),
+            Meaning::Number { .. } => accessors(name, bits(Holds::Number)?, docs),
+            Meaning::Scaled(scaled) => scaled_accessors(name, bits(Holds::Number)?, scaled, docs),
         })
     }
+}
 
-    fn bits(self, view: &'d View, member: &'d Member, holds: Holds<'d>) -> BitField<'d> {
-        BitField {
-            storage: Int::of_bits(view.width, false),
-            at: member.at,
-            width: member.width,
-            repeat: member.repeat,
-            raw: Int::of_bits(member.width, member.signed),
-            holds,
-            present: self.present(view, member),
-        }
-    }
+fn bits<'d>(view: NamedView<'d>, member: &'d Member, holds: Holds<'d>) -> Result<BitField<'d>, Internal> {
+    Ok(BitField {
+        storage: Int::of_bits(view.model.width, false),
+        at: member.at,
+        width: member.width,
+        repeat: member.repeat,
+        raw: Int::of_bits(member.width, member.signed),
+        holds,
+        present: present(view, member)?,
+    })
+}
 
-    fn present(self, view: &'d View, member: &'d Member) -> Option<Present<'d>> {
-        let (Presence::When(ranges), Some(switch)) = (&member.presence, &view.switch) else { return None };
-        let selector = match switch.on {
-            SwitchOn::Field(..) => Selector::Field(self.switch_getter(switch)),
-            SwitchOn::Bits { at, width } => Selector::Bits { at, width },
-        };
-        Some(Present { selector, ranges })
-    }
+fn present<'d>(view: NamedView<'d>, member: &'d Member) -> Result<Option<Present<'d>>, Internal> {
+    let Presence::When(ranges) = &member.presence else { return Ok(None) };
+    let switch = view.model.switch.as_ref().ok_or_else(|| Internal::new("nothing selects a layout"))?;
+    let selector = match switch.on {
+        SwitchOn::Field(..) => Selector::Field(view.switch_getter()?),
+        SwitchOn::Bits { at, width } => Selector::Bits { at, width },
+    };
+    Ok(Some(Present { selector, ranges }))
 }
 
 /// A getter and a setter of what the bits hold, without scaling.

@@ -1,18 +1,23 @@
 //! A view over plain fields: `flight_sw()` and `set_flight_sw()`.
 
+use super::super::named::{NamedMessage, NamedView};
 use super::super::{Internal, Items};
-use super::Given;
-use crate::ir::{Label, Message, View};
+use super::{Given, summary};
 use crate::rust::{Docs, Kind, Method, Sig, Ty};
 
 impl<'d> Items<'d> {
-    pub(super) fn once(self, message: &'d Message, view: &'d View, getter: &Label) -> Result<Given<'d>, Internal> {
-        let (getter, source) = (self.once_getter(getter), self.source(message, view)?);
+    pub(super) fn once(
+        self,
+        message: NamedMessage<'d>,
+        view: NamedView<'d>,
+        getter: &str,
+    ) -> Result<Given<'d>, Internal> {
+        let source = self.source(message, view)?;
         let ty = Ty::Named(source.view);
         let get = Method {
-            ident: getter.clone(),
+            ident: getter.to_owned(),
             sig: Sig::getter(ty.clone().optional(!source.when.is_empty())),
-            docs: Docs(vec![self.summary(view)]),
+            docs: Docs(vec![summary(view)]),
             inline: true,
             kind: Kind::ViewGet(source.clone()),
         };

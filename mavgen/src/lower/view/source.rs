@@ -1,38 +1,34 @@
 //! Where a message has a view: its words, the value of its switch, and what must hold.
 
+use super::super::named::{NamedField, NamedMessage, NamedView};
 use super::super::types::shape;
 use super::super::{Internal, Items};
-use crate::ir::{self, Blank, Condition, Field, FieldIndex, Message, SwitchOn, View};
+use crate::ir::{self, Blank, Condition, FieldIndex, SwitchOn};
 use crate::rust::{Int, Place, Shape, SlotElement, Source, Switch, Test, Word};
 
 /// What templates call their own local variables.
 const LOCALS: [&str; 4] = ["index", "bits", "status", "slot"];
 
 impl<'d> Items<'d> {
-    pub(super) fn source(self, message: &'d Message, view: &'d View) -> Result<Source<'d>, Internal> {
+    pub(super) fn source(self, message: NamedMessage<'d>, view: NamedView<'d>) -> Result<Source<'d>, Internal> {
         Ok(Source {
-            view: self.view_type(view),
-            storage: Int::of_bits(view.width, false),
+            view: view.ty(),
+            storage: Int::of_bits(view.model.width, false),
             words: self.words(message, view)?,
             switch: self.switch(message, view)?,
             when: self.tests(message, view)?,
         })
     }
 
-    /// The fields that a view is read from.
-    pub(super) fn word_fields(self, message: &'d Message, view: &'d View) -> Result<Vec<&'d Field>, Internal> {
-        view.words.iter().map(|word| self.field(message, word_field(*word))).collect()
-    }
-
-    fn words(self, message: &'d Message, view: &'d View) -> Result<Vec<Word<'d>>, Internal> {
+    fn words(self, message: NamedMessage<'d>, view: NamedView<'d>) -> Result<Vec<Word<'d>>, Internal> {
         let mut words = Vec::new();
         let mut at = 0;
-        for word in &view.words {
-            let field = self.field(message, word_field(*word))?;
+        for word in &view.model.words {
+            let field = message.field(word_field(*word))?;
             let as_int = self.element(field)?.as_int();
             let places = match *word {
-                ir::Word::One(place) => vec![self.place(message, place)?],
-                ir::Word::Joined(_) => self.elements_of(field),
+                ir::Word::One(at) => vec![place(message, at)?],
+                ir::Word::Joined(_) => elements_of(field),
             };
             for place in places {
                 words.push(Word { place, as_int, at });
@@ -42,59 +38,64 @@ impl<'d> Items<'d> {
         Ok(words)
     }
 
-    fn elements_of(self, field: &'d Field) -> Vec<Place<'d>> {
-        let count = field.ty.array.map_or(1, std::num::NonZeroU8::get);
-        (0..count).map(|index| Place::At(self.field_name(field), index)).collect()
+    fn switch(self, message: NamedMessage<'d>, view: NamedView<'d>) -> Result<Option<Switch<'d>>, Internal> {
+        let Some(SwitchOn::Field(at, _)) = view.model.switch.as_ref().map(|switch| switch.on) else { return Ok(None) };
+        let as_int = self.element(message.field(at.field)?)?.as_int();
+        Ok(Some(Switch { place: place(message, at)?, as_int, get: view.switch_getter()? }))
     }
 
-    fn switch(self, message: &'d Message, view: &'d View) -> Result<Option<Switch<'d>>, Internal> {
-        let Some(switch) = &view.switch else { return Ok(None) };
-        let SwitchOn::Field(place, _) = switch.on else { return Ok(None) };
-        let as_int = self.element(self.field(message, place.field)?)?.as_int();
-        Ok(Some(Switch { place: self.place(message, place)?, as_int, get: self.switch_getter(switch) }))
-    }
-
-    fn tests(self, message: &'d Message, view: &'d View) -> Result<Vec<Test<'d>>, Internal> {
-        let condition = view.condition.iter().map(|condition| self.holds(message, condition));
-        let blanks = view.invalid.iter().map(|blank| match *blank {
+    fn tests(self, message: NamedMessage<'d>, view: NamedView<'d>) -> Result<Vec<Test<'d>>, Internal> {
+        let condition = view.model.condition.iter().map(|condition| self.holds(message, condition));
+        let blanks = view.model.invalid.iter().map(|blank| match *blank {
             Blank::Words(value) => Ok(Test::WordsAreNot(value)),
-            Blank::Field(place, value) => {
-                let literal = self.literal(self.field(message, place.field)?, value)?;
-                Ok(Test::IsNot(self.place(message, place)?, literal))
+            Blank::Field(at, value) => {
+                let literal = self.literal(message.field(at.field)?, value)?;
+                Ok(Test::IsNot(place(message, at)?, literal))
             }
         });
         condition.chain(blanks).collect()
     }
 
     /// `self.autopilot == MavAutopilot::AUTOQUAD`
-    pub(in crate::lower) fn holds(self, message: &'d Message, condition: &Condition) -> Result<Test<'d>, Internal> {
-        let field = self.field(message, condition.field)?;
-        Ok(Test::Is(Place::Field(self.field_name(field)), self.literal(field, condition.value.into())?))
+    pub(in crate::lower) fn holds(
+        self,
+        message: NamedMessage<'d>,
+        condition: &Condition,
+    ) -> Result<Test<'d>, Internal> {
+        let field = message.field(condition.field)?;
+        Ok(Test::Is(Place::Field(field.ident), self.literal(field, condition.value.into())?))
     }
+}
 
-    pub(super) fn place(self, message: &'d Message, place: ir::Place) -> Result<Place<'d>, Internal> {
-        let field = self.field(message, place.field)?;
-        if !place.element {
-            return Ok(Place::Field(self.field_name(field)));
-        }
-        Ok(Place::Element(SlotElement {
-            field: self.field_name(field),
-            chars: matches!(shape(field), Shape::Chars(_)),
-            local: self.local(field),
-        }))
-    }
-
-    /// The local variable for an element of a field: called like it, unless a template has another of that name.
-    fn local(self, field: &'d Field) -> String {
-        let name = self.field_name(field);
-        // No field is called so: snake case ends with no underscore.
-        if LOCALS.contains(&name) { format!("{name}_") } else { name.to_owned() }
-    }
+/// The fields that a view is read from.
+pub(super) fn word_fields<'d>(message: NamedMessage<'d>, view: NamedView<'d>) -> Result<Vec<NamedField<'d>>, Internal> {
+    view.model.words.iter().map(|word| message.field(word_field(*word))).collect()
 }
 
 fn word_field(word: ir::Word) -> FieldIndex {
     match word {
         ir::Word::One(place) => place.field,
         ir::Word::Joined(field) => field,
+    }
+}
+
+fn elements_of(field: NamedField<'_>) -> Vec<Place<'_>> {
+    let count = field.model.ty.array.map_or(1, std::num::NonZeroU8::get);
+    (0..count).map(|index| Place::At(field.ident, index)).collect()
+}
+
+pub(super) fn place<'d>(message: NamedMessage<'d>, at: ir::Place) -> Result<Place<'d>, Internal> {
+    let field = message.field(at.field)?;
+    Ok(if at.element { Place::Element(element(field)) } else { Place::Field(field.ident) })
+}
+
+/// The slot's element of an array, in a local variable that is called like the field, unless a template has another of that name.
+pub(super) fn element(field: NamedField<'_>) -> SlotElement<'_> {
+    let name = field.ident;
+    SlotElement {
+        field: name,
+        chars: matches!(shape(field.model), Shape::Chars(_)),
+        // No field is called so: snake case ends with no underscore.
+        local: if LOCALS.contains(&name) { format!("{name}_") } else { name.to_owned() },
     }
 }

@@ -1,0 +1,143 @@
+//! Enums and flags, the parameters of commands, and the enum over all messages of a dialect.
+
+use super::named::NamedEnum;
+use super::{Internal, Items, docs};
+use crate::docs::line;
+use crate::ir::{self, Command, Entry, EnumId, Limits, Param};
+use crate::rust::{
+    Constant, DialectEnum, Docs, Enum, Kind, ListItem, Method, Paragraph, ParamInfo, Receiver, Sig, Ty, Variant,
+};
+
+/// Descriptions that say that there is nothing to describe.
+const NOTHING: [&str; 6] = ["Empty", "Empty.", "Reserved", "Reserved.", "Unused", "Unused."];
+
+impl<'d> Items<'d> {
+    /// The items of an enum; `conflicts` are lines about what other dialects have under its name.
+    pub(super) fn enum_item(self, id: EnumId, conflicts: Vec<String>) -> Result<Enum<'d>, Internal> {
+        let NamedEnum { model: one, .. } = self.enum_at(id)?;
+        let (ty, params) = (self.enum_type(id)?, self.params(one)?);
+        Ok(Enum {
+            ident: ty.ident,
+            alias: docs::alias(&one.name.text, ty.ident),
+            docs: self.enum_docs(one, conflicts)?,
+            deprecated: self.deprecation(&one.origin),
+            int: ty.int,
+            flags: ty.flags,
+            constants: self.enum_at(id)?.entries().map(|entry| self.constant_item(entry)).collect::<Result<_, _>>()?,
+            methods: if params.is_empty() { Vec::new() } else { vec![params_method()] },
+            params,
+            name: &one.name.text,
+        })
+    }
+
+    fn enum_docs(self, one: &'d ir::Enum, conflicts: Vec<String>) -> Result<Docs<'d>, Internal> {
+        let (file, name) = (self.file_name(one.defined_in)?, &one.name.text);
+        let kind = if one.bitmask { "flags in a" } else { "numbers of type" };
+        let facts = format!("`{name}` of `{file}`: {kind} `{}`.", one.repr.rust_name());
+        let facts = [facts].into_iter().chain(docs::reference(file, name)).collect();
+        let mut paragraphs = docs::description(&one.origin);
+        paragraphs.extend([Paragraph::Lines(facts), Paragraph::Lines(conflicts)]);
+        Ok(Docs(paragraphs))
+    }
+
+    fn constant_item(self, (entry, ident): (&'d Entry, &'d str)) -> Result<Constant<'d>, Internal> {
+        let mut paragraphs = docs::description(&entry.origin);
+        if entry.origin.description.trim().is_empty() && entry.origin.lifecycle.is_none() {
+            paragraphs.push(Paragraph::line(format!("`{}`.", entry.name.text)));
+        }
+        if let Some(command) = &entry.command {
+            paragraphs.extend(self.command_docs(command)?);
+        }
+        Ok(Constant {
+            ident,
+            docs: Docs(paragraphs),
+            deprecated: self.deprecation(&entry.origin),
+            value: entry.value,
+            name: &entry.name.text,
+        })
+    }
+
+    /// The parameters of an enum's commands, by value.
+    fn params(self, one: &'d ir::Enum) -> Result<Vec<(u64, Vec<ParamInfo<'d>>)>, Internal> {
+        // Of several names for one value, which only several dialects together can have, the first speaks.
+        let firsts = one.entries.chunk_by(|a, b| a.value == b.value).filter_map(<[Entry]>::first);
+        let commands = firsts.filter_map(|entry| Some((entry.value, entry.command.as_ref()?)));
+        let rows = commands.map(|(value, command)| {
+            let params = command.params.iter().filter(|param| is_known(param)).map(|param| {
+                let carries = param.values.map(|id| Ok(self.enum_at(id)?.model.name.text.as_str())).transpose()?;
+                Ok(ParamInfo { param, carries })
+            });
+            Ok((value, params.collect::<Result<Vec<_>, Internal>>()?))
+        });
+        let rows = rows.collect::<Result<Vec<_>, Internal>>()?;
+        Ok(rows.into_iter().filter(|(_, params)| !params.is_empty()).collect())
+    }
+
+    /// What the command is for, and a list of the parameters that mean something.
+    fn command_docs(self, command: &'d Command) -> Result<[Paragraph<'d>; 2], Internal> {
+        let place = match (command.has_location, command.is_destination) {
+            (true, true) => Some("Params 5, 6 and 7 are a place to go to."),
+            (true, false) => Some("Params 5, 6 and 7 are a place."),
+            _ => None,
+        };
+        let mission = command.mission_only.then_some("Only for missions: not to be sent as a command.");
+        let notes = [place, mission].into_iter().flatten().map(str::to_owned).collect();
+        let used = command.params.iter().filter(|param| !param.reserved);
+        let list = used.map(|param| self.param_item(param)).collect::<Result<_, _>>()?;
+        Ok([Paragraph::Lines(notes), Paragraph::List(list)])
+    }
+
+    /// `- 1, Hold: time to stay. In s; at least 0.`
+    fn param_item(self, param: &'d Param) -> Result<ListItem<'d>, Internal> {
+        let label = param.label.as_ref().map_or_else(String::new, |label| format!(", {}", line(label)));
+        let mut facts = docs::quantity(param.units.as_deref(), None, &param.limits);
+        facts.extend(param.default.map(|default| format!("default {default}")));
+        let mut sentences = Vec::new();
+        if !facts.is_empty() {
+            sentences.push(docs::capitalised(&format!("{}.", facts.join("; "))));
+        }
+        let link = param.values.map(|id| {
+            let (name, way) = (self.enum_type(id)?.ident, self.way_to_enum(id)?);
+            Ok(format!("A [`{name}`]({way}enums::{name})."))
+        });
+        let description = param.origin.description.as_str();
+        let text = if NOTHING.contains(&description.trim()) { "" } else { description };
+        Ok(ListItem { head: param.index.to_string(), label, text, sentences, link: link.transpose()? })
+    }
+
+    /// The enum over all messages of a dialect.
+    pub(super) fn dialect_enum(
+        self,
+        ident: &'d str,
+        name: &str,
+        messages: impl Iterator<Item = usize>,
+    ) -> Result<DialectEnum<'d>, Internal> {
+        let variants = messages.map(|at| {
+            let message = self.message_at(at)?;
+            let docs = Docs::line(format!("`{}`, message {}.", message.model.name.text, message.model.id));
+            Ok(Variant { ident: message.ty(), docs })
+        });
+        let docs = Docs::line(format!("Any message of the `{name}` dialect."))
+            .then(Paragraph::line("New messages are added without a breaking release; match with a `_` arm."));
+        Ok(DialectEnum { ident, docs, variants: variants.collect::<Result<_, Internal>>()? })
+    }
+}
+
+/// Whether there is more than a description.
+fn is_known(param: &Param) -> bool {
+    let Param { index: _, label, units, values, limits, default, reserved, origin: _ } = param;
+    let named = label.is_some() || units.is_some() || values.is_some();
+    named || *limits != Limits::default() || default.is_some() || *reserved
+}
+
+fn params_method<'d>() -> Method<'d> {
+    Method {
+        ident: "params".to_owned(),
+        sig: Sig { receiver: Receiver::Value, ..Sig::getter(Ty::Params) },
+        docs: Docs::line(
+            "What is known of the command's parameters, by index: those left out are reserved, or have nothing but a description.",
+        ),
+        inline: false,
+        kind: Kind::Params,
+    }
+}

@@ -1,0 +1,136 @@
+//! The folders of a tree, and what each exports.
+//!
+//! A tree of one dialect is one folder. A tree of several has one for what they share, and in it one for each:
+//!
+//! ```text
+//! mod.rs     messages.rs  messages/heartbeat.rs       enums.rs  enums/mav_state.rs     views.rs …
+//! acme.rs    acme/dialect.rs    acme/messages.rs      acme/enums.rs                    acme/views.rs
+//! ```
+//!
+//! The modules of a dialect export all that it has. What is declared there is what another dialect has something else for.
+
+use super::Internal;
+use super::link::{Home, Root, Union};
+use crate::ir::{Dialect, EnumId};
+
+/// A module with the modules `messages`, `enums` and `views`, as far as it has something for them.
+pub(super) struct Folder<'d> {
+    /// What is declared here.
+    pub(super) home: Home,
+    /// The dialect whose module it is; `None` for what several share.
+    pub(super) dialect: Option<Titled<'d>>,
+    /// `mod.rs`, or `acme.rs`.
+    pub(super) file: String,
+    /// What the paths of the files in it begin with: nothing, or `acme/`.
+    pub(super) prefix: String,
+    /// The files that it is from.
+    pub(super) sources: String,
+    /// The modules of dialects in it.
+    pub(super) roots: Vec<&'d str>,
+    /// The messages that it exports, by id.
+    pub(super) messages: Vec<Listed<usize>>,
+    /// The enums that it exports.
+    pub(super) enums: Vec<Listed<EnumId>>,
+    /// The views that it exports, as places of a message and in it.
+    pub(super) views: Vec<Listed<(usize, usize)>>,
+}
+
+/// A dialect's name, and the type that holds any message of it.
+#[derive(Clone, Copy)]
+pub(super) struct Titled<'d> {
+    pub(super) name: &'d str,
+    pub(super) type_name: &'d str,
+}
+
+/// What a folder exports, and where that is declared.
+#[derive(Clone, Copy)]
+pub(super) struct Listed<T> {
+    pub(super) item: T,
+    pub(super) home: Home,
+}
+
+impl<T> Listed<T> {
+    fn shared(item: T) -> Self {
+        Self { item, home: Home::Shared }
+    }
+}
+
+impl<'d> Folder<'d> {
+    /// The whole tree of one dialect.
+    pub(super) fn of_one(dialect: &'d Dialect, type_name: &'d str) -> Self {
+        let messages = dialect.messages.iter().enumerate();
+        let views = messages.flat_map(|(at, message)| (0..message.views.len()).map(move |view| (at, view)));
+        Self {
+            home: Home::Shared,
+            dialect: Some(Titled { name: &dialect.name, type_name }),
+            file: "mod.rs".to_owned(),
+            prefix: String::new(),
+            sources: dialect.files.first().map_or_else(String::new, |file| file.name.clone()),
+            roots: Vec::new(),
+            messages: (0..dialect.messages.len()).map(Listed::shared).collect(),
+            enums: (0..dialect.enums.len()).map(|at| Listed::shared(EnumId(at))).collect(),
+            views: views.map(Listed::shared).collect(),
+        }
+    }
+
+    /// What several dialects share, then the folder of each.
+    pub(super) fn of_several(union: &'d Union) -> Result<Vec<Self>, Internal> {
+        let is_shared = |home: &Home| *home == Home::Shared;
+        let tops = union.roots.iter().map(|root| top_file(union, root)).collect::<Result<Vec<_>, _>>()?;
+        let enums = union.enum_homes.iter().enumerate().filter(|(_, home)| is_shared(home));
+        let messages = union.message_homes.iter().enumerate().filter(|(_, at)| is_shared(&at.home));
+        let mut messages: Vec<usize> = messages.map(|(at, _)| at).collect();
+        messages.sort_by_key(|at| union.all.messages.get(*at).map(|message| message.id));
+        let mut folders = vec![Self {
+            home: Home::Shared,
+            dialect: None,
+            file: "mod.rs".to_owned(),
+            prefix: String::new(),
+            sources: tops.join(", "),
+            roots: union.roots.iter().map(|root| root.module.as_str()).collect(),
+            messages: messages.into_iter().map(Listed::shared).collect(),
+            enums: enums.map(|(at, _)| Listed::shared(EnumId(at))).collect(),
+            views: views(union).filter(|(listed, _)| is_shared(&listed.home)).map(|(listed, _)| listed).collect(),
+        }];
+        for (at, root) in union.roots.iter().enumerate() {
+            folders.push(Self::of_root(union, at, root)?);
+        }
+        Ok(folders)
+    }
+
+    fn of_root(union: &'d Union, at: usize, root: &'d Root) -> Result<Self, Internal> {
+        let module = &root.module;
+        let enums = root.enums.iter().map(|&item| {
+            let home = union.enum_homes.get(item.0).ok_or_else(|| Internal::new("an enum is declared nowhere"))?;
+            Ok(Listed { item, home: *home })
+        });
+        let messages = root.messages.iter().map(|&item| {
+            let at = union.message_homes.get(item).ok_or_else(|| Internal::new("a message is declared nowhere"))?;
+            Ok(Listed { item, home: at.home })
+        });
+        Ok(Self {
+            home: Home::Root(at),
+            dialect: Some(Titled { name: &root.name, type_name: &root.type_name }),
+            file: format!("{module}.rs"),
+            prefix: format!("{module}/"),
+            sources: top_file(union, root)?.to_owned(),
+            roots: Vec::new(),
+            messages: messages.collect::<Result<_, Internal>>()?,
+            enums: enums.collect::<Result<_, Internal>>()?,
+            views: views(union).filter(|(_, roots)| roots.contains(&at)).map(|(listed, _)| listed).collect(),
+        })
+    }
+}
+
+/// All views, each with the dialects that know it.
+fn views(union: &Union) -> impl Iterator<Item = (Listed<(usize, usize)>, &[usize])> {
+    union.message_homes.iter().enumerate().flat_map(|(message, homes)| {
+        let views = homes.views.iter().enumerate();
+        views.map(move |(view, at)| (Listed { item: (message, view), home: at.home }, at.roots.as_slice()))
+    })
+}
+
+fn top_file<'d>(union: &'d Union, root: &Root) -> Result<&'d str, Internal> {
+    let file = union.all.file(root.file).map(|file| file.name.as_str());
+    file.ok_or_else(|| Internal::new(format!("{} is of no file", root.name)))
+}

@@ -1,0 +1,64 @@
+//! How a file names what stands in another, wherever that is.
+//!
+//! With one dialect there is one folder, and everything is beside everything. With several, there are the folder that they
+//! share and in it one for each.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::link::Home;
+use super::{Internal, Items};
+use crate::ir::EnumId;
+use crate::rust::{Mentions, Use};
+
+/// How deep the file of an item lies below its folder.
+pub(super) const ITEM: usize = 2;
+
+impl<'d> Items<'d> {
+    /// The way from a file that stands `depth` modules below its folder to the folder `to`: `super::super::acme::`.
+    pub(super) fn way(self, depth: usize, to: Home) -> Result<String, Internal> {
+        let out = depth + usize::from(self.home != to && self.home != Home::Shared);
+        let into = match to {
+            Home::Root(root) if self.home != to => format!("{}::", self.root_module(root)?),
+            Home::Root(_) | Home::Shared => String::new(),
+        };
+        Ok("super::".repeat(out) + &into)
+    }
+
+    /// The module of one of several dialects.
+    pub(super) fn root_module(self, root: usize) -> Result<&'d str, Internal> {
+        let root = self.union.and_then(|union| union.roots.get(root));
+        root.map(|root| root.module.as_str()).ok_or_else(|| Internal::new("there is no such dialect"))
+    }
+
+    /// Where an enum is declared.
+    fn enum_home(self, id: EnumId) -> Result<Home, Internal> {
+        let Some(union) = self.union else { return Ok(Home::Shared) };
+        union.enum_homes.get(id.0).copied().ok_or_else(|| Internal::new(format!("enum {} is declared nowhere", id.0)))
+    }
+
+    /// The way from the file of an item to the folder of an enum.
+    pub(super) fn way_to_enum(self, id: EnumId) -> Result<String, Internal> {
+        self.way(ITEM, self.enum_home(id)?)
+    }
+
+    /// `use super::super::enums::{MavState, MavType};`, for the file of an item.
+    pub(super) fn use_enums(self, named: &Mentions<'d>) -> Result<Vec<Use>, Internal> {
+        let mut modules: BTreeMap<String, BTreeSet<&str>> = BTreeMap::new();
+        for one in named.0.values() {
+            modules.entry(self.way_to_enum(one.id)?).or_default().insert(one.ident);
+        }
+        let uses = modules.into_iter();
+        let uses = uses.map(|(way, names)| Use::Names(way + "enums", names.into_iter().map(str::to_owned).collect()));
+        Ok(uses.collect())
+    }
+
+    /// `use super::super::messages::Heartbeat;`, for the file of a view.
+    pub(super) fn use_message(self, at: usize) -> Result<Use, Internal> {
+        let home = match self.union {
+            Some(union) => union.message_homes.get(at).map(|at| at.home),
+            None => Some(Home::Shared),
+        };
+        let home = home.ok_or_else(|| Internal::new(format!("message {at} is declared nowhere")))?;
+        Ok(Use::Names(self.way(ITEM, home)? + "messages", vec![self.message_at(at)?.ty().to_owned()]))
+    }
+}

@@ -1,0 +1,180 @@
+//! The modules that hold the others together: `mod.rs`, `messages.rs`, `enums.rs`, `views.rs`.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::folder::Listed;
+use super::link::Home;
+use super::named::NamedAccess;
+use super::tree::Maker;
+use super::{Internal, docs};
+use crate::rust::{Alias, Cell, Child, Content, Docs, Export, File, Paragraph, Use};
+
+/// How deep one of these modules lies below its folder.
+const MODULE: usize = 1;
+
+/// A public type of a module.
+struct Listing<'d> {
+    /// Its name in the XML, which decides the order.
+    name: &'d str,
+    /// The file that has no other.
+    module: &'d str,
+    ident: &'d str,
+    /// The folder of the file.
+    home: Home,
+    /// Whether the file names something deprecated.
+    expect: bool,
+    /// Whether its type is deprecated.
+    deprecated: bool,
+    /// The alias that its type is exported by, if it is not by its own name.
+    alias: Option<Alias<'d>>,
+}
+
+/// `mod.rs`: modules and flat names, of what there is. It begins with an item, so that `include!` takes it.
+///
+/// What several dialects share has no flat names: those are their own.
+pub(super) fn root<'d>(maker: &Maker<'_, 'd>) -> Result<File<'d>, Internal> {
+    let folder = maker.folder;
+    let child = |ident: &str, public, expect| Child { ident: ident.to_owned(), public, expect };
+    let mut children: Vec<Child> = folder.roots.iter().map(|root| child(root, true, false)).collect();
+    let mut exports = Vec::new();
+    if let Some(dialect) = folder.dialect.filter(|_| !folder.messages.is_empty()) {
+        let mut expect = false;
+        for listed in &folder.messages {
+            expect |= maker.items.is_deprecated(&maker.items.message_at(listed.item)?.model.origin);
+        }
+        children.push(child("dialect", false, expect));
+        exports.push(plain(Use::Names("dialect".to_owned(), vec![dialect.type_name.to_owned()])));
+    }
+    let parts = [
+        ("enums", folder.enums.is_empty()),
+        ("messages", folder.messages.is_empty()),
+        ("views", folder.views.is_empty()),
+    ];
+    for (module, _) in parts.iter().filter(|(_, is_empty)| !is_empty) {
+        children.push(child(module, true, false));
+        exports.extend(folder.dialect.map(|_| plain(Use::All((*module).to_owned()))));
+    }
+    let docs = match (folder.home, folder.dialect) {
+        (Home::Root(_), Some(dialect)) => {
+            Docs::line(about(dialect.name, !folder.messages.is_empty(), dialect.type_name))
+        }
+        _ => Docs::default(),
+    };
+    let content = Content::Module { children, exports, aliases: Vec::new() };
+    Ok(File { path: folder.file.clone(), header: maker.root_header()?, docs, uses: Vec::new(), content })
+}
+
+/// What stands over the module of a dialect.
+fn about(name: &str, has_messages: bool, type_name: &str) -> String {
+    match has_messages {
+        true => format!("The `{name}` dialect: its messages, its enums, and [`{type_name}`] over all messages."),
+        false => format!("The `{name}` dialect."),
+    }
+}
+
+/// `messages.rs`, with a table of contents by id; the files of the messages go to `files`.
+pub(super) fn messages<'d>(maker: &Maker<'_, 'd>, files: &mut Vec<File<'d>>) -> Result<File<'d>, Internal> {
+    let (mut rows, mut listings) = (Vec::new(), Vec::new());
+    for &Listed { item, home } in &maker.folder.messages {
+        let message = maker.items.message_at(item)?;
+        let origin = &message.model.origin;
+        let (id, link) = (message.model.id.to_string(), docs::link(message.ty()));
+        rows.push(vec![Cell::Plain(id), Cell::Plain(link), Cell::FirstSentence(&origin.description)]);
+        let (mut expect, mut alias) = (false, None);
+        if home == maker.folder.home {
+            let made = maker.message(item)?;
+            (expect, alias) = (made.expect, made.alias);
+            files.push(made.file);
+        }
+        let (name, module) = (&message.model.name.text, &message.names.module);
+        let deprecated = maker.items.is_deprecated(origin);
+        listings.push(Listing { name, module, ident: message.ty(), home, expect, deprecated, alias });
+    }
+    let title = match maker.folder.dialect {
+        Some(_) => "The messages of the dialect, one type each.",
+        None => "The messages that are the same in all dialects that have them, one type each.",
+    };
+    let contents = Paragraph::Table(vec!["id", "message", ""], rows);
+    module(maker, "messages", Docs::line(title).then(contents), declare(maker, "messages", listings)?)
+}
+
+/// `enums.rs`, with a table of contents; the files of the enums go to `files`.
+pub(super) fn enums<'d>(maker: &Maker<'_, 'd>, files: &mut Vec<File<'d>>) -> Result<File<'d>, Internal> {
+    let (mut rows, mut listings) = (Vec::new(), Vec::new());
+    for &Listed { item, home } in &maker.folder.enums {
+        let one = maker.items.enum_at(item)?;
+        let (model, ident) = (one.model, one.names.ty.as_str());
+        let (entries, link) = (model.entries.len().to_string(), docs::link(ident));
+        rows.push(vec![Cell::Plain(entries), Cell::Plain(link), Cell::FirstSentence(&model.origin.description)]);
+        if home == maker.folder.home {
+            files.push(maker.enum_(item)?.file);
+        }
+        let deprecated = maker.items.is_deprecated(&model.origin);
+        let (name, module) = (&model.name.text, &one.names.module);
+        listings.push(Listing { name, module, ident, home, expect: deprecated, deprecated, alias: None });
+    }
+    let title = match maker.folder.dialect {
+        Some(_) => "The enums and flags of the dialect.",
+        None => "The enums and flags that are the same in all dialects that have them, with the constants of all.",
+    };
+    let contents = Paragraph::Table(vec!["entries", "enum", ""], rows);
+    module(maker, "enums", Docs::line(title).then(contents), declare(maker, "enums", listings)?)
+}
+
+/// `views.rs`: the views, and the slots that messages give them in; their files go to `files`.
+pub(super) fn views<'d>(maker: &Maker<'_, 'd>, files: &mut Vec<File<'d>>) -> Result<File<'d>, Internal> {
+    let (mut children, mut exports) = (Vec::new(), Vec::new());
+    for &Listed { item, home } in &maker.folder.views {
+        let view = maker.items.message_at(item.0)?.view(item.1)?;
+        let module = &view.names.module;
+        let from = if home == maker.folder.home {
+            let made = maker.view(item)?;
+            files.push(made.file);
+            children.push(Child { ident: module.clone(), public: false, expect: made.expect });
+            module.clone()
+        } else {
+            maker.items.way(MODULE, home)? + "views"
+        };
+        let types = match view.access()? {
+            NamedAccess::Once(_) => vec![view.ty()],
+            NamedAccess::Slots(slots) => vec![slots.item, view.ty()],
+        };
+        exports.push(plain(Use::Names(from, types.into_iter().map(str::to_owned).collect())));
+    }
+    let docs = Docs::line("Views of bits that are packed into fields.");
+    module(maker, "views", docs, Content::Module { children, exports, aliases: Vec::new() })
+}
+
+fn module<'d>(maker: &Maker<'_, 'd>, name: &str, docs: Docs<'d>, content: Content<'d>) -> Result<File<'d>, Internal> {
+    let (path, header) = (maker.path(&format!("{name}.rs")), maker.header(&BTreeSet::new())?);
+    Ok(File { path, header, docs, uses: Vec::new(), content })
+}
+
+/// `mod heartbeat; …`, then `pub use heartbeat::Heartbeat; …`, each by name; then what other folders declare, and aliases.
+fn declare<'d>(maker: &Maker<'_, 'd>, module: &str, mut listings: Vec<Listing<'d>>) -> Result<Content<'d>, Internal> {
+    listings.sort_by_key(|listing| (listing.name, listing.ident));
+    let (mut children, mut exports, mut aliases) = (Vec::new(), Vec::new(), Vec::new());
+    let mut others: BTreeMap<(String, bool), Vec<String>> = BTreeMap::new();
+    for Listing { name: _, module: file, ident, home, expect, deprecated, alias } in listings {
+        if home == maker.folder.home {
+            children.push(Child { ident: file.to_owned(), public: false, expect });
+            match alias {
+                Some(alias) => aliases.push(alias),
+                None => {
+                    let of = Use::Names(file.to_owned(), vec![ident.to_owned()]);
+                    exports.push(Export { of, expect: deprecated });
+                }
+            }
+        } else {
+            let way = maker.items.way(MODULE, home)? + module;
+            others.entry((way, deprecated)).or_default().push(ident.to_owned());
+        }
+    }
+    let others = others.into_iter();
+    exports.extend(others.map(|((way, expect), names)| Export { of: Use::Names(way, names), expect }));
+    Ok(Content::Module { children, exports, aliases })
+}
+
+fn plain(of: Use) -> Export {
+    Export { of, expect: false }
+}
