@@ -139,10 +139,15 @@ impl Diagnostics {
 
     /// Puts them in the order in which a person mends them, file by file as they were loaded and from top to bottom, and says
     /// at the end how many are not listed. Those without a place come first. That pymavlink refuses something is left out
-    /// where something else is told of the same place.
+    /// where an error is told of the same place, or a warning that says so itself.
     pub(crate) fn arrange(&mut self) {
         let refusal = |diagnostic: &Diagnostic| diagnostic.code == Code::PymavlinkRefuses;
-        let told: BTreeSet<_> = self.list.iter().filter(|one| !refusal(one)).filter_map(|one| one.span).collect();
+        let says_so = |one: &Diagnostic| {
+            one.severity() == Severity::Error
+                || [Some(&one.label), one.help.as_ref()].into_iter().flatten().any(|text| text.contains("pymavlink"))
+        };
+        let told = self.list.iter().filter(|one| !refusal(one) && says_so(one));
+        let told: BTreeSet<_> = told.filter_map(|one| one.span).collect();
         self.list.retain(|one| !refusal(one) || one.span.is_none_or(|span| !told.contains(&span)));
         self.list.sort_by_key(|diagnostic| diagnostic.span.map(|span| (span.file, span.start)));
         let mut listed: BTreeMap<Severity, usize> = BTreeMap::new();

@@ -4,8 +4,10 @@
 //! spelled out: wire order, offsets, checksums, merged enums with every value filled in, and the Rust name beside the name
 //! in the XML.
 
+mod crc;
 mod kept;
 mod label;
+mod layout;
 mod message;
 mod name;
 mod partial;
@@ -16,6 +18,7 @@ mod visit;
 pub(crate) use kept::Kept;
 pub use label::Label;
 pub(crate) use label::unit_words;
+pub(crate) use layout::Layout;
 pub use message::{Field, FieldType, Invalid, Limits, Message, Scalar, Scope, Sentinel, Values};
 pub use name::Name;
 pub use partial::{LostMessage, LostView, Partial};

@@ -5,28 +5,28 @@
 //! that one mistake is reported once.
 
 mod boolean;
+mod build;
 mod check;
-mod command;
-mod crc;
+mod defining_file;
 mod duplicates;
 mod enums;
 mod field;
 mod field_type;
 mod invalid;
-mod layout;
 mod lifecycle;
 mod limits;
-mod losses;
 mod lost;
-mod merge;
 mod message;
+mod message_scope;
+mod notes;
 mod number;
 mod origin;
 mod overlay;
-mod owner;
+mod poisoned;
 mod reserved;
 mod spelling;
 mod suggest;
+mod text;
 mod units;
 mod uses;
 mod version;
@@ -41,15 +41,15 @@ use crate::ir::{Dialect, EnumId, File, Partial};
 use crate::read::Loaded;
 use crate::source::Sources;
 
-use losses::Losses;
-use merge::Enums;
-use overlay::Carrier;
+use build::{Links, build_enum, build_message};
+use enums::Enums;
+use invalid::Entries;
+use message_scope::{EnumUse, check_enum_uses};
+use notes::Notes;
+use poisoned::Poisoned;
 use uses::Use;
 use version::Version;
 use width::Width;
-
-#[cfg(feature = "vendor")]
-pub(crate) use width::integer;
 
 /// Resolves the files of a dialect; `None` if there was an error, here or in reading them, or if there is no file.
 ///
@@ -66,62 +66,61 @@ pub(crate) fn passes(loaded: &Loaded, sources: &Sources, diagnostics: &mut Diagn
     if loaded.files.is_empty() {
         return None;
     }
-    let mut losses = Losses::behind(diagnostics);
-    let loaded = &*overlay::check_heads(loaded, sources, &mut losses, diagnostics);
-    let mut enums = Enums::merge(loaded, &losses, diagnostics);
+    let mut poisoned = Poisoned::behind(diagnostics);
+    let loaded = &*overlay::check_heads(loaded, sources, &mut poisoned, diagnostics);
+    let mut enums = Enums::merge(loaded, &poisoned, diagnostics);
     overlay::refine(loaded, &mut enums, diagnostics);
     let versions: Vec<Version> = loaded.files.iter().map(|file| Version::of(file, diagnostics)).collect();
     duplicates::check(loaded, diagnostics);
     reserved::check(loaded, diagnostics);
-    let mut drafts = message::drafts(loaded, &versions, &losses, diagnostics);
+    let drafts = message::drafts(loaded, &versions, &poisoned, diagnostics);
     uses::check(loaded, &enums, diagnostics);
     let lost = message::lost(loaded, &drafts);
     uses::check_lost(&lost, &enums, diagnostics);
     let uses = uses::collect(&drafts, &enums, diagnostics);
-    let carriers = overlay::resolve(loaded, &mut drafts, &enums, &losses, diagnostics);
-    let widths = widths(loaded, &enums, &uses, &carriers, diagnostics);
-    overlay::check_carriers(&carriers, &enums, &widths, diagnostics);
-    uses::link(&mut drafts, &enums, &widths);
-    invalid::link(&mut drafts, &enums, diagnostics);
-    invalid::check(&lost, &enums, diagnostics);
-
+    let entries = Entries::of(&enums);
+    let (added, enum_uses) = overlay::resolve(loaded, &drafts, (&enums, &entries), &poisoned, diagnostics);
+    let widths = widths(loaded, &enums, &uses, &enum_uses, diagnostics);
+    check_enum_uses(&enum_uses, &enums, &widths, diagnostics);
+    invalid::check(&lost, &entries, diagnostics);
     spelling::check_all(loaded, diagnostics);
     check::check_entry_names(loaded, &enums.list, diagnostics);
     for ((merged, &width), uses) in enums.list.iter().zip(&widths).zip(&uses) {
         check::check(loaded, merged, width, uses, diagnostics);
     }
 
-    let sized = enums.list.iter().zip(widths);
-    let models = sized.map(|(merged, width)| enums::model(loaded, merged, width, &enums, diagnostics)).collect();
-    let mut messages: Vec<_> = drafts.into_iter().map(|draft| draft.message).collect();
+    let notes = Notes::of(loaded, &drafts, &enums, &poisoned, diagnostics);
+    let sized = enums.list.iter().zip(&widths);
+    let models =
+        sized.map(|(merged, &width)| build_enum((loaded, &enums, &notes), merged, width, diagnostics)).collect();
+    let links = Links { enums: &enums, widths: &widths, entries: &entries, notes: &notes };
+    let whole = drafts.into_iter().zip(added);
+    let mut messages: Vec<_> = whole.map(|(draft, added)| build_message(draft, added, &links, diagnostics)).collect();
     messages.sort_by_key(|message| message.id);
-    let version = versions.first().map_or(0, |version| version.number());
-    let (name, type_name) = (loaded.name.clone(), String::new());
-    let mut dialect = Dialect { name, type_name, version, files: files(loaded, sources), enums: models, messages };
-    overlay::note(loaded, &mut dialect, &losses, diagnostics);
-    overlay::credit(loaded, &mut dialect);
+    let (name, type_name, version) = (loaded.name.clone(), String::new(), versions.first()?.number());
+    let dialect = Dialect { name, type_name, version, files: files(loaded, sources), enums: models, messages };
     let (lost, lost_views) = (lost::messages(loaded, &dialect), lost::views(loaded, &dialect));
     Some(Partial { dialect, lost, lost_views })
 }
 
-/// Owner and integer of every enum.
+/// Defining file and integer of every enum.
 fn widths(
     loaded: &Loaded,
     enums: &Enums<'_>,
     uses: &[Vec<Use<'_>>],
-    carriers: &[Carrier<'_>],
+    enum_uses: &[EnumUse<'_>],
     diagnostics: &mut Diagnostics,
 ) -> Vec<Width> {
-    let mut includes = owner::Includes::new(loaded);
+    let mut includes = defining_file::Includes::new(loaded);
     let each = enums.list.iter().zip(uses).enumerate();
     each.map(|(index, (merged, uses))| {
-        let owner = owner::owner(merged, uses, &mut includes);
+        let defining_file = defining_file::of(merged, uses, &mut includes);
         let mut asked = Vec::new();
-        if owner.0 >= loaded.files.len() {
-            let own = carriers.iter().filter(|carrier| carrier.values == EnumId(index));
-            asked.extend(own.map(Carrier::repr));
+        if defining_file.0 >= loaded.files.len() {
+            let own = enum_uses.iter().filter(|enum_use| enum_use.values == EnumId(index));
+            asked.extend(own.map(EnumUse::repr));
         }
-        Width::of(merged, owner, uses, &asked, diagnostics)
+        Width::of(merged, defining_file, uses, &asked, diagnostics)
     })
     .collect()
 }

@@ -62,12 +62,13 @@ def verdict(code, page):
     with tempfile.TemporaryDirectory() as folder:
         for name, content in files.items():
             (Path(folder) / name).write_bytes(content)
-        if _generates(Path(folder) / top, validate=True):
+        if generates(Path(folder) / top, validate=True):
             return "takes it"
-        return "refuses it" if _generates(Path(folder) / top, validate=False) else "cannot read it"
+        return "refuses it" if generates(Path(folder) / top, validate=False) else "cannot read it"
 
 
-def _generates(xml, validate):
+def generates(xml, validate):
+    """Whether pymavlink makes Python of a definition."""
     with tempfile.TemporaryDirectory() as folder:
         try:
             run_mavgen(xml, Path(folder) / "dialect.py", "2.0", validate)

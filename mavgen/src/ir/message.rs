@@ -2,8 +2,9 @@
 
 use std::collections::BTreeSet;
 use std::num::NonZeroU8;
+use std::ops::RangeInclusive;
 
-use super::{Binding, EnumId, FileIndex, Name, Origin, View};
+use super::{Binding, EnumId, FileIndex, Name, Origin, Repr, View};
 
 /// A message.
 #[derive(Clone, Debug)]
@@ -177,6 +178,50 @@ impl Scalar {
             Self::I64 => "int64_t",
             Self::F32 => "float",
             Self::F64 => "double",
+        }
+    }
+
+    /// The integer that it is; `None` for what carries no enum: floats, characters and the version.
+    pub fn repr(self) -> Option<Repr> {
+        Some(match self {
+            Self::U8 => Repr::U8,
+            Self::I8 => Repr::I8,
+            Self::U16 => Repr::U16,
+            Self::I16 => Repr::I16,
+            Self::U32 => Repr::U32,
+            Self::I32 => Repr::I32,
+            Self::U64 => Repr::U64,
+            Self::I64 => Repr::I64,
+            Self::Char | Self::Version(_) | Self::F32 | Self::F64 => return None,
+        })
+    }
+
+    /// Whether a view can read its bits: they are as they were sent, with no sign to drag along and no text to keep.
+    pub fn is_word(self) -> bool {
+        self.is_unsigned() || self.is_float()
+    }
+
+    /// Whether it is an unsigned integer, which can be a count or a switch.
+    pub fn is_unsigned(self) -> bool {
+        self.repr().is_some_and(|repr| !repr.is_signed())
+    }
+
+    /// Smallest and largest value; `None` for floats.
+    pub fn range(self) -> Option<RangeInclusive<i128>> {
+        let bits = 8 * self.size();
+        match self {
+            Self::F32 | Self::F64 => None,
+            Self::I8 | Self::I16 | Self::I32 | Self::I64 => Some(-(1 << (bits - 1))..=(1 << (bits - 1)) - 1),
+            Self::Char | Self::U8 | Self::Version(_) | Self::U16 | Self::U32 | Self::U64 => Some(0..=(1 << bits) - 1),
+        }
+    }
+
+    /// Whether a number is finite in it, if it is a float or a double.
+    pub(crate) fn holds_float(self, value: f64) -> bool {
+        match self {
+            Self::F32 => (value as f32).is_finite(),
+            Self::F64 => value.is_finite(),
+            _ => false,
         }
     }
 

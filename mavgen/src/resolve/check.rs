@@ -2,8 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use super::enums::Entry;
-use super::merge::Merged;
+use super::enums::{Merged, ValuedEntry};
 use super::uses::Use;
 use super::width::Width;
 use crate::diag::{Code, Diagnostic, Diagnostics};
@@ -25,9 +24,9 @@ pub(super) fn check(
     uses: &[Use<'_>],
     diagnostics: &mut Diagnostics,
 ) {
-    check_bitmask(merged, width.owner, uses, diagnostics);
+    check_bitmask(merged, width.defining_file, uses, diagnostics);
     let (kinds, name) = (kinds(loaded, uses), merged.name.value.as_str());
-    check_widths(loaded, (merged.owner_span(width.owner), width.owner), name, &kinds, diagnostics);
+    check_widths(loaded, (merged.defining_span(width.defining_file), width.defining_file), name, &kinds, diagnostics);
     for kind in kinds {
         let Some(beyond) = beyond(merged, width, kind.repr) else { continue };
         for one in uses.iter().filter(|one| one.repr == kind.repr) {
@@ -37,9 +36,9 @@ pub(super) fn check(
 }
 
 /// Files should agree on what the enum is, and its values should look like it. Zero names the empty set.
-fn check_bitmask(merged: &Merged<'_>, owner: FileIndex, uses: &[Use<'_>], diagnostics: &mut Diagnostics) {
-    let bitmask = merged.declared_bitmask(owner);
-    let owner_span = merged.owner_span(owner);
+fn check_bitmask(merged: &Merged<'_>, defining_file: FileIndex, uses: &[Use<'_>], diagnostics: &mut Diagnostics) {
+    let bitmask = merged.declared_bitmask(defining_file);
+    let defining_span = merged.defining_span(defining_file);
     let attribute = |given: bool| if given { "a bitmask" } else { "not a bitmask" };
     for block in merged.blocks.iter().filter(|block| block.bitmask != bitmask) {
         let name = &block.syntax.name;
@@ -47,13 +46,13 @@ fn check_bitmask(merged: &Merged<'_>, owner: FileIndex, uses: &[Use<'_>], diagno
         let message = format!("files disagree on whether enum `{}` is a bitmask", name.value);
         let problem = Diagnostic::new(Code::BitmaskDiffers, place, message);
         let problem = problem.label(attribute(block.bitmask));
-        diagnostics.push(problem.related(owner_span, format!("{}: this file decides", attribute(bitmask))));
+        diagnostics.push(problem.related(defining_span, format!("{}: this file decides", attribute(bitmask))));
     }
-    if merged.bitmask(owner) {
+    if merged.bitmask(defining_file) {
         check_bits(merged, diagnostics);
     } else if merged.refined.bitmask.is_none() && merged.blocks.iter().all(|block| block.syntax.bitmask.is_none()) {
         // Who writes `bitmask="false"` has thought of it.
-        diagnostics.extend(likely_bitmask(merged, owner_span, uses));
+        diagnostics.extend(likely_bitmask(merged, defining_span, uses));
     }
 }
 
@@ -101,7 +100,7 @@ fn kinds<'u, 'a>(loaded: &Loaded, uses: &'u [Use<'a>]) -> Vec<&'u Use<'a>> {
 /// is the one to mend.
 fn check_widths(
     loaded: &Loaded,
-    (enum_, owner): (Span, FileIndex),
+    (enum_, defining_file): (Span, FileIndex),
     name: &str,
     kinds: &[&Use<'_>],
     diagnostics: &mut Diagnostics,
@@ -112,7 +111,7 @@ fn check_widths(
         |one: &Use<'_>| format!("`{}.{}` is `{}`", one.message.name.value, one.field.name.value, one.field.ty.value);
     let related = |problem: Diagnostic, one: &&Use<'_>| problem.related(one.field.ty.span, is(one));
     let problem = |place| Diagnostic::new(Code::EnumWidths, place, message);
-    diagnostics.push(if loaded.age(last.file) > loaded.age(owner) {
+    diagnostics.push(if loaded.age(last.file) > loaded.age(defining_file) {
         let problem = problem(last.field.ty.span).label(is(last)).related(enum_, "the enum");
         others.iter().fold(problem, related)
     } else {
@@ -125,7 +124,7 @@ fn beyond(merged: &Merged<'_>, width: Width, repr: Repr) -> Option<String> {
     let fitting = merged.entries.partition_point(|entry| entry.value <= u128::from(repr.highest()));
     let beyond = merged.entries.get(fitting..).unwrap_or_default();
     let beyond: Vec<_> = beyond.iter().filter(|entry| !width.is_widened_by(entry)).collect();
-    let name = |entry: &Entry<'_>| format!("{} = {}", entry.syntax.name.value, entry.value);
+    let name = |entry: &ValuedEntry<'_>| format!("{} = {}", entry.syntax.name.value, entry.value);
     let mut named: Vec<String> = beyond.iter().take(NAMED_VALUES).map(|entry| name(entry)).collect();
     if beyond.len() > NAMED_VALUES {
         named.push(format!("{} more", beyond.len() - NAMED_VALUES));
@@ -141,7 +140,7 @@ fn check_values(name: &str, beyond: &str, one: &Use<'_>, diagnostics: &mut Diagn
     diagnostics.push(problem.label(beyond));
 }
 
-/// Entry names are global in C, and entries of two enums that share one are most likely the same thing twice.
+/// ValuedEntry names are global in C, and entries of two enums that share one are most likely the same thing twice.
 pub(super) fn check_entry_names(loaded: &Loaded, enums: &[Merged<'_>], diagnostics: &mut Diagnostics) {
     let mut seen: HashMap<&str, (usize, Span)> = HashMap::new();
     let entries =

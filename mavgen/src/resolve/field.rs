@@ -1,10 +1,10 @@
 //! Fields of messages, each for itself.
 
 use super::boolean::{self, Attribute};
-use super::origin::{self, Described};
-use super::{field_type, limits, spelling, units};
+use super::origin::Described;
+use super::{field_type, limits, units};
 use crate::diag::{Code, Diagnostic, Diagnostics};
-use crate::ir::{Field, FieldType, FileIndex, Scalar};
+use crate::ir::{FieldType, FileIndex, Limits, Origin, Scalar};
 use crate::syntax;
 
 /// What a field takes from the message around it.
@@ -18,8 +18,30 @@ pub(super) struct Surroundings {
     pub(super) extension: bool,
 }
 
-/// Reads a field. What needs the other fields or the enums comes later: its offset, its enum, its `invalid` value.
-pub(super) fn resolve(field: &syntax::Field, around: Surroundings, diagnostics: &mut Diagnostics) -> Option<Field> {
+/// What a field says for itself. What needs the other fields or the enums is worked out later.
+pub(super) struct DraftField<'a> {
+    /// Where it was written.
+    pub(super) syntax: &'a syntax::Field,
+    /// Its type on the wire.
+    pub(super) ty: FieldType,
+    /// Whether it stands after `<extensions/>`.
+    pub(super) extension: bool,
+    /// Documented range and step.
+    pub(super) limits: Limits,
+    /// `display="bitmask"`.
+    pub(super) display_bitmask: bool,
+    /// `instance="true"`.
+    pub(super) instance: bool,
+    /// Where it comes from.
+    pub(super) origin: Origin,
+}
+
+/// Reads a field.
+pub(super) fn resolve<'a>(
+    field: &'a syntax::Field,
+    around: Surroundings,
+    diagnostics: &mut Diagnostics,
+) -> Option<DraftField<'a>> {
     let described =
         Described { file: around.file, span: field.span, description: field.description.as_ref(), lifecycle: None };
     let ranges = [field.min.as_ref(), field.max.as_ref(), field.increment.as_ref()];
@@ -28,18 +50,11 @@ pub(super) fn resolve(field: &syntax::Field, around: Surroundings, diagnostics: 
     units::check(field.units.as_ref(), diagnostics);
     let ty = field_type::resolve(&field.ty, around.version, diagnostics)?;
     check_target(field, ty, diagnostics);
-    Some(Field {
-        name: spelling::name(&field.name),
+    Some(DraftField {
+        syntax: field,
         ty,
-        offset: 0,
         extension: around.extension,
-        values: None,
-        units: origin::non_empty(field.units.as_ref()),
-        invalid: None,
         limits,
-        multiplier: origin::non_empty(field.multiplier.as_ref()),
-        default: origin::non_empty(field.default.as_ref()),
-        print_format: origin::non_empty(field.print_format.as_ref()),
         display_bitmask: display_bitmask(field, ty, diagnostics),
         instance,
         origin: described.origin(diagnostics),

@@ -2,8 +2,9 @@
 
 use std::collections::HashMap;
 
-use super::merge::Enums;
-use super::message::{Draft, Lost};
+use super::enums::Enums;
+use super::field::DraftField;
+use super::message::Lost;
 use super::number;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{FieldType, Invalid, Scalar, Scope, Sentinel};
@@ -45,21 +46,19 @@ impl<'a> Entries<'a> {
     }
 }
 
-/// Fills in the sentinels of all fields.
-pub(super) fn link(drafts: &mut [Draft<'_>], enums: &Enums<'_>, diagnostics: &mut Diagnostics) {
-    let entries = Entries::of(enums);
-    for draft in drafts {
-        for (field, syntax) in draft.message.fields.iter_mut().zip(&draft.syntax.fields) {
-            field.invalid = attribute(syntax).and_then(|text| resolve(text, field.ty, &entries, diagnostics));
-        }
-    }
+/// The `invalid` value of a field; what is wrong with it is reported.
+pub(super) fn of_field(
+    field: &DraftField<'_>,
+    entries: &Entries<'_>,
+    diagnostics: &mut Diagnostics,
+) -> Option<Invalid> {
+    attribute(field.syntax).and_then(|text| resolve(text, field.ty, entries, diagnostics))
 }
 
 /// Checks the sentinels of fields whose messages cannot be read.
-pub(super) fn check(lost: &[Lost<'_>], enums: &Enums<'_>, diagnostics: &mut Diagnostics) {
-    let entries = Entries::of(enums);
+pub(super) fn check(lost: &[Lost<'_>], entries: &Entries<'_>, diagnostics: &mut Diagnostics) {
     for Lost { ty, syntax } in lost {
-        attribute(syntax).and_then(|text| resolve(text, *ty, &entries, diagnostics));
+        attribute(syntax).and_then(|text| resolve(text, *ty, entries, diagnostics));
     }
 }
 
@@ -140,29 +139,14 @@ pub(super) fn integer(text: &str, entries: &Entries<'_>) -> Option<i128> {
 pub(super) fn sentinel(text: &str, scalar: Scalar, entries: &Entries<'_>) -> Result<Sentinel, Refusal> {
     let integer = integer(text, entries);
     let float = number::float(text);
-    match (range(scalar), integer, float) {
+    match (scalar.range(), integer, float) {
         (None, Some(integer), _) => Ok(Sentinel::Float(integer as f64)),
         (None, None, Some(float)) if float.is_nan() => Ok(Sentinel::NotANumber),
-        (None, None, Some(float)) if fits_float(float, scalar) => Ok(Sentinel::Float(float)),
-        (Some((min, max)), Some(integer), _) if (min..=max).contains(&integer) => Ok(Sentinel::Integer(integer)),
+        (None, None, Some(float)) if scalar.holds_float(float) => Ok(Sentinel::Float(float)),
+        (Some(range), Some(integer), _) if range.contains(&integer) => Ok(Sentinel::Integer(integer)),
         (_, None, None) => Err(Refusal::Unknown),
         _ => Err(Refusal::Range),
     }
-}
-
-/// Smallest and largest value of an integer type; `None` for floats.
-fn range(scalar: Scalar) -> Option<(i128, i128)> {
-    let bits = 8 * scalar.size();
-    match scalar {
-        Scalar::F32 | Scalar::F64 => None,
-        Scalar::I8 | Scalar::I16 | Scalar::I32 | Scalar::I64 => Some((-(1 << (bits - 1)), (1 << (bits - 1)) - 1)),
-        _ => Some((0, (1 << bits) - 1)),
-    }
-}
-
-/// Whether the value is finite in that type.
-fn fits_float(value: f64, scalar: Scalar) -> bool {
-    value.is_finite() && (scalar == Scalar::F64 || (value as f32).is_finite())
 }
 
 #[cfg(test)]

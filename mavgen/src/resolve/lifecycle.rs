@@ -1,6 +1,6 @@
 //! Stages of life: `<wip>`, `<superseded>` and `<deprecated>`.
 
-use super::origin;
+use super::text;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{Lifecycle, Origin, Successor};
 use crate::syntax::{self, Stage};
@@ -9,9 +9,9 @@ use crate::syntax::{self, Stage};
 pub(super) fn resolve(element: &syntax::Lifecycle, diagnostics: &mut Diagnostics) -> Lifecycle {
     check_date(element, diagnostics);
     let successor = Successor {
-        since: origin::non_empty(element.since.as_ref()),
-        replaced_by: origin::non_empty(element.replaced_by.as_ref()),
-        description: origin::or_empty(element.description.as_ref()),
+        since: text::non_empty(element.since.as_ref()),
+        replaced_by: text::non_empty(element.replaced_by.as_ref()),
+        description: text::or_empty(element.description.as_ref()),
     };
     match element.stage {
         Stage::Wip => Lifecycle::Wip,

@@ -1,16 +1,15 @@
-//! Messages: their fields, lengths and checksum.
+//! Messages by themselves: their fields, layout and checksum. Enums come later.
 
 use std::collections::{HashMap, HashSet};
 use std::ptr;
 
-use super::field::{self, Surroundings};
-use super::layout::{self, Lengths};
-use super::losses::Losses;
+use super::field::{self, DraftField, Surroundings};
 use super::origin::Described;
+use super::poisoned::Poisoned;
 use super::version::Version;
-use super::{crc, field_type, number, spelling};
+use super::{field_type, number};
 use crate::diag::{Code, Diagnostic, Diagnostics};
-use crate::ir::{self, Field, FieldType, FileIndex, Scalar};
+use crate::ir::{FieldType, FileIndex, Layout, Origin, Scalar};
 use crate::read::Loaded;
 use crate::syntax::{self, Message};
 
@@ -23,35 +22,45 @@ const LARGEST_ID: u32 = 0xFF_FFFF;
 /// Payload lengths have 8 bits.
 const LONGEST_PAYLOAD: usize = 255;
 
-/// A message without its enums and `invalid` values, beside the syntax that it came from.
+/// What a message says for itself.
 pub(super) struct Draft<'a> {
-    /// The message.
-    pub(super) message: ir::Message,
     /// Where it was written; it has as many fields.
     pub(super) syntax: &'a Message,
+    /// Its id.
+    pub(super) id: u32,
+    /// The fields, in the order of the XML.
+    pub(super) fields: Vec<DraftField<'a>>,
+    /// Where they lie.
+    pub(super) wire: Wire,
+    /// Where it comes from.
+    pub(super) origin: Origin,
 }
 
-impl<'a> Draft<'a> {
-    /// The fields with their syntax.
-    pub(super) fn fields(&self) -> impl Iterator<Item = (&Field, &'a syntax::Field)> {
-        self.message.fields.iter().zip(&self.syntax.fields)
-    }
+/// Where the fields of a message lie on the wire.
+pub(super) struct Wire {
+    /// The first byte of each, in the order of the XML.
+    pub(super) offsets: Vec<u8>,
+    /// Bytes before `<extensions/>`.
+    pub(super) len_v1: u8,
+    /// Bytes.
+    pub(super) len_v2: u8,
+    /// The checksum of the definition.
+    pub(super) crc_extra: u8,
 }
 
 /// Reads the messages of all files; those that cannot be are reported and left out.
 pub(super) fn drafts<'a>(
     loaded: &'a Loaded,
     versions: &[Version],
-    losses: &Losses,
+    poisoned: &Poisoned,
     diagnostics: &mut Diagnostics,
 ) -> Vec<Draft<'a>> {
     let mut drafts = Vec::new();
     for ((index, file), version) in loaded.files.iter().enumerate().zip(versions) {
         for (position, syntax) in file.messages.iter().enumerate() {
             let around = Surroundings { file: FileIndex(index), version: version.seen_by(position), extension: false };
-            let whole = !losses.near(syntax.span);
-            let message = resolve(syntax, around, whole, diagnostics);
-            drafts.extend(message.map(|message| Draft { message, syntax }));
+            let whole = !poisoned.near(syntax.span);
+            drafts.extend(resolve(syntax, around, whole, diagnostics));
         }
     }
     drafts
@@ -74,13 +83,18 @@ pub(super) fn lost<'a>(loaded: &'a Loaded, drafts: &[Draft<'_>]) -> Vec<Lost<'a>
     fields.filter_map(|syntax| Some(Lost { ty: field_type::named(&syntax.ty)?, syntax })).collect()
 }
 
-fn resolve(syntax: &Message, around: Surroundings, whole: bool, diagnostics: &mut Diagnostics) -> Option<ir::Message> {
+fn resolve<'a>(
+    syntax: &'a Message,
+    around: Surroundings,
+    whole: bool,
+    diagnostics: &mut Diagnostics,
+) -> Option<Draft<'a>> {
     let id = id(syntax, diagnostics);
     if whole {
         check_presence(syntax, diagnostics);
     }
     let base = base_count(syntax, diagnostics);
-    let resolved: Vec<Option<Field>> = (syntax.fields.iter().enumerate())
+    let resolved: Vec<Option<DraftField<'a>>> = (syntax.fields.iter().enumerate())
         .map(|(position, field)| {
             let around = Surroundings { extension: position >= base, ..around };
             field::resolve(field, around, diagnostics)
@@ -94,23 +108,11 @@ fn resolve(syntax: &Message, around: Surroundings, whole: bool, diagnostics: &mu
         lifecycle: syntax.lifecycle.as_ref(),
     };
     let origin = described.origin(diagnostics);
-    let mut fields = resolved.into_iter().collect::<Option<Vec<Field>>>()?;
+    let fields = resolved.into_iter().collect::<Option<Vec<_>>>()?;
     check_version_fields(syntax, &fields, diagnostics);
     check_instances(syntax, &fields, diagnostics);
-    let (len_v1, len_v2) = lengths(syntax, &mut fields, diagnostics)?;
-    let mut message = ir::Message {
-        id: id?,
-        name: spelling::name(&syntax.name),
-        crc_extra: 0,
-        len_v1,
-        len_v2,
-        fields,
-        views: Vec::new(),
-        bindings: Vec::new(),
-        origin,
-    };
-    message.crc_extra = crc::crc_extra(&message.name.text, message.wire_order());
-    Some(message)
+    let wire = wire(syntax, &fields, diagnostics)?;
+    Some(Draft { syntax, id: id?, fields, wire, origin })
 }
 
 fn id(syntax: &Message, diagnostics: &mut Diagnostics) -> Option<u32> {
@@ -173,44 +175,52 @@ fn check_fields(syntax: &Message, diagnostics: &mut Diagnostics) {
     }
 }
 
-fn check_version_fields(syntax: &Message, fields: &[Field], diagnostics: &mut Diagnostics) {
-    let mut versions =
-        fields.iter().zip(&syntax.fields).filter(|(field, _)| matches!(field.ty.scalar, Scalar::Version(_)));
-    if let (Some((_, first)), Some((_, second))) = (versions.next(), versions.next()) {
+fn check_version_fields(syntax: &Message, fields: &[DraftField<'_>], diagnostics: &mut Diagnostics) {
+    let mut versions = fields.iter().filter(|field| matches!(field.ty.scalar, Scalar::Version(_)));
+    if let (Some(first), Some(second)) = (versions.next(), versions.next()) {
         let message = format!("`uint8_t_mavlink_version` stands twice in message `{}`", syntax.name.value);
-        let problem = Diagnostic::new(Code::SecondVersionField, second.ty.span, message);
-        diagnostics.push(problem.related(first.ty.span, "the first one").help("one field with the version is enough"));
+        let problem = Diagnostic::new(Code::SecondVersionField, second.syntax.ty.span, message);
+        let problem = problem.related(first.syntax.ty.span, "the first one");
+        diagnostics.push(problem.help("one field with the version is enough"));
     }
 }
 
-fn check_instances(syntax: &Message, fields: &[Field], diagnostics: &mut Diagnostics) {
-    let mut instances = fields.iter().zip(&syntax.fields).filter(|(field, _)| field.instance);
-    if let (Some((_, first)), Some((_, second))) = (instances.next(), instances.next()) {
+fn check_instances(syntax: &Message, fields: &[DraftField<'_>], diagnostics: &mut Diagnostics) {
+    let mut instances = fields.iter().filter(|field| field.instance);
+    if let (Some(first), Some(second)) = (instances.next(), instances.next()) {
         let message = format!("message `{}` has more than one instance field", syntax.name.value);
-        let problem = Diagnostic::new(Code::Instance, second.name.span, message);
-        diagnostics.push(problem.related(first.name.span, "the first one"));
+        let problem = Diagnostic::new(Code::Instance, second.syntax.name.span, message);
+        diagnostics.push(problem.related(first.syntax.name.span, "the first one"));
     }
 }
 
 /// Places the fields and checks that the payload is one.
-fn lengths(syntax: &Message, fields: &mut [Field], diagnostics: &mut Diagnostics) -> Option<(u8, u8)> {
-    let Lengths { v1, v2 } = layout::place(fields);
+fn wire(syntax: &Message, fields: &[DraftField<'_>], diagnostics: &mut Diagnostics) -> Option<Wire> {
+    let name = syntax.name.value.as_str();
+    let layout = Layout::of(fields.iter().map(|field| (field.ty, field.extension)));
+    let (v1, v2) = (layout.v1, layout.v2);
     if v2 > LONGEST_PAYLOAD {
         let what = if v1 > LONGEST_PAYLOAD || v1 == v2 { "" } else { " with its extensions" };
-        let message =
-            format!("the payload of `{}` is {v2} bytes long{what}; {LONGEST_PAYLOAD} are allowed", syntax.name.value);
+        let message = format!("the payload of `{name}` is {v2} bytes long{what}; {LONGEST_PAYLOAD} are allowed");
         let problem = Diagnostic::new(Code::PayloadTooLong, syntax.name.span, message);
         diagnostics.push(problem.label(sum(fields, v2)));
     }
-    Some((u8::try_from(v1).ok()?, u8::try_from(v2).ok()?))
+    let offsets = layout.offsets.iter().map(|&offset| u8::try_from(offset).ok());
+    let names: Vec<&str> = fields.iter().map(|field| field.syntax.name.value.as_str()).collect();
+    Some(Wire {
+        offsets: offsets.collect::<Option<_>>()?,
+        len_v1: u8::try_from(v1).ok()?,
+        len_v2: u8::try_from(v2).ok()?,
+        crc_extra: layout.crc_extra(name, &names),
+    })
 }
 
 /// How a length comes about: `2 × uint64_t + 200 × uint8_t = 16 + 200 = 216`.
-fn sum(fields: &[Field], total: usize) -> String {
+fn sum(fields: &[DraftField<'_>], total: usize) -> String {
     let mut elements: Vec<(&str, usize, usize)> = Vec::new();
     for field in fields {
         let (name, size) = (field.ty.scalar.wire_name(), field.ty.scalar.size());
-        let count = field.size() / size;
+        let count = field.ty.size() / size;
         match elements.iter_mut().find(|(other, ..)| *other == name) {
             Some((_, sum, _)) => *sum += count,
             None => elements.push((name, count, size)),

@@ -1,20 +1,10 @@
-//! Optional texts of the syntax as the model keeps them, and what every item says of itself.
+//! What every item says of itself.
 
-use super::lifecycle;
+use super::{lifecycle, text};
 use crate::diag::Diagnostics;
 use crate::ir::{FileIndex, Origin};
 use crate::source::Span;
 use crate::syntax::{Lifecycle, Text};
-
-/// The text, if it says anything.
-pub(super) fn non_empty(text: Option<&Text>) -> Option<String> {
-    text.map(|text| text.value.clone()).filter(|value| !value.is_empty())
-}
-
-/// The text, or an empty one.
-pub(super) fn or_empty(text: Option<&Text>) -> String {
-    text.map(|text| text.value.clone()).unwrap_or_default()
-}
 
 /// The parts of an element that become its origin.
 pub(super) struct Described<'a> {
@@ -36,7 +26,7 @@ impl Described<'_> {
             file: self.file,
             overlays: Vec::new(),
             span: self.span,
-            description: or_empty(self.description),
+            description: text::or_empty(self.description),
             lifecycle,
         }
     }

@@ -1,21 +1,16 @@
 //! Overlays: what they add to the model. They change nothing on the wire.
 
 mod bind;
-mod carrier;
-mod condition;
-mod credit;
 mod head;
-mod list;
-mod note;
 mod refine;
-mod scene;
 
 use std::collections::{HashMap, HashSet};
 
+use super::enums::Enums;
 use super::invalid::Entries;
-use super::losses::Losses;
-use super::merge::Enums;
 use super::message::Draft;
+use super::message_scope::{EnumUse, MessageScope};
+use super::poisoned::Poisoned;
 use super::suggest::suggest;
 use super::view;
 use crate::diag::{Code, Diagnostic, Diagnostics};
@@ -25,68 +20,57 @@ use crate::source::{FileId, Span};
 use crate::syntax::Text;
 use crate::syntax::overlay::Additions;
 
-pub(super) use carrier::{Carrier, CarrierPlace, check as check_carriers};
-pub(super) use condition::resolve as condition;
-pub(super) use credit::credit;
 pub(super) use head::check as check_heads;
-pub(super) use list::parts;
-pub(super) use note::apply as note;
 pub(super) use refine::apply as refine;
-pub(super) use scene::{Found, Scene};
 
 /// What an overlay adds to a message.
 #[derive(Default)]
-struct Added {
-    views: Vec<View>,
-    bindings: Vec<Binding>,
+pub(super) struct Added {
+    /// `<view>`.
+    pub(super) views: Vec<View>,
+    /// `<bind>`.
+    pub(super) bindings: Vec<Binding>,
 }
 
-/// Resolves the views and bindings of all overlays into the messages that they belong to. Returns who carries which enum.
+/// Resolves the views and bindings of all overlays. Returns what they add to each of the drafts, and what carries which enum.
 pub(super) fn resolve<'a>(
     loaded: &'a Loaded,
-    drafts: &mut [Draft<'a>],
-    enums: &Enums<'a>,
-    losses: &Losses,
+    drafts: &[Draft<'a>],
+    (enums, entries): (&Enums<'a>, &Entries<'a>),
+    poisoned: &Poisoned,
     diagnostics: &mut Diagnostics,
-) -> Vec<Carrier<'a>> {
-    let entries = Entries::of(enums);
+) -> (Vec<Added>, Vec<EnumUse<'a>>) {
     let mut messages = Messages::of(loaded, drafts);
-    let mut carriers = Vec::new();
-    let mut all = Vec::new();
+    let mut enum_uses = Vec::new();
+    let mut all: Vec<Added> = drafts.iter().map(|_| Added::default()).collect();
     for (index, overlay) in loaded.overlays.iter().enumerate() {
         let file = FileIndex(loaded.files.len() + index);
         for additions in &overlay.messages {
             let Some((position, draft)) = messages.find(&additions.name, drafts, enums.complete, diagnostics) else {
                 continue;
             };
-            let whole = !losses.near(additions.span);
-            let scene = Scene { file, whole, draft, enums, entries: &entries };
-            all.push((position, add(&scene, additions, &mut carriers, diagnostics)));
+            let whole = !poisoned.near(additions.span);
+            let scope = MessageScope { file, whole, draft, enums, entries };
+            let Some(added) = all.get_mut(position) else { continue };
+            add(&scope, additions, added, &mut enum_uses, diagnostics);
         }
     }
-    for (position, added) in all {
-        if let Some(draft) = drafts.get_mut(position) {
-            draft.message.views.extend(added.views);
-            draft.message.bindings.extend(added.bindings);
-        }
-    }
-    carriers
+    (all, enum_uses)
 }
 
 fn add<'a>(
-    scene: &Scene<'_, 'a>,
+    scope: &MessageScope<'_, 'a>,
     additions: &'a Additions,
-    carriers: &mut Vec<Carrier<'a>>,
+    added: &mut Added,
+    enum_uses: &mut Vec<EnumUse<'a>>,
     diagnostics: &mut Diagnostics,
-) -> Added {
-    let mut added = Added::default();
+) {
     for element in &additions.bindings {
-        added.bindings.extend(bind::resolve(scene, element, carriers, diagnostics));
+        added.bindings.extend(bind::resolve(scope, element, enum_uses, diagnostics));
     }
     for element in &additions.views {
-        added.views.extend(view::resolve(scene, element, carriers, diagnostics));
+        added.views.extend(view::resolve(scope, element, enum_uses, diagnostics));
     }
-    added
 }
 
 /// The messages by name.

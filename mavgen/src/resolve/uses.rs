@@ -1,11 +1,10 @@
 //! Uses: which fields carry which enum.
 
-use super::merge::Enums;
+use super::enums::Enums;
 use super::message::{Draft, Lost};
 use super::suggest::suggest;
-use super::width::{self, Width};
 use crate::diag::{Code, Diagnostic, Diagnostics};
-use crate::ir::{self, EnumId, FileIndex, Repr, Values};
+use crate::ir::{EnumId, FileIndex, Repr};
 use crate::read::Loaded;
 use crate::syntax::{self, Text};
 
@@ -41,7 +40,7 @@ pub(super) fn check(loaded: &Loaded, enums: &Enums<'_>, diagnostics: &mut Diagno
 pub(super) fn check_lost(lost: &[Lost<'_>], enums: &Enums<'_>, diagnostics: &mut Diagnostics) {
     for Lost { ty, syntax } in lost {
         let Some(name) = named(syntax).filter(|name| enums.id(&name.value).is_some()) else { continue };
-        if width::integer(ty.scalar).is_none() {
+        if ty.scalar.repr().is_none() {
             diagnostics.push(unsuitable(syntax, name));
         }
     }
@@ -51,10 +50,11 @@ pub(super) fn check_lost(lost: &[Lost<'_>], enums: &Enums<'_>, diagnostics: &mut
 pub(super) fn collect<'a>(drafts: &[Draft<'a>], enums: &Enums<'a>, diagnostics: &mut Diagnostics) -> Vec<Vec<Use<'a>>> {
     let mut uses: Vec<Vec<Use<'a>>> = enums.list.iter().map(|_| Vec::new()).collect();
     for draft in drafts {
-        for (field, syntax) in draft.fields() {
+        for field in &draft.fields {
+            let syntax = field.syntax;
             let Some(name) = named(syntax) else { continue };
             let list = enums.id(&name.value).and_then(|EnumId(index)| uses.get_mut(index));
-            match (list, width::integer(field.ty.scalar)) {
+            match (list, field.ty.scalar.repr()) {
                 (Some(list), Some(repr)) => {
                     list.push(Use { file: field.origin.file, repr, message: draft.syntax, field: syntax, name });
                 }
@@ -66,27 +66,8 @@ pub(super) fn collect<'a>(drafts: &[Draft<'a>], enums: &Enums<'a>, diagnostics: 
     uses
 }
 
-/// Fills in what the fields carry, now that every enum has its integer.
-pub(super) fn link(drafts: &mut [Draft<'_>], enums: &Enums<'_>, widths: &[Width]) {
-    for draft in drafts {
-        for (field, syntax) in draft.message.fields.iter_mut().zip(&draft.syntax.fields) {
-            field.values = values(field, syntax, enums, widths);
-        }
-    }
-}
-
-fn values(field: &ir::Field, syntax: &syntax::Field, enums: &Enums<'_>, widths: &[Width]) -> Option<Values> {
-    let id = enums.id(&named(syntax)?.value)?;
-    let own = width::integer(field.ty.scalar)?;
-    Some(if widths.get(id.0).is_some_and(|width| width.repr == own) {
-        Values::Typed(id)
-    } else {
-        Values::Converted(id)
-    })
-}
-
 /// The `enum` attribute; pymavlink takes an empty one for none.
-fn named(field: &syntax::Field) -> Option<&Text> {
+pub(super) fn named(field: &syntax::Field) -> Option<&Text> {
     field.values.as_ref().filter(|name| !name.value.is_empty())
 }
 

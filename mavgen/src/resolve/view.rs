@@ -16,25 +16,25 @@ mod switch;
 mod units;
 mod words;
 
-use super::overlay::{Carrier, Scene, condition};
-use super::{origin, spelling};
+use super::message_scope::{EnumUse, MessageScope, condition};
+use super::{spelling, text};
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{Origin, View};
 use crate::syntax::overlay::{self, Part, Piece};
 
 /// Resolves a view; what is wrong with it is reported. Where the words are not clear, the rest is not looked at.
 pub(super) fn resolve<'a>(
-    scene: &Scene<'_, 'a>,
+    scope: &MessageScope<'_, 'a>,
     element: &'a overlay::View,
-    carriers: &mut Vec<Carrier<'a>>,
+    enum_uses: &mut Vec<EnumUse<'a>>,
     diagnostics: &mut Diagnostics,
 ) -> Option<View> {
-    check_members(scene, element, diagnostics);
-    let condition = condition(scene, &element.condition, diagnostics);
-    let words = words::resolve(scene, &element.words, diagnostics)?;
-    let access = slots::access(scene, element, &words, diagnostics);
-    let invalid = sentinel::blanks(scene, element, &words, diagnostics);
-    let layout = layout::resolve(scene, element, &words, carriers, diagnostics);
+    check_members(scope, element, diagnostics);
+    let condition = condition(scope, &element.condition, diagnostics);
+    let words = words::resolve(scope, &element.words, diagnostics)?;
+    let access = slots::access(scope, element, &words, diagnostics);
+    let invalid = sentinel::blanks(scope, element, &words, diagnostics);
+    let layout = layout::resolve(scope, element, &words, enum_uses, diagnostics);
     Some(View {
         name: spelling::name(&element.name),
         words: words.list,
@@ -45,10 +45,10 @@ pub(super) fn resolve<'a>(
         switch: layout.switch,
         members: layout.members,
         origin: Origin {
-            file: scene.file,
+            file: scope.file,
             overlays: Vec::new(),
             span: element.span,
-            description: origin::or_empty(element.description.as_ref()),
+            description: text::or_empty(element.description.as_ref()),
             lifecycle: None,
         },
     })
@@ -71,9 +71,9 @@ pub(super) fn all_bits(element: &overlay::View) -> impl Iterator<Item = &overlay
 }
 
 /// A view has something to say, and its names are names.
-fn check_members(scene: &Scene<'_, '_>, element: &overlay::View, diagnostics: &mut Diagnostics) {
+fn check_members(scope: &MessageScope<'_, '_>, element: &overlay::View, diagnostics: &mut Diagnostics) {
     spelling::check(&element.name, "a view", diagnostics);
-    if scene.whole && all_bits(element).next().is_none() {
+    if scope.whole && all_bits(element).next().is_none() {
         let message = format!("view `{}` has no members", element.name.value);
         let problem = Diagnostic::new(Code::EmptyView, element.name.span, message);
         diagnostics.push(problem.help("add `<bits name=\"…\" at=\"…\" width=\"…\"/>`"));

@@ -1,52 +1,36 @@
 //! Width and sign of the integer behind an enum.
 
-use super::enums::Entry;
-use super::merge::Merged;
+use super::enums::{Merged, ValuedEntry};
 use super::uses::Use;
 use crate::diag::{Code, Diagnostic, Diagnostics};
-use crate::ir::{FileIndex, Repr, Scalar};
-
-/// The integer of a field; `None` for fields that carry no enum: floats, characters and the version.
-pub(crate) fn integer(scalar: Scalar) -> Option<Repr> {
-    Some(match scalar {
-        Scalar::U8 => Repr::U8,
-        Scalar::I8 => Repr::I8,
-        Scalar::U16 => Repr::U16,
-        Scalar::I16 => Repr::I16,
-        Scalar::U32 => Repr::U32,
-        Scalar::I32 => Repr::I32,
-        Scalar::U64 => Repr::U64,
-        Scalar::I64 => Repr::I64,
-        Scalar::Char | Scalar::Version(_) | Scalar::F32 | Scalar::F64 => return None,
-    })
-}
+use crate::ir::{FileIndex, Repr};
 
 /// Who decides on the integer behind an enum, and which one it is.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Width {
     /// The file that owns the enum.
-    pub(super) owner: FileIndex,
-    /// The integer that the owner's fields and entries ask for.
+    pub(super) defining_file: FileIndex,
+    /// The integer that the fields and entries of that file ask for.
     own: Repr,
     /// The integer that all entries fit.
     pub(super) repr: Repr,
 }
 
 impl Width {
-    /// Decides, from the fields and entries of the owner.
+    /// Decides, from the fields and entries of the file that owns the enum.
     ///
     /// Entries of other files that do not fit make it wider, which is said: it changes a type of the file they include.
     ///
     /// `asked` are the integers that the bits and bindings of an overlay ask its own enums to be.
     pub(super) fn of(
         merged: &Merged<'_>,
-        owner: FileIndex,
+        defining_file: FileIndex,
         uses: &[Use<'_>],
         asked: &[Repr],
         diagnostics: &mut Diagnostics,
     ) -> Self {
-        let own = own_repr(merged, owner, uses, asked);
-        let width = Self { owner, own, repr: widened(own, merged.largest()) };
+        let own = own_repr(merged, defining_file, uses, asked);
+        let width = Self { defining_file, own, repr: widened(own, merged.largest()) };
         if let Some(entry) = merged.entries.iter().find(|entry| width.is_widened_by(entry)) {
             diagnostics.push(width.widening(merged, entry));
         }
@@ -54,26 +38,27 @@ impl Width {
     }
 
     /// Whether the entry is one that made the enum wider.
-    pub(super) fn is_widened_by(self, entry: &Entry<'_>) -> bool {
-        entry.file != self.owner && entry.value > u128::from(self.own.highest())
+    pub(super) fn is_widened_by(self, entry: &ValuedEntry<'_>) -> bool {
+        entry.file != self.defining_file && entry.value > u128::from(self.own.highest())
     }
 
-    fn widening(self, merged: &Merged<'_>, entry: &Entry<'_>) -> Diagnostic {
+    fn widening(self, merged: &Merged<'_>, entry: &ValuedEntry<'_>) -> Diagnostic {
         let (name, value, of) = (&entry.syntax.name, entry.value, &merged.name.value);
         let (from, to) = (self.own.rust_name(), self.repr.rust_name());
         let message = format!("`{}` = {value} does not fit `{of}`, which becomes {to} instead of {from}", name.value);
         let problem = Diagnostic::new(Code::WidenedEnum, name.span, message);
-        problem.related(merged.owner_span(self.owner), format!("the enum is {from} here"))
+        problem.related(merged.defining_span(self.defining_file), format!("the enum is {from} here"))
     }
 }
 
-/// The widest field of the owner's messages, unsigned before signed, or else the smallest unsigned; wide enough for the
-/// owner's entries.
-fn own_repr(merged: &Merged<'_>, owner: FileIndex, uses: &[Use<'_>], asked: &[Repr]) -> Repr {
-    let fields = uses.iter().filter(|one| one.file == owner).map(|one| one.repr);
+/// The widest field of the messages of the file that owns it, unsigned before signed, or else the smallest unsigned; wide enough for the
+/// entries of that file.
+fn own_repr(merged: &Merged<'_>, defining_file: FileIndex, uses: &[Use<'_>], asked: &[Repr]) -> Repr {
+    let fields = uses.iter().filter(|one| one.file == defining_file).map(|one| one.repr);
     let widest = fields.chain(asked.iter().copied()).max_by_key(|repr| (repr.size(), !repr.is_signed()));
-    let entries = merged.entries.iter().filter(|entry| entry.file == owner);
-    let largest = entries.map(|entry| u64::try_from(entry.value).unwrap_or(u64::MAX)).max();
+    let entries = merged.entries.iter().filter(|entry| entry.file == defining_file);
+    // One beyond 64 bits has been refused.
+    let largest = entries.filter_map(|entry| u64::try_from(entry.value).ok()).max();
     widened(widest.unwrap_or(Repr::U8), largest.unwrap_or_default())
 }
 

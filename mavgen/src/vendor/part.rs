@@ -20,7 +20,6 @@ use crate::diag::Diagnostics;
 use crate::ir::{Dialect, Enum, Kept, Message};
 use crate::lower::spelling;
 use crate::read::Loaded;
-use crate::resolve::integer;
 use crate::roots::{Named, resolve};
 use crate::select::Selection;
 use crate::source::Sources;
@@ -200,7 +199,7 @@ fn decider<'d>(whole: &'d Dialect, values: &Enum) -> Option<&'d Message> {
     let carries = |message: &&Message| -> Option<(usize, bool)> {
         let carried = |id| whole.enum_by_id(id).is_some_and(|found| found.name.text == values.name.text);
         let fields = message.fields.iter().filter(|field| field.values.is_some_and(|values| carried(values.id())));
-        let integers = fields.filter_map(|field| integer(field.ty.scalar));
+        let integers = fields.filter_map(|field| field.ty.scalar.repr());
         integers.map(|integer| (integer.size(), !integer.is_signed())).max()
     };
     let own = whole.messages.iter().rev().filter(|message| message.origin.file == values.defined_in);

@@ -14,9 +14,9 @@ mod numbers;
 mod overlays;
 mod xml;
 
+use mavgen::Resolved;
 use mavgen::diag::Diagnostics;
 use mavgen::read::{Loaded, read, read_overlay};
-use mavgen::resolve::resolve;
 use mavgen::source::Sources;
 
 const BASE: &str = include_str!("base.xml");
@@ -47,7 +47,10 @@ fn problems(definition: &str, overlay: Option<&str>) -> Vec<String> {
         let overlay = read_overlay(sources.add("base.overlay.xml", text), &sources, &mut diagnostics);
         loaded.overlays.push(overlay);
     }
-    resolve(&loaded, &sources, &mut diagnostics);
+    let (sources, diagnostics) = match Resolved::of(loaded, sources, diagnostics) {
+        Ok(Resolved { sources, diagnostics, .. }) => (sources, diagnostics),
+        Err(problems) => (problems.sources, problems.diagnostics),
+    };
     let place = |span: mavgen::source::Span| sources.get(span.file).unwrap().position(span.start);
     let placed = diagnostics.iter().map(|problem| (problem.code, place(problem.span.unwrap())));
     placed.map(|(code, at)| format!("{code} {}:{}", at.line, at.column)).collect()

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use super::super::losses::Losses;
+use super::super::poisoned::Poisoned;
 use crate::diag::{Code, Diagnostic, Diagnostics, nearest};
 use crate::read::Loaded;
 use crate::source::Sources;
@@ -15,7 +15,7 @@ const VERSION: &str = "1";
 pub(in crate::resolve) fn check<'l>(
     loaded: &'l Loaded,
     sources: &Sources,
-    losses: &mut Losses,
+    poisoned: &mut Poisoned,
     diagnostics: &mut Diagnostics,
 ) -> Cow<'l, Loaded> {
     let files = loaded.files.iter().filter_map(|file| sources.get(file.id));
@@ -30,7 +30,7 @@ pub(in crate::resolve) fn check<'l>(
         if let Some(base) = overlay.base.as_ref().filter(|_| is_foreign(overlay)) {
             diagnostics.extend(foreign(base, &names).filter(|_| !loaded.has_include(&base.value)));
             if !overlay.enums.is_empty() {
-                losses.add(overlay.id);
+                poisoned.add(overlay.id);
             }
         }
     }

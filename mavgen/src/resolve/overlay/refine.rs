@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::super::boolean;
-use super::super::merge::{Enums, Merged};
+use super::super::enums::{Enums, Merged};
 use super::super::suggest::suggest;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::EnumId;

@@ -129,7 +129,7 @@ fn widths() {
     }
 }
 
-/// The owner says whether an enum is a bitmask; pymavlink asks the first definition.
+/// The file that owns an enum says whether an enum is a bitmask; pymavlink asks the first definition.
 #[test]
 fn bitmasks_stay_bitmasks() {
     let top = "<include>base.xml</include>".to_owned() + &enumeration("E", &["X=4"]);

@@ -4,8 +4,8 @@ use std::ops::RangeInclusive;
 
 use super::switch::Selector;
 use crate::diag::{Code, Diagnostic, Diagnostics};
+use crate::resolve::message_scope::{MessageScope, parts};
 use crate::resolve::number;
-use crate::resolve::overlay::{Scene, parts};
 use crate::resolve::suggest::suggest;
 use crate::syntax::Text;
 
@@ -25,7 +25,7 @@ enum Refusal {
 
 /// The ranges of a case, inside of what the switch can be; what is wrong is reported.
 pub(super) fn ranges(
-    scene: &Scene<'_, '_>,
+    scope: &MessageScope<'_, '_>,
     text: &Text,
     selector: &Selector,
     diagnostics: &mut Diagnostics,
@@ -37,12 +37,12 @@ pub(super) fn ranges(
     }
     let mut ranges = Vec::new();
     for part in parts {
-        match range(scene, &part.value, selector) {
+        match range(scope, &part.value, selector) {
             Ok(range) if *range.end() <= selector.most => ranges.push(Values { range, text: part }),
             Ok(range) => diagnostics.push(unreachable(&part, &range, selector)),
-            Err(Refusal::Unknown(_)) if !scene.entries.complete => {}
+            Err(Refusal::Unknown(_)) if !scope.entries.complete => {}
             Err(refusal) => {
-                let problem = refused(scene, &part, refusal, selector, diagnostics);
+                let problem = refused(scope, &part, refusal, selector, diagnostics);
                 diagnostics.push(problem);
             }
         }
@@ -53,10 +53,10 @@ pub(super) fn ranges(
 const HELP: &str = "write `3`, `3..=9` or `30..`; several are separated by blanks";
 
 /// One part: `a`, `a..=b` or `a..`.
-fn range(scene: &Scene<'_, '_>, text: &str, selector: &Selector) -> Result<RangeInclusive<u64>, Refusal> {
+fn range(scope: &MessageScope<'_, '_>, text: &str, selector: &Selector) -> Result<RangeInclusive<u64>, Refusal> {
     let value = |text: &str| {
         let number = number::unsigned(text).ok();
-        let number = number.or_else(|| selector.values.and_then(|values| scene.entry(values, text)));
+        let number = number.or_else(|| selector.values.and_then(|values| scope.entry(values, text)));
         number.ok_or_else(|| Refusal::Unknown(text.to_owned()))
     };
     let Some((start, end)) = text.split_once("..") else {
@@ -85,7 +85,7 @@ fn unreachable(text: &Text, range: &RangeInclusive<u64>, selector: &Selector) ->
 }
 
 fn refused(
-    scene: &Scene<'_, '_>,
+    scope: &MessageScope<'_, '_>,
     text: &Text,
     refusal: Refusal,
     selector: &Selector,
@@ -105,7 +105,7 @@ fn refused(
         }
         Refusal::Unknown(value) => {
             let problem = problem(format!("`{value}` is not a value of {}", selector.title)).help(HELP);
-            let names = selector.values.into_iter().flat_map(|values| scene.entry_names(values));
+            let names = selector.values.into_iter().flat_map(|values| scope.entry_names(values));
             suggest(problem.related(selector.span, "what the switch looks at"), &value, names, before)
         }
     }

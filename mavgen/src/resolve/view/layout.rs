@@ -7,7 +7,7 @@ use super::{all_bits, branches, coverage};
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{Member, Switch};
 use crate::resolve::boolean;
-use crate::resolve::overlay::{Carrier, Scene};
+use crate::resolve::message_scope::{EnumUse, MessageScope};
 use crate::syntax::overlay::{self, Part, View};
 
 /// The members of a view and what selects between them.
@@ -19,10 +19,10 @@ pub(super) struct Layout {
 
 /// Resolves all parts of a view.
 pub(super) fn resolve<'a>(
-    scene: &Scene<'_, 'a>,
+    scope: &MessageScope<'_, 'a>,
     element: &'a View,
     words: &Words,
-    carriers: &mut Vec<Carrier<'a>>,
+    enum_uses: &mut Vec<EnumUse<'a>>,
     diagnostics: &mut Diagnostics,
 ) -> Layout {
     let partial = element.partial.as_ref().and_then(|text| boolean::of_overlay(text, diagnostics)) == Some(true);
@@ -32,7 +32,7 @@ pub(super) fn resolve<'a>(
     let mut before_switch = 0;
     for part in &element.parts {
         match part {
-            Part::Piece(piece) => common.push(piece::resolve(scene, piece, words, carriers, diagnostics)),
+            Part::Piece(piece) => common.push(piece::resolve(scope, piece, words, enum_uses, diagnostics)),
             Part::Switch(one) if switch.is_some_and(|switch| std::ptr::eq(switch, one)) => before_switch = common.len(),
             Part::Switch(_) => {}
         }
@@ -42,14 +42,14 @@ pub(super) fn resolve<'a>(
     let after = pieces(common.split_off(before_switch));
     let (mut common, count) = (pieces(common), after.len());
     common.extend(after);
-    let selector = switch.and_then(|switch| switch::selector(scene, switch, words, &common, diagnostics));
+    let selector = switch.and_then(|switch| switch::selector(scope, switch, words, &common, diagnostics));
     let branches = match switch {
-        Some(one) => switch::branches((scene, words), one, selector.as_ref(), carriers, diagnostics),
+        Some(one) => switch::branches((scope, words), one, selector.as_ref(), enum_uses, diagnostics),
         None => Some(Vec::new()),
     };
     if let Some(branches) = branches.as_ref().filter(|_| whole) {
         // An empty view was spoken of, and what was lost in reading or in a second switch may have covered the rest.
-        let lost = !scene.whole || switches(element).count() > 1;
+        let lost = !scope.whole || switches(element).count() > 1;
         let complete = !partial && !lost && all_bits(element).next().is_some();
         coverage::check(element, words, (&common, branches), complete, diagnostics);
     }

@@ -3,8 +3,8 @@
 use super::{exact, scaling};
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{Meaning, Scaled};
-use crate::resolve::origin;
-use crate::resolve::overlay::{Carrier, CarrierPlace, Scene};
+use crate::resolve::message_scope::{EnumUse, MessageScope, UsePlace};
+use crate::resolve::text;
 use crate::syntax::Text;
 use crate::syntax::overlay::Bits;
 
@@ -13,10 +13,10 @@ const WIDEST: u8 = 64;
 
 /// Resolves the meaning of `width` bits.
 pub(super) fn resolve<'a>(
-    scene: &Scene<'_, 'a>,
+    scope: &MessageScope<'_, 'a>,
     bits: &'a Bits,
     (width, signed): (u8, bool),
-    carriers: &mut Vec<Carrier<'a>>,
+    enum_uses: &mut Vec<EnumUse<'a>>,
     diagnostics: &mut Diagnostics,
 ) -> Option<Meaning> {
     if let (Some(text), true, 1) = (&bits.signed, signed, width) {
@@ -26,9 +26,9 @@ pub(super) fn resolve<'a>(
         return None;
     }
     if let Some(name) = &bits.values {
-        return values(scene, bits, (name, width), carriers, diagnostics);
+        return values(scope, bits, (name, width), enum_uses, diagnostics);
     }
-    let units = origin::non_empty(bits.units.as_ref());
+    let units = text::non_empty(bits.units.as_ref());
     let is_scaled = bits.scale.is_some() || bits.bias.is_some() || bits.exact.is_some();
     if !is_scaled {
         let flag = width == 1 && units.is_none();
@@ -48,10 +48,10 @@ pub(super) fn resolve<'a>(
 }
 
 fn values<'a>(
-    scene: &Scene<'_, 'a>,
+    scope: &MessageScope<'_, 'a>,
     bits: &'a Bits,
     (name, width): (&'a Text, u8),
-    carriers: &mut Vec<Carrier<'a>>,
+    enum_uses: &mut Vec<EnumUse<'a>>,
     diagnostics: &mut Diagnostics,
 ) -> Option<Meaning> {
     let others = [
@@ -72,8 +72,8 @@ fn values<'a>(
         diagnostics.push(too_wide(bits, "an enum has"));
         return None;
     }
-    let values = scene.values(name, diagnostics)?;
-    carriers.push(Carrier { values, name, place: CarrierPlace::Bits(width, bits.width.span) });
+    let values = scope.values(name, diagnostics)?;
+    enum_uses.push(EnumUse { values, name, place: UsePlace::Bits(width, bits.width.span) });
     Some(Meaning::Values(values))
 }
 

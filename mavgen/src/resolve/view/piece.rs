@@ -3,12 +3,12 @@
 use std::ops::RangeInclusive;
 
 use super::words::Words;
-use super::{meaning, origin, ranges, spelling};
+use super::{meaning, ranges, spelling, text};
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{Member, Presence, Repeat};
 use crate::resolve::boolean;
+use crate::resolve::message_scope::{EnumUse, MessageScope};
 use crate::resolve::number::count;
-use crate::resolve::overlay::{Carrier, Scene};
 use crate::syntax::Text;
 use crate::syntax::overlay::{self, Bits};
 
@@ -52,10 +52,10 @@ impl Extent {
 
 /// Resolves a piece. `None` if it is not clear where it lies; what else is wrong leaves it without a member.
 pub(super) fn resolve<'a>(
-    scene: &Scene<'_, 'a>,
+    scope: &MessageScope<'_, 'a>,
     element: &'a overlay::Piece,
     words: &Words,
-    carriers: &mut Vec<Carrier<'a>>,
+    enum_uses: &mut Vec<EnumUse<'a>>,
     diagnostics: &mut Diagnostics,
 ) -> Option<Piece<'a>> {
     match element {
@@ -67,21 +67,21 @@ pub(super) fn resolve<'a>(
         overlay::Piece::Bits(bits) => {
             let (at, width) = place(&bits.at, &bits.width, words, diagnostics)?;
             let extent = Extent { at, width, repeat: repeat(bits, (at, width), words, diagnostics)? };
-            let member = member(scene, bits, extent, carriers, diagnostics).map(|member| (member, &**bits));
+            let member = member(scope, bits, extent, enum_uses, diagnostics).map(|member| (member, &**bits));
             Some(Piece { mask: extent.mask(), at: &bits.at, member, name: Some(&bits.name) })
         }
     }
 }
 
 fn member<'a>(
-    scene: &Scene<'_, 'a>,
+    scope: &MessageScope<'_, 'a>,
     bits: &'a Bits,
     extent: Extent,
-    carriers: &mut Vec<Carrier<'a>>,
+    enum_uses: &mut Vec<EnumUse<'a>>,
     diagnostics: &mut Diagnostics,
 ) -> Option<Member> {
     let signed = bits.signed.as_ref().and_then(|text| boolean::of_overlay(text, diagnostics)) == Some(true);
-    let meaning = meaning::resolve(scene, bits, (extent.width, signed), carriers, diagnostics)?;
+    let meaning = meaning::resolve(scope, bits, (extent.width, signed), enum_uses, diagnostics)?;
     Some(Member {
         name: spelling::label(&bits.name),
         at: extent.at,
@@ -90,7 +90,7 @@ fn member<'a>(
         meaning,
         repeat: extent.repeat,
         presence: Presence::Always,
-        description: origin::or_empty(bits.description.as_ref()),
+        description: text::or_empty(bits.description.as_ref()),
     })
 }
 

@@ -5,7 +5,7 @@ use std::num::NonZeroU8;
 use super::words::Words;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::Place;
-use crate::resolve::overlay::{Found, Scene};
+use crate::resolve::message_scope::{Found, MessageScope};
 use crate::source::Span;
 use crate::syntax::Text;
 
@@ -32,7 +32,7 @@ fn split(text: &str) -> Result<(&str, Index), &str> {
 
 /// The field that `text` names, with an index if and only if it is an array.
 pub(super) fn found<'s>(
-    scene: &Scene<'s, '_>,
+    scope: &MessageScope<'s, '_>,
     text: &Text,
     diagnostics: &mut Diagnostics,
 ) -> Option<(Found<'s>, Index)> {
@@ -46,7 +46,7 @@ pub(super) fn found<'s>(
         }
     };
     let name = Text::new(name.to_owned(), text.span);
-    let found = scene.field(&name, diagnostics)?;
+    let found = scope.field(&name, diagnostics)?;
     let ty = &found.syntax.ty;
     let problem = match (index, found.field.ty.array) {
         (Index::None, Some(_)) => Diagnostic::new(Code::Index, text.span, format!("`{}` is an array", name.value))
@@ -63,12 +63,12 @@ pub(super) fn found<'s>(
 
 /// A scalar, or the element of a slot, for what is read beside the words.
 pub(super) fn beside<'s>(
-    scene: &Scene<'s, '_>,
+    scope: &MessageScope<'s, '_>,
     text: &Text,
     words: &Words,
     diagnostics: &mut Diagnostics,
 ) -> Option<(Place, Found<'s>)> {
-    let (found, index) = found(scene, text, diagnostics)?;
+    let (found, index) = found(scope, text, diagnostics)?;
     let problem = match (index, found.field.ty.array, words.shape) {
         (Index::None, ..) => return Some((Place { field: found.index, element: false }, found)),
         (Index::Slot, Some(length), Some(shape)) if length == shape.length => {

@@ -5,33 +5,37 @@ use super::words::Words;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{Blank, Scalar, Sentinel};
 use crate::resolve::invalid::{self, Refusal};
-use crate::resolve::overlay::{Found, Scene};
-use crate::resolve::width::integer;
+use crate::resolve::message_scope::{Found, MessageScope};
 use crate::syntax::Text;
 use crate::syntax::overlay::{Invalid, View};
 
 /// Resolves all `<invalid>` of a view.
 pub(super) fn blanks(
-    scene: &Scene<'_, '_>,
+    scope: &MessageScope<'_, '_>,
     element: &View,
     words: &Words,
     diagnostics: &mut Diagnostics,
 ) -> Vec<Blank> {
-    element.invalids.iter().filter_map(|invalid| blank(scene, invalid, words, diagnostics)).collect()
+    element.invalids.iter().filter_map(|invalid| blank(scope, invalid, words, diagnostics)).collect()
 }
 
-fn blank(scene: &Scene<'_, '_>, element: &Invalid, words: &Words, diagnostics: &mut Diagnostics) -> Option<Blank> {
+fn blank(
+    scope: &MessageScope<'_, '_>,
+    element: &Invalid,
+    words: &Words,
+    diagnostics: &mut Diagnostics,
+) -> Option<Blank> {
     let Some(field) = &element.field else {
-        return of_words(scene, &element.value, words, diagnostics);
+        return of_words(scope, &element.value, words, diagnostics);
     };
-    let (place, found) = place::beside(scene, field, words, diagnostics)?;
-    of_field(scene, &element.value, found, diagnostics).map(|value| Blank::Field(place, value))
+    let (place, found) = place::beside(scope, field, words, diagnostics)?;
+    of_field(scope, &element.value, found, diagnostics).map(|value| Blank::Field(place, value))
 }
 
 /// A value of the joined words.
-fn of_words(scene: &Scene<'_, '_>, text: &Text, words: &Words, diagnostics: &mut Diagnostics) -> Option<Blank> {
+fn of_words(scope: &MessageScope<'_, '_>, text: &Text, words: &Words, diagnostics: &mut Diagnostics) -> Option<Blank> {
     let largest = u128::MAX >> (128 - u32::from(words.width));
-    let number = invalid::integer(text.value.trim(), scene.entries);
+    let number = invalid::integer(text.value.trim(), scope.entries);
     let problem = match number.map(u128::try_from) {
         Some(Ok(number)) if number <= largest => return Some(Blank::Words(number)),
         Some(_) => {
@@ -46,24 +50,24 @@ fn of_words(scene: &Scene<'_, '_>, text: &Text, words: &Words, diagnostics: &mut
 
 /// A value of an integer field.
 pub(super) fn of_field(
-    scene: &Scene<'_, '_>,
+    scope: &MessageScope<'_, '_>,
     text: &Text,
     found: Found<'_>,
     diagnostics: &mut Diagnostics,
 ) -> Option<i128> {
     let (ty, name) = (&found.syntax.ty, &found.syntax.name.value);
     let scalar = found.field.ty.scalar;
-    if integer(scalar).is_none() && !matches!(scalar, Scalar::Version(_)) {
-        let message = format!("`{}.{name}` is `{}`, which is compared with no number", scene.name(), ty.value);
+    if scalar.repr().is_none() && !matches!(scalar, Scalar::Version(_)) {
+        let message = format!("`{}.{name}` is `{}`, which is compared with no number", scope.name(), ty.value);
         let problem = Diagnostic::new(Code::UnsuitableField, text.span, message).related(ty.span, "the field");
         diagnostics.push(problem.help("`invalid` compares integers"));
         return None;
     }
-    let problem = match invalid::sentinel(text.value.trim(), scalar, scene.entries) {
+    let problem = match invalid::sentinel(text.value.trim(), scalar, scope.entries) {
         Ok(Sentinel::Integer(value)) => return Some(value),
-        Err(Refusal::Unknown) if !scene.entries.complete => return None,
+        Err(Refusal::Unknown) if !scope.entries.complete => return None,
         Err(Refusal::Range) => {
-            let message = format!("`{}.{name}` is never `{}`: it is `{}`", scene.name(), text.value, ty.value);
+            let message = format!("`{}.{name}` is never `{}`: it is `{}`", scope.name(), text.value, ty.value);
             Diagnostic::new(Code::Sentinel, text.span, message).help("leave it out, or correct it")
         }
         Ok(_) | Err(_) => not_understood(text),

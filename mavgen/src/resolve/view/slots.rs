@@ -3,23 +3,23 @@
 use super::place;
 use super::sentinel;
 use super::words::{Shape, Words};
-use super::{origin, spelling};
+use super::{spelling, text};
 use crate::diag::{Code, Diagnostic, Diagnostics};
-use crate::ir::{Access, FieldIndex, Key, Label, Scalar, Slots, unit_words};
-use crate::resolve::overlay::Scene;
+use crate::ir::{Access, FieldIndex, Key, Label, Slots, unit_words};
+use crate::resolve::message_scope::MessageScope;
 use crate::source::Span;
 use crate::syntax::Text;
 use crate::syntax::overlay::{self, View};
 
 /// Resolves `item`, `items`, `count` and the keys.
 pub(super) fn access(
-    scene: &Scene<'_, '_>,
+    scope: &MessageScope<'_, '_>,
     element: &View,
     words: &Words,
     diagnostics: &mut Diagnostics,
 ) -> Option<Access> {
     match words.shape {
-        Some(shape) => slots(scene, element, words, shape, diagnostics).map(Access::Slots),
+        Some(shape) => slots(scope, element, words, shape, diagnostics).map(Access::Slots),
         None => once(element, words, diagnostics),
     }
 }
@@ -44,7 +44,7 @@ fn once(element: &View, words: &Words, diagnostics: &mut Diagnostics) -> Option<
 }
 
 fn slots(
-    scene: &Scene<'_, '_>,
+    scope: &MessageScope<'_, '_>,
     element: &View,
     words: &Words,
     shape: Shape,
@@ -60,36 +60,41 @@ fn slots(
     };
     let item = required(&element.item, "item", "the type of a slot, and the method that gives one: `esc`");
     let items = required(&element.items, "items", "the iterator over the slots: `escs`");
-    let count = element.count.as_ref().and_then(|text| count(scene, text, diagnostics));
-    let keys = element.keys.iter().filter_map(|key| self::key(scene, key, words, diagnostics)).collect();
+    let count = element.count.as_ref().and_then(|text| count(scope, text, diagnostics));
+    let keys = element.keys.iter().filter_map(|key| self::key(scope, key, words, diagnostics)).collect();
     Some(Slots { item: spelling::name(&item?), items: spelling::label(&items?), length: shape.length, count, keys })
 }
 
-fn count(scene: &Scene<'_, '_>, text: &Text, diagnostics: &mut Diagnostics) -> Option<FieldIndex> {
-    let found = scene.field(text, diagnostics)?;
+fn count(scope: &MessageScope<'_, '_>, text: &Text, diagnostics: &mut Diagnostics) -> Option<FieldIndex> {
+    let found = scope.field(text, diagnostics)?;
     let ty = found.field.ty;
-    if ty.array.is_none() && matches!(ty.scalar, Scalar::U8 | Scalar::U16 | Scalar::U32 | Scalar::U64) {
+    if ty.array.is_none() && ty.scalar.is_unsigned() {
         return Some(found.index);
     }
     let spelled = &found.syntax.ty;
-    let message = format!("`{}.{}` is `{}`, which is no count", scene.name(), text.value, spelled.value);
+    let message = format!("`{}.{}` is `{}`, which is no count", scope.name(), text.value, spelled.value);
     let problem = Diagnostic::new(Code::Count, text.span, message).related(spelled.span, "the field");
     diagnostics.push(problem.help("a count is a scalar unsigned integer"));
     None
 }
 
-fn key(scene: &Scene<'_, '_>, element: &overlay::Key, words: &Words, diagnostics: &mut Diagnostics) -> Option<Key> {
-    let (place, found) = place::beside(scene, &element.field, words, diagnostics)?;
+fn key(
+    scope: &MessageScope<'_, '_>,
+    element: &overlay::Key,
+    words: &Words,
+    diagnostics: &mut Diagnostics,
+) -> Option<Key> {
+    let (place, found) = place::beside(scope, &element.field, words, diagnostics)?;
     let invalid = element.invalid.as_ref();
-    let invalid = invalid.and_then(|text| sentinel::of_field(scene, text, found, diagnostics));
+    let invalid = invalid.and_then(|text| sentinel::of_field(scope, text, found, diagnostics));
     // An integer is mostly in a fraction of the plain unit, which its name should say; a float is in the plain one.
     let units = element.units.as_ref().filter(|units| !units.value.trim().is_empty());
     let suffix = units.filter(|_| !found.field.ty.scalar.is_float()).map(|units| unit_words(&units.value));
     Some(Key {
         name: Label { name: spelling::name(&element.name), suffix },
         place,
-        units: units.map(|units| units.value.clone()).or_else(|| found.field.units.clone()),
+        units: units.map(|units| units.value.clone()).or_else(|| text::non_empty(found.syntax.units.as_ref())),
         invalid,
-        description: origin::or_empty(element.description.as_ref()),
+        description: text::or_empty(element.description.as_ref()),
     })
 }

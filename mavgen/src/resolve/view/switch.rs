@@ -8,9 +8,8 @@ use super::ranges::{complement, joined, list};
 use super::words::Words;
 use super::{place, ranges, spelling};
 use crate::diag::{Code, Diagnostic, Diagnostics};
-use crate::ir::{EnumId, Label, Meaning, Scalar, SwitchOn};
-use crate::resolve::overlay::{Carrier, Scene};
-use crate::resolve::width::integer;
+use crate::ir::{EnumId, Label, Meaning, SwitchOn};
+use crate::resolve::message_scope::{EnumUse, MessageScope};
 use crate::source::Span;
 use crate::syntax::Text;
 use crate::syntax::overlay::{Case, Switch};
@@ -45,14 +44,14 @@ pub(super) struct Branch<'a> {
 
 /// Resolves what a switch looks at: a field, or bits that stand before it in every layout.
 pub(super) fn selector(
-    scene: &Scene<'_, '_>,
+    scope: &MessageScope<'_, '_>,
     element: &Switch,
     words: &Words,
     common: &[Piece<'_>],
     diagnostics: &mut Diagnostics,
 ) -> Option<Selector> {
     let message = match (&element.field, &element.bits) {
-        (Some(field), None) => return on_field(scene, field, words, diagnostics),
+        (Some(field), None) => return on_field(scope, field, words, diagnostics),
         (None, Some(bits)) => return on_bits(bits, common, diagnostics),
         (None, None) => "a switch does not say what it looks at",
         (Some(_), Some(_)) => "a switch looks at a field and at bits",
@@ -62,12 +61,16 @@ pub(super) fn selector(
     None
 }
 
-fn on_field(scene: &Scene<'_, '_>, text: &Text, words: &Words, diagnostics: &mut Diagnostics) -> Option<Selector> {
-    let (place, found) = place::beside(scene, text, words, diagnostics)?;
+fn on_field(
+    scope: &MessageScope<'_, '_>,
+    text: &Text,
+    words: &Words,
+    diagnostics: &mut Diagnostics,
+) -> Option<Selector> {
+    let (place, found) = place::beside(scope, text, words, diagnostics)?;
     let (name, ty) = (&found.syntax.name, &found.syntax.ty);
-    let unsigned = matches!(found.field.ty.scalar, Scalar::U8 | Scalar::U16 | Scalar::U32 | Scalar::U64);
-    let Some(repr) = integer(found.field.ty.scalar).filter(|_| unsigned) else {
-        let message = format!("`{}.{}` is `{}`, which no switch can look at", scene.name(), name.value, ty.value);
+    let Some(repr) = found.field.ty.scalar.repr().filter(|repr| !repr.is_signed()) else {
+        let message = format!("`{}.{}` is `{}`, which no switch can look at", scope.name(), name.value, ty.value);
         let problem = Diagnostic::new(Code::SwitchOn, text.span, message).related(ty.span, "the field");
         diagnostics.push(problem.help("a switch looks at an unsigned integer"));
         return None;
@@ -77,7 +80,7 @@ fn on_field(scene: &Scene<'_, '_>, text: &Text, words: &Words, diagnostics: &mut
         title: format!("`{}`", name.value),
         on: SwitchOn::Field(place, repr),
         most: repr.highest(),
-        values: scene.values_of(found.syntax),
+        values: scope.values_of(found.syntax),
         span: ty.span,
         named: text.span,
     })
@@ -118,18 +121,18 @@ fn on_bits(text: &Text, common: &[Piece<'_>], diagnostics: &mut Diagnostics) -> 
 
 /// Resolves the cases. Without a selector their parts are looked at all the same, for what is wrong with them.
 pub(super) fn branches<'a>(
-    (scene, words): (&Scene<'_, 'a>, &Words),
+    (scope, words): (&MessageScope<'_, 'a>, &Words),
     element: &'a Switch,
     selector: Option<&Selector>,
-    carriers: &mut Vec<Carrier<'a>>,
+    enum_uses: &mut Vec<EnumUse<'a>>,
     diagnostics: &mut Diagnostics,
 ) -> Option<Vec<Branch<'a>>> {
-    let taken = selector.map(|selector| cases(scene, element, selector, diagnostics));
+    let taken = selector.map(|selector| cases(scope, element, selector, diagnostics));
     let rest = selector.zip(taken.as_deref()).map(|(selector, taken)| {
         let ranges = joined(taken.iter().flatten().map(|values| values.range.clone()));
         complement(&ranges, selector.most)
     });
-    check_default(element, selector.zip(rest.as_deref()).filter(|_| scene.whole), diagnostics);
+    check_default(element, selector.zip(rest.as_deref()).filter(|_| scope.whole), diagnostics);
     let mut branches = Vec::new();
     let mut whole = true;
     for (index, case) in element.cases.iter().enumerate() {
@@ -137,7 +140,7 @@ pub(super) fn branches<'a>(
             (Some(_), Some(values)) => joined(values.iter().map(|values| values.range.clone())),
             _ => rest.clone().unwrap_or_default(),
         };
-        let pieces = case.pieces.iter().map(|piece| piece::resolve(scene, piece, words, carriers, diagnostics));
+        let pieces = case.pieces.iter().map(|piece| piece::resolve(scope, piece, words, enum_uses, diagnostics));
         let pieces: Vec<Option<Piece<'a>>> = pieces.collect();
         whole &= pieces.iter().all(Option::is_some);
         branches.push(Branch { ranges, pieces: pieces.into_iter().flatten().collect(), span: case.span });
@@ -147,14 +150,14 @@ pub(super) fn branches<'a>(
 
 /// The values of every case, of which none may be in two.
 fn cases(
-    scene: &Scene<'_, '_>,
+    scope: &MessageScope<'_, '_>,
     element: &Switch,
     selector: &Selector,
     diagnostics: &mut Diagnostics,
 ) -> Vec<Vec<Values>> {
     let mut all: Vec<Vec<Values>> = Vec::new();
     for case in &element.cases {
-        let own = case.value.as_ref().map(|text| case::ranges(scene, text, selector, diagnostics)).unwrap_or_default();
+        let own = case.value.as_ref().map(|text| case::ranges(scope, text, selector, diagnostics)).unwrap_or_default();
         for (index, values) in own.iter().enumerate() {
             let mut before = all.iter().flatten().chain(own.iter().take(index));
             if let Some(first) = before.find(|first| overlap(&first.range, &values.range).is_some()) {

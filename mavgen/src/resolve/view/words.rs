@@ -4,8 +4,8 @@ use std::num::NonZeroU8;
 
 use super::place::{self, Index};
 use crate::diag::{Code, Diagnostic, Diagnostics};
-use crate::ir::{Place, Scalar, Word};
-use crate::resolve::overlay::{Found, Scene, parts};
+use crate::ir::{Place, Word};
+use crate::resolve::message_scope::{Found, MessageScope, parts};
 use crate::source::Span;
 use crate::syntax::Text;
 
@@ -42,25 +42,25 @@ struct Read<'s> {
 }
 
 /// Resolves the words; `None` if any of them is not clear.
-pub(super) fn resolve(scene: &Scene<'_, '_>, text: &Text, diagnostics: &mut Diagnostics) -> Option<Words> {
+pub(super) fn resolve(scope: &MessageScope<'_, '_>, text: &Text, diagnostics: &mut Diagnostics) -> Option<Words> {
     let parts = parts(text);
     if parts.is_empty() {
         diagnostics.push(Diagnostic::new(Code::Words, text.span, "a view of no words").help("name a field"));
         return None;
     }
-    let read: Vec<Option<Read<'_>>> = parts.into_iter().map(|part| one(scene, part, diagnostics)).collect();
+    let read: Vec<Option<Read<'_>>> = parts.into_iter().map(|part| one(scope, part, diagnostics)).collect();
     let read = read.into_iter().collect::<Option<Vec<Read<'_>>>>()?;
     check_once(&read, diagnostics)?;
     let shape = shape(&read, diagnostics)?;
-    let width = width(scene, text, &read, diagnostics)?;
+    let width = width(scope, text, &read, diagnostics)?;
     Some(Words { list: read.iter().map(|read| read.word).collect(), width, shape, span: text.span })
 }
 
-fn one<'s>(scene: &Scene<'s, '_>, text: Text, diagnostics: &mut Diagnostics) -> Option<Read<'s>> {
-    let (found, index) = place::found(scene, &text, diagnostics)?;
+fn one<'s>(scope: &MessageScope<'s, '_>, text: Text, diagnostics: &mut Diagnostics) -> Option<Read<'s>> {
+    let (found, index) = place::found(scope, &text, diagnostics)?;
     let ty = found.field.ty;
-    if !is_word(ty.scalar) {
-        let (message, spelled) = (scene.name(), &found.syntax.ty);
+    if !ty.scalar.is_word() {
+        let (message, spelled) = (scope.name(), &found.syntax.ty);
         let message = format!("`{message}.{}` is `{}`, which is no word", found.syntax.name.value, spelled.value);
         let problem = Diagnostic::new(Code::WordType, text.span, message).related(spelled.span, "the field");
         diagnostics.push(
@@ -75,14 +75,6 @@ fn one<'s>(scene: &Scene<'s, '_>, text: Text, diagnostics: &mut Diagnostics) -> 
         Index::None => (Word::One(Place { field: found.index, element: false }), element),
     };
     Some(Read { text, word, found, bits })
-}
-
-/// Whether the bits of a type are as they were sent, with no sign to drag along and no text to keep.
-fn is_word(scalar: Scalar) -> bool {
-    match scalar {
-        Scalar::U8 | Scalar::U16 | Scalar::U32 | Scalar::U64 | Scalar::F32 | Scalar::F64 => true,
-        Scalar::I8 | Scalar::I16 | Scalar::I32 | Scalar::I64 | Scalar::Char | Scalar::Version(_) => false,
-    }
 }
 
 /// No word stands twice: a setter would contradict itself.
@@ -120,7 +112,7 @@ fn shape(read: &[Read<'_>], diagnostics: &mut Diagnostics) -> Option<Option<Shap
     Some(Some(Shape { length, span: first.found.syntax.ty.span }))
 }
 
-fn width(scene: &Scene<'_, '_>, text: &Text, read: &[Read<'_>], diagnostics: &mut Diagnostics) -> Option<u8> {
+fn width(scope: &MessageScope<'_, '_>, text: &Text, read: &[Read<'_>], diagnostics: &mut Diagnostics) -> Option<u8> {
     let bits: usize = read.iter().map(|read| read.bits).sum();
     if bits <= MOST_BITS {
         return u8::try_from(bits).ok();
@@ -131,7 +123,7 @@ fn width(scene: &Scene<'_, '_>, text: &Text, read: &[Read<'_>], diagnostics: &mu
     let mut problem = Diagnostic::new(Code::WordsTooWide, text.span, message);
     for read in read {
         let (name, ty) = (&read.found.syntax.name.value, &read.found.syntax.ty);
-        problem = problem.related(ty.span, format!("`{}.{name}`", scene.name()));
+        problem = problem.related(ty.span, format!("`{}.{name}`", scope.name()));
     }
     diagnostics.push(problem.help("there is no larger integer: read the words in several views"));
     None

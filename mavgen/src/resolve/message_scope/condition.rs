@@ -2,8 +2,7 @@
 
 use super::super::number;
 use super::super::suggest::suggest;
-use super::super::width::integer;
-use super::{Found, Scene};
+use super::{Found, MessageScope};
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{self, Repr};
 use crate::syntax::Text;
@@ -11,60 +10,60 @@ use crate::syntax::overlay::Condition;
 
 /// Resolves a condition: nothing if there is none. What is wrong with one is reported.
 pub(in crate::resolve) fn resolve(
-    scene: &Scene<'_, '_>,
+    scope: &MessageScope<'_, '_>,
     condition: &Condition,
     diagnostics: &mut Diagnostics,
 ) -> Option<ir::Condition> {
     let (name, value) = (condition.field.as_ref()?, condition.value.as_ref()?);
-    let found = scene.field(name, diagnostics)?;
-    let repr = integer(found.field.ty.scalar).filter(|_| found.field.ty.array.is_none());
+    let found = scope.field(name, diagnostics)?;
+    let repr = found.field.ty.scalar.repr().filter(|_| found.field.ty.array.is_none());
     let Some(repr) = repr else {
-        diagnostics.push(unsuitable(scene, name, found));
+        diagnostics.push(unsuitable(scope, name, found));
         return None;
     };
-    let number = number_of(scene, value, found, repr, diagnostics)?;
-    Some(ir::Condition { field: found.index, value: number, values: scene.values_of(found.syntax) })
+    let number = number_of(scope, value, found, repr, diagnostics)?;
+    Some(ir::Condition { field: found.index, value: number, values: scope.values_of(found.syntax) })
 }
 
 /// The value: a number, or an entry of the enum that the field carries.
 fn number_of(
-    scene: &Scene<'_, '_>,
+    scope: &MessageScope<'_, '_>,
     text: &Text,
     found: Found<'_>,
     repr: Repr,
     diagnostics: &mut Diagnostics,
 ) -> Option<u64> {
-    let values = scene.values_of(found.syntax);
+    let values = scope.values_of(found.syntax);
     let number = number::unsigned(&text.value).ok();
-    let number = number.or_else(|| values.and_then(|values| scene.entry(values, &text.value)));
+    let number = number.or_else(|| values.and_then(|values| scope.entry(values, &text.value)));
     match number {
         Some(number) if number <= repr.highest() => return number.into(),
-        Some(number) => diagnostics.push(too_large(scene, text, number, found)),
-        None if !scene.entries.complete => {}
+        Some(number) => diagnostics.push(too_large(scope, text, number, found)),
+        None if !scope.entries.complete => {}
         None => {
-            let names = values.into_iter().flat_map(|values| scene.entry_names(values));
-            let problem = suggest(not_a_value(scene, text, found), &text.value, names, diagnostics);
+            let names = values.into_iter().flat_map(|values| scope.entry_names(values));
+            let problem = suggest(not_a_value(scope, text, found), &text.value, names, diagnostics);
             diagnostics.push(problem);
         }
     }
     None
 }
 
-fn unsuitable(scene: &Scene<'_, '_>, name: &Text, found: Found<'_>) -> Diagnostic {
-    let (ty, message) = (&found.syntax.ty, scene.name());
+fn unsuitable(scope: &MessageScope<'_, '_>, name: &Text, found: Found<'_>) -> Diagnostic {
+    let (ty, message) = (&found.syntax.ty, scope.name());
     let text = format!("`{message}.{}` is `{}`, which no condition can ask", name.value, ty.value);
     let problem = Diagnostic::new(Code::Condition, name.span, text).related(ty.span, "the field");
     problem.help("a condition asks a scalar integer")
 }
 
-fn too_large(scene: &Scene<'_, '_>, text: &Text, number: u64, found: Found<'_>) -> Diagnostic {
+fn too_large(scope: &MessageScope<'_, '_>, text: &Text, number: u64, found: Found<'_>) -> Diagnostic {
     let (ty, name) = (&found.syntax.ty, &found.syntax.name.value);
-    let message = format!("`{}.{name}` is never {number}: it is `{}`", scene.name(), ty.value);
+    let message = format!("`{}.{name}` is never {number}: it is `{}`", scope.name(), ty.value);
     let problem = Diagnostic::new(Code::Condition, text.span, message).related(ty.span, "the field");
     problem.help("the condition would never hold")
 }
 
-fn not_a_value(scene: &Scene<'_, '_>, text: &Text, found: Found<'_>) -> Diagnostic {
+fn not_a_value(scope: &MessageScope<'_, '_>, text: &Text, found: Found<'_>) -> Diagnostic {
     let name = &found.syntax.name.value;
     let (message, place, label) = match &found.syntax.values {
         Some(values) => {
@@ -73,7 +72,7 @@ fn not_a_value(scene: &Scene<'_, '_>, text: &Text, found: Found<'_>) -> Diagnost
         }
         None => {
             let message = format!("`{}` is not a number from 0", text.value);
-            (message, found.syntax.name.span, format!("`{}.{name}` carries no enum", scene.name()))
+            (message, found.syntax.name.span, format!("`{}.{name}` carries no enum", scope.name()))
         }
     };
     let problem = Diagnostic::new(Code::Condition, text.span, message).related(place, label);

@@ -2,12 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use super::boolean::{self, Attribute};
-use super::enums::Entry;
-use super::merge::Enums;
-use super::origin::{self, Described};
-use super::suggest::suggest;
-use super::{limits, number, units};
+use super::super::boolean::{self, Attribute};
+use super::super::enums::{Enums, ValuedEntry};
+use super::super::origin::Described;
+use super::super::suggest::suggest;
+use super::super::{limits, number, text, units};
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{Command, EnumId, FileIndex, Param};
 use crate::syntax::{self, Text};
@@ -23,7 +22,7 @@ const INTEGER_PARAMS: [u8; 2] = [5, 6];
 /// Enums of commands are known by their name, as pymavlink does it; in others, by what the entry has.
 pub(super) fn resolve(
     enum_name: &str,
-    entry: &Entry<'_>,
+    entry: &ValuedEntry<'_>,
     enums: &Enums<'_>,
     diagnostics: &mut Diagnostics,
 ) -> Option<Command> {
@@ -68,8 +67,8 @@ fn param(
     let ranges = [element.min.as_ref(), element.max.as_ref(), element.increment.as_ref()];
     Param {
         index,
-        label: origin::non_empty(element.label.as_ref()),
-        units: origin::non_empty(element.units.as_ref()),
+        label: text::non_empty(element.label.as_ref()),
+        units: text::non_empty(element.units.as_ref()),
         values: element.values.as_ref().and_then(|name| values(name, enums, diagnostics)),
         limits: limits::resolve(ranges, diagnostics),
         default: element.default.as_ref().and_then(|text| default(index, text, diagnostics)),

@@ -6,12 +6,12 @@ use crate::diag::Diagnostics;
 use crate::source::{FileId, Span};
 
 /// The files of which something could not be read.
-pub(super) struct Losses {
+pub(super) struct Poisoned {
     files: HashSet<Option<FileId>>,
 }
 
-impl Losses {
-    /// The losses behind the errors so far.
+impl Poisoned {
+    /// The poisoned behind the errors so far.
     pub(super) fn behind(diagnostics: &Diagnostics) -> Self {
         Self { files: diagnostics.broken_files().collect() }
     }

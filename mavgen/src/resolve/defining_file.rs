@@ -1,6 +1,6 @@
 //! Ownership: which of several files that define an enum decides on its type.
 
-use super::merge::Merged;
+use super::enums::Merged;
 use super::uses::Use;
 use crate::ir::FileIndex;
 use crate::read::Loaded;
@@ -43,8 +43,8 @@ fn reached_from(file: FileIndex, direct: &[Vec<FileIndex>]) -> Vec<bool> {
 /// The file that owns an enum: of all that define it, the one that most of the others include; then one whose own messages
 /// use it; then the first.
 ///
-/// A dialect that adds entries to an enum of the file it includes is thereby never the owner.
-pub(super) fn owner(merged: &Merged<'_>, uses: &[Use<'_>], includes: &mut Includes<'_>) -> FileIndex {
+/// A dialect that adds entries to an enum of the file it includes is thereby never the one.
+pub(super) fn of(merged: &Merged<'_>, uses: &[Use<'_>], includes: &mut Includes<'_>) -> FileIndex {
     let mut files: Vec<FileIndex> = merged.blocks.iter().map(|block| block.file).collect();
     files.dedup();
     if files.len() < 2 {

@@ -1,7 +1,6 @@
 //! Carriers: the bits and bindings of overlays that carry enums, beside the fields that do.
 
-use super::super::enums::Entry;
-use super::super::merge::{Enums, Merged};
+use super::super::enums::{Enums, Merged, ValuedEntry};
 use super::super::width::Width;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{EnumId, Repr};
@@ -12,30 +11,30 @@ use crate::syntax::Text;
 const NAMED_VALUES: usize = 3;
 
 /// Bits or a field that an overlay gives an enum to.
-pub(in crate::resolve) struct Carrier<'a> {
+pub(in crate::resolve) struct EnumUse<'a> {
     /// The enum.
     pub(in crate::resolve) values: EnumId,
     /// Where it is named.
     pub(in crate::resolve) name: &'a Text,
     /// What carries it.
-    pub(in crate::resolve) place: CarrierPlace,
+    pub(in crate::resolve) place: UsePlace,
 }
 
 /// What carries an enum.
 #[derive(Clone, Copy)]
-pub(in crate::resolve) enum CarrierPlace {
+pub(in crate::resolve) enum UsePlace {
     /// So many bits, 1 to 64, whose width stands there.
     Bits(u8, Span),
     /// A field of this type, which stands there.
     Field(Repr, Span),
 }
 
-impl Carrier<'_> {
+impl EnumUse<'_> {
     /// The integer that suits it.
     pub(in crate::resolve) fn repr(&self) -> Repr {
         match self.place {
-            CarrierPlace::Bits(width, _) => Repr::smallest_for(mask(width)),
-            CarrierPlace::Field(repr, _) => repr,
+            UsePlace::Bits(width, _) => Repr::smallest_for(mask(width)),
+            UsePlace::Field(repr, _) => repr,
         }
     }
 }
@@ -47,49 +46,49 @@ fn mask(width: u8) -> u64 {
 
 /// Checks that the enums suit what carries them.
 pub(in crate::resolve) fn check(
-    carriers: &[Carrier<'_>],
+    enum_uses: &[EnumUse<'_>],
     enums: &Enums<'_>,
     widths: &[Width],
     diagnostics: &mut Diagnostics,
 ) {
-    for carrier in carriers {
-        let index = carrier.values.0;
+    for enum_use in enum_uses {
+        let index = enum_use.values.0;
         let (Some(merged), Some(width)) = (enums.list.get(index), widths.get(index)) else { continue };
-        match carrier.place {
-            CarrierPlace::Bits(bits, place) if width.repr.highest() < mask(bits) => {
-                diagnostics.push(too_narrow(carrier, merged, *width, (bits, place)));
+        match enum_use.place {
+            UsePlace::Bits(bits, place) if width.repr.highest() < mask(bits) => {
+                diagnostics.push(too_narrow(enum_use, merged, *width, (bits, place)));
             }
-            CarrierPlace::Bits(bits, place) => diagnostics.extend(beyond(carrier, merged, (bits, place))),
-            CarrierPlace::Field(repr, place) if repr != width.repr => {
-                diagnostics.push(other_type(carrier, merged, *width, (repr, place)));
+            UsePlace::Bits(bits, place) => diagnostics.extend(beyond(enum_use, merged, (bits, place))),
+            UsePlace::Field(repr, place) if repr != width.repr => {
+                diagnostics.push(other_type(enum_use, merged, *width, (repr, place)));
             }
-            CarrierPlace::Field(..) => {}
+            UsePlace::Field(..) => {}
         }
     }
 }
 
-fn too_narrow(carrier: &Carrier<'_>, merged: &Merged<'_>, width: Width, (bits, place): (u8, Span)) -> Diagnostic {
-    let (name, repr) = (&carrier.name.value, width.repr.rust_name());
+fn too_narrow(enum_use: &EnumUse<'_>, merged: &Merged<'_>, width: Width, (bits, place): (u8, Span)) -> Diagnostic {
+    let (name, repr) = (&enum_use.name.value, width.repr.rust_name());
     let message = format!("enum `{name}` is {repr}, which does not hold all values of {bits} bits");
-    let problem = Diagnostic::new(Code::EnumTooNarrow, carrier.name.span, message);
+    let problem = Diagnostic::new(Code::EnumTooNarrow, enum_use.name.span, message);
     let problem = problem.related(place, "the width");
-    let problem = problem.related(merged.owner_span(width.owner), format!("the enum is {repr} here"));
+    let problem = problem.related(merged.defining_span(width.defining_file), format!("the enum is {repr} here"));
     problem.help("define a new enum in the overlay, or make the bits a plain number")
 }
 
 /// The documented values that the bits cannot have.
-fn beyond(carrier: &Carrier<'_>, merged: &Merged<'_>, (bits, place): (u8, Span)) -> Option<Diagnostic> {
+fn beyond(enum_use: &EnumUse<'_>, merged: &Merged<'_>, (bits, place): (u8, Span)) -> Option<Diagnostic> {
     let largest = u128::from(mask(bits));
-    let beyond: Vec<&Entry<'_>> = merged.entries.iter().filter(|entry| entry.value > largest).collect();
+    let beyond: Vec<&ValuedEntry<'_>> = merged.entries.iter().filter(|entry| entry.value > largest).collect();
     let first = beyond.first()?;
-    let name = |entry: &&Entry<'_>| format!("{} = {}", entry.syntax.name.value, entry.value);
+    let name = |entry: &&ValuedEntry<'_>| format!("{} = {}", entry.syntax.name.value, entry.value);
     let mut named: Vec<String> = beyond.iter().take(NAMED_VALUES).map(name).collect();
     if beyond.len() > NAMED_VALUES {
         named.push(format!("{} more", beyond.len() - NAMED_VALUES));
     }
-    let (values, unit) = (&carrier.name.value, if bits == 1 { "bit" } else { "bits" });
+    let (values, unit) = (&enum_use.name.value, if bits == 1 { "bit" } else { "bits" });
     let message = format!("values of enum `{values}` do not fit {bits} {unit}: {}", named.join(", "));
-    let problem = Diagnostic::new(Code::ValueBeyondBits, carrier.name.span, message);
+    let problem = Diagnostic::new(Code::ValueBeyondBits, enum_use.name.span, message);
     let problem = problem.related(place, format!("at most {largest}"));
     let problem = problem.related(first.syntax.name.span, "does not fit");
     Some(
@@ -97,10 +96,10 @@ fn beyond(carrier: &Carrier<'_>, merged: &Merged<'_>, (bits, place): (u8, Span))
     )
 }
 
-fn other_type(carrier: &Carrier<'_>, merged: &Merged<'_>, width: Width, (field, place): (Repr, Span)) -> Diagnostic {
-    let (name, repr, field) = (&carrier.name.value, width.repr.rust_name(), field.rust_name());
+fn other_type(enum_use: &EnumUse<'_>, merged: &Merged<'_>, width: Width, (field, place): (Repr, Span)) -> Diagnostic {
+    let (name, repr, field) = (&enum_use.name.value, width.repr.rust_name(), field.rust_name());
     let message = format!("enum `{name}` is {repr}, and the field is {field}");
-    let problem = Diagnostic::new(Code::Bind, carrier.name.span, message).related(place, "the field");
-    let problem = problem.related(merged.owner_span(width.owner), format!("the enum is {repr} here"));
+    let problem = Diagnostic::new(Code::Bind, enum_use.name.span, message).related(place, "the field");
+    let problem = problem.related(merged.defining_span(width.defining_file), format!("the enum is {repr} here"));
     problem.help("bind an enum to fields of its own type; a `<view>` can say which bits of the field it fills")
 }

@@ -4,8 +4,8 @@ use std::cmp::Reverse;
 use std::collections::HashMap;
 use std::collections::hash_map;
 
-use super::enums::{Block, Entry};
-use super::losses::Losses;
+use super::super::poisoned::Poisoned;
+use super::block::{Block, ValuedEntry};
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{EnumId, FileIndex};
 use crate::read::Loaded;
@@ -16,54 +16,54 @@ use crate::syntax::{self, Text};
 const MOST_DEFINITIONS: usize = 256;
 
 /// An enum, merged from one or more definitions.
-pub(super) struct Merged<'a> {
+pub(in crate::resolve) struct Merged<'a> {
     /// The name, at the first definition.
-    pub(super) name: &'a Text,
+    pub(in crate::resolve) name: &'a Text,
     /// The file of the first definition.
-    pub(super) file: FileIndex,
+    pub(in crate::resolve) file: FileIndex,
     /// The start tag of the first definition.
-    pub(super) span: Span,
+    pub(in crate::resolve) span: Span,
     /// The definitions in merge order; their entries have moved to [`Merged::entries`].
-    pub(super) blocks: Vec<Block<'a>>,
+    pub(in crate::resolve) blocks: Vec<Block<'a>>,
     /// The entries by value.
-    pub(super) entries: Vec<Entry<'a>>,
+    pub(in crate::resolve) entries: Vec<ValuedEntry<'a>>,
     /// What overlays say of it.
-    pub(super) refined: Refined,
+    pub(in crate::resolve) refined: Refined,
     /// Smallest and largest value of the first definition; as in pymavlink, later ones do not count.
     range: Option<(u128, u128)>,
 }
 
 /// What overlays say of an enum: it takes precedence over the definitions.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Refined {
+pub(in crate::resolve) struct Refined {
     /// Whether the values are combined bit by bit.
-    pub(super) bitmask: Option<bool>,
+    pub(in crate::resolve) bitmask: Option<bool>,
     /// Whether it is in use, although deprecated.
-    pub(super) in_use: bool,
+    pub(in crate::resolve) in_use: bool,
 }
 
 /// All enums, in the order of their first definitions; those of overlays come last.
-pub(super) struct Enums<'a> {
+pub(in crate::resolve) struct Enums<'a> {
     /// The enums.
-    pub(super) list: Vec<Merged<'a>>,
+    pub(in crate::resolve) list: Vec<Merged<'a>>,
     /// Whether no definition was lost before: only then is a name without an enum worth a word.
-    pub(super) complete: bool,
+    pub(in crate::resolve) complete: bool,
     by_name: HashMap<&'a str, EnumId>,
 }
 
 impl<'a> Enums<'a> {
     /// Merges the enums of all files.
-    pub(super) fn merge(loaded: &'a Loaded, losses: &Losses, diagnostics: &mut Diagnostics) -> Self {
-        let mut enums = Self { list: Vec::new(), complete: !losses.any(), by_name: HashMap::new() };
+    pub(in crate::resolve) fn merge(loaded: &'a Loaded, poisoned: &Poisoned, diagnostics: &mut Diagnostics) -> Self {
+        let mut enums = Self { list: Vec::new(), complete: !poisoned.any(), by_name: HashMap::new() };
         for (index, file) in loaded.files.iter().enumerate() {
             for element in &file.enums {
-                let block = Block::read(FileIndex(index), element, losses, diagnostics);
+                let block = Block::read(FileIndex(index), element, poisoned, diagnostics);
                 enums.add(block, diagnostics);
             }
         }
         for (index, overlay) in loaded.overlays.iter().enumerate() {
             let file = FileIndex(loaded.files.len() + index);
-            overlay.enums.iter().for_each(|element| enums.add_new(file, element, losses, diagnostics));
+            overlay.enums.iter().for_each(|element| enums.add_new(file, element, poisoned, diagnostics));
         }
         for merged in &mut enums.list {
             check(merged, diagnostics);
@@ -93,28 +93,34 @@ impl<'a> Enums<'a> {
     }
 
     /// Takes an enum of an overlay, which has to be new: what includes the dialect elsewhere may not know the overlay.
-    fn add_new(&mut self, file: FileIndex, element: &'a syntax::Enum, losses: &Losses, diagnostics: &mut Diagnostics) {
+    fn add_new(
+        &mut self,
+        file: FileIndex,
+        element: &'a syntax::Enum,
+        poisoned: &Poisoned,
+        diagnostics: &mut Diagnostics,
+    ) {
         let first = self.id(&element.name.value).and_then(|id| self.list.get(id.0));
         if let Some(first) = first {
             diagnostics.push(redefined(&element.name, first));
             return;
         }
-        let block = Block::read(file, element, losses, diagnostics);
+        let block = Block::read(file, element, poisoned, diagnostics);
         self.add(block, diagnostics);
     }
 
     /// The enum of that name.
-    pub(super) fn id(&self, name: &str) -> Option<EnumId> {
+    pub(in crate::resolve) fn id(&self, name: &str) -> Option<EnumId> {
         self.by_name.get(name).copied()
     }
 
     /// Whether every entry of every enum is there, and has its value.
-    pub(super) fn is_exact(&self) -> bool {
+    pub(in crate::resolve) fn is_exact(&self) -> bool {
         self.complete && self.list.iter().all(Merged::is_exact)
     }
 
     /// The names, in the order of the enums.
-    pub(super) fn names(&self) -> impl Iterator<Item = &'a str> {
+    pub(in crate::resolve) fn names(&self) -> impl Iterator<Item = &'a str> {
         self.list.iter().map(|merged| merged.name.value.as_str())
     }
 }
@@ -149,33 +155,33 @@ impl<'a> Merged<'a> {
     }
 
     /// The name at the definition in the oldest file, and that file.
-    pub(super) fn oldest(&self, loaded: &Loaded) -> (FileIndex, &'a Text) {
+    pub(in crate::resolve) fn oldest(&self, loaded: &Loaded) -> (FileIndex, &'a Text) {
         let named = self.blocks.iter().map(|block| (block.file, &block.syntax.name));
         named.min_by_key(|(file, _)| loaded.age(*file)).unwrap_or((self.file, self.name))
     }
 
     /// Whether the values are combined bit by bit: as an overlay says, or else the file that owns the enum.
-    pub(super) fn bitmask(&self, owner: FileIndex) -> bool {
-        self.refined.bitmask.unwrap_or_else(|| self.declared_bitmask(owner))
+    pub(in crate::resolve) fn bitmask(&self, defining_file: FileIndex) -> bool {
+        self.refined.bitmask.unwrap_or_else(|| self.declared_bitmask(defining_file))
     }
 
     /// What the first definition in the file that owns the enum says.
-    pub(super) fn declared_bitmask(&self, owner: FileIndex) -> bool {
-        self.owner_block(owner).is_some_and(|block| block.bitmask)
+    pub(in crate::resolve) fn declared_bitmask(&self, defining_file: FileIndex) -> bool {
+        self.defining_block(defining_file).is_some_and(|block| block.bitmask)
     }
 
-    /// The name at the first definition in `owner`.
-    pub(super) fn owner_span(&self, owner: FileIndex) -> Span {
-        self.owner_block(owner).map_or(self.name.span, |block| block.syntax.name.span)
+    /// The name at the first definition in `defining_file`.
+    pub(in crate::resolve) fn defining_span(&self, defining_file: FileIndex) -> Span {
+        self.defining_block(defining_file).map_or(self.name.span, |block| block.syntax.name.span)
     }
 
-    fn owner_block(&self, owner: FileIndex) -> Option<&Block<'a>> {
-        self.blocks.iter().find(|block| block.file == owner)
+    fn defining_block(&self, defining_file: FileIndex) -> Option<&Block<'a>> {
+        self.blocks.iter().find(|block| block.file == defining_file)
     }
 
-    /// The largest value; zero if there is none.
-    pub(super) fn largest(&self) -> u64 {
-        self.entries.last().map_or(0, |entry| u64::try_from(entry.value).unwrap_or(u64::MAX))
+    /// The largest value, of those that are not refused for being beyond 64 bits; zero if there is none.
+    pub(in crate::resolve) fn largest(&self) -> u64 {
+        self.entries.iter().rev().find_map(|entry| u64::try_from(entry.value).ok()).unwrap_or_default()
     }
 
     /// Whether every entry is there, and has its value.
@@ -226,25 +232,25 @@ fn redefined(name: &Text, first: &Merged<'_>) -> Diagnostic {
     problem.help("an overlay can define new enums; of others it can say more with `<refine>` and `<note>`")
 }
 
-fn duplicate_name(merged: &Merged<'_>, entry: &Entry<'_>, first: &Entry<'_>) -> Diagnostic {
+fn duplicate_name(merged: &Merged<'_>, entry: &ValuedEntry<'_>, first: &ValuedEntry<'_>) -> Diagnostic {
     let name = &entry.syntax.name;
     let message = format!("entry `{}` stands twice in enum `{}`", name.value, merged.name.value);
     let problem = Diagnostic::new(Code::DuplicateEntry, name.span, message).label("second entry of this name");
     problem.related(first.syntax.name.span, "first entry of this name")
 }
 
-fn duplicate_value(entry: &Entry<'_>, first: &Entry<'_>) -> Diagnostic {
+fn duplicate_value(entry: &ValuedEntry<'_>, first: &ValuedEntry<'_>) -> Diagnostic {
     let (name, value) = (&entry.syntax.name.value, entry.value);
     let message = format!("`{name}` has the value {value}, which `{}` has already", first.syntax.name.value);
-    let place = |entry: &Entry<'_>| entry.syntax.value.as_ref().map_or(entry.syntax.name.span, |text| text.span);
-    let label = |entry: &Entry<'_>| if entry.auto { "given automatically" } else { "" };
+    let place = |entry: &ValuedEntry<'_>| entry.syntax.value.as_ref().map_or(entry.syntax.name.span, |text| text.span);
+    let label = |entry: &ValuedEntry<'_>| if entry.auto { "given automatically" } else { "" };
     let problem = Diagnostic::new(Code::DuplicateValue, place(entry), message).label(label(entry));
     let problem = problem.related(place(first), format!("{value} is first used here"));
     if entry.auto || first.auto { problem.help("write both values out") } else { problem }
 }
 
 /// Says which value an entry was given (pymavlink prints a note), or that there was none left.
-fn automatic(entry: &Entry<'_>, diagnostics: &mut Diagnostics) {
+fn automatic(entry: &ValuedEntry<'_>, diagnostics: &mut Diagnostics) {
     let (name, value) = (&entry.syntax.name, entry.value);
     diagnostics.push(if u64::try_from(value).is_ok() {
         let message = format!("`{}` has no value and is given {value}", name.value);

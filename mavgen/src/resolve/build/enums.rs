@@ -1,0 +1,90 @@
+//! Enums of the model.
+
+use super::super::enums::{Enums, Merged, ValuedEntry};
+use super::super::notes::{Notes, Subject};
+use super::super::origin::Described;
+use super::super::width::Width;
+use super::super::{lifecycle, spelling};
+use super::command;
+use crate::diag::Diagnostics;
+use crate::ir::{Entry, Enum, FileIndex, Lifecycle, Origin};
+use crate::read::Loaded;
+
+/// The model of an enum.
+pub(in crate::resolve) fn build(
+    (loaded, enums, notes): (&Loaded, &Enums<'_>, &Notes<'_>),
+    merged: &Merged<'_>,
+    width: Width,
+    diagnostics: &mut Diagnostics,
+) -> Enum {
+    let Width { defining_file, repr, .. } = width;
+    // An entry whose value is beyond 64 bits has been refused.
+    let entries = merged.entries.iter().filter_map(|entry| Some((entry, u64::try_from(entry.value).ok()?)));
+    let name = merged.name.value.as_str();
+    let entries = entries.map(|(entry, value)| build_entry(name, entry, value, (enums, notes), diagnostics)).collect();
+    let (named_in, oldest) = merged.oldest(loaded);
+    let mut origin = origin(merged, defining_file, diagnostics);
+    if merged.refined.in_use {
+        lifecycle::tell(&mut origin);
+    }
+    notes.add_to(&mut origin, Subject::Enum(name, None));
+    Enum {
+        name: spelling::name(oldest),
+        named_in,
+        bitmask: merged.bitmask(defining_file),
+        repr,
+        entries,
+        defined_in: defining_file,
+        origin,
+    }
+}
+
+fn build_entry(
+    enum_: &str,
+    entry: &ValuedEntry<'_>,
+    value: u64,
+    (enums, notes): (&Enums<'_>, &Notes<'_>),
+    diagnostics: &mut Diagnostics,
+) -> Entry {
+    let syntax = entry.syntax;
+    let described = Described {
+        file: entry.file,
+        span: syntax.span,
+        description: syntax.description.as_ref(),
+        lifecycle: syntax.lifecycle.as_ref(),
+    };
+    let mut origin = described.origin(diagnostics);
+    notes.add_to(&mut origin, Subject::Enum(enum_, Some(&syntax.name.value)));
+    Entry {
+        name: spelling::name(&syntax.name),
+        value,
+        auto: entry.auto,
+        command: command::resolve(enum_, entry, enums, diagnostics),
+        origin,
+    }
+}
+
+/// Place of the first definition, first description that is not empty, stage of life of the file that owns the enum.
+///
+/// The stage goes with that file so that a dialect that adds entries to a deprecated enum does not revive it.
+fn origin(merged: &Merged<'_>, defining_file: FileIndex, diagnostics: &mut Diagnostics) -> Origin {
+    let mut lifecycle: Option<Lifecycle> = None;
+    let mut description = "";
+    for block in &merged.blocks {
+        let element = block.syntax;
+        let own = element.lifecycle.as_ref().map(|element| lifecycle::resolve(element, diagnostics));
+        if block.file == defining_file && lifecycle.is_none() {
+            lifecycle = own;
+        }
+        if let (true, Some(text)) = (description.is_empty(), &element.description) {
+            description = &text.value;
+        }
+    }
+    Origin {
+        file: merged.file,
+        overlays: Vec::new(),
+        span: merged.span,
+        description: description.to_owned(),
+        lifecycle,
+    }
+}
