@@ -42,6 +42,14 @@ impl fmt::Display for EncodeError {
 
 impl Error for EncodeError {}
 
+/// Of kind [`InvalidInput`](std::io::ErrorKind::InvalidInput), around the error.
+#[cfg(feature = "std")]
+impl From<EncodeError> for std::io::Error {
+    fn from(error: EncodeError) -> Self {
+        Self::new(std::io::ErrorKind::InvalidInput, error)
+    }
+}
+
 /// A message was not sent over a link.
 #[cfg(any(feature = "embedded-io", feature = "embedded-io-async"))]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -38,7 +38,7 @@ use crate::{Dialect, FieldInfo, FrameError, Message, MessageInfo, Table};
 /// assert_eq!(Frame::parse(&bytes[..12], nothing), Err(FrameError::Incomplete { needed: 17 }));
 /// # Ok::<(), FrameError>(())
 /// ```
-#[derive(Clone, Copy, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Frame<'a> {
     bytes: &'a [u8],
     payload: &'a [u8],
@@ -46,7 +46,7 @@ pub struct Frame<'a> {
 }
 
 /// What verification found out.
-#[derive(Clone, Copy, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) struct Facts {
     pub(crate) id: u32,
     crc_extra: u8,
@@ -256,6 +256,13 @@ impl<'a> Frame<'a> {
     }
 }
 
+/// All of its bytes.
+impl AsRef<[u8]> for Frame<'_> {
+    fn as_ref(&self) -> &[u8] {
+        self.bytes
+    }
+}
+
 impl core::fmt::Debug for Frame<'_> {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         let payload = if self.carries_key() { &"secret" as &dyn core::fmt::Debug } else { &self.payload };
@@ -273,7 +280,8 @@ impl core::fmt::Debug for Frame<'_> {
 }
 
 /// The signature of a MAVLink 2 frame, as it was received.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(::defmt::Format))]
 pub struct Signature<'a> {
     bytes: &'a [u8; 13],
 }

@@ -9,6 +9,8 @@ pub use crate::message::scale::raw_of;
 pub use crate::message::wire::{Wire, get, put, zero_extended};
 pub use crate::parser::table::{index, index_length};
 
+pub use crate::reflect::fmt_message;
+
 #[cfg(feature = "bitflags")]
 #[doc(hidden)]
 pub use ::bitflags;

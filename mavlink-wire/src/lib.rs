@@ -46,6 +46,7 @@
 //!   [`Frame::decode_into`] does the same without moving the message, for those who count nanoseconds.
 //! - Decoding is total. A payload may be shorter than its message (MAVLink 2 drops trailing zeros) or longer (a newer
 //!   sender); enum values and flags that the definition does not name survive.
+//! - Messages print as their fields say, with units and the names of entries; `SETUP_SIGNING` without its key.
 //! - [`Frame::reflect`] needs no message type: it gives names, values and units, for routers and loggers ([`reflect`]).
 //! - [`Parser::statistics`] counts what was found and what was damaged, [`Losses`] what never arrived;
 //!   [`Parser::next_reporting_bad_checksums`] says of which message a checksum is wrong, which is how two definitions of one message show.
@@ -102,8 +103,8 @@
 //! - `embedded-io`, `embedded-io-async`: frames over the traits of these crates (modules of the same names).
 //! - `signing`: signatures are made and verified, in the module `signing`. Without it they are only handed over
 //!   ([`Frame::signature`]).
-//! - `serde`: messages, enums, flags, [`Chars`] and dialects serialize, without losing a bit, in text by names; the module
-//!   `serde` says how.
+//! - `serde`: messages, enums, flags, [`Chars`] and dialects serialize, without losing a bit, in text by names; so do frames, ids
+//!   and counters; the module `serde` says how.
 //! - `defmt`: `Format` of the same, of frames, counters and errors. Written by the field tables, with the names of fields and
 //!   entries sent as text: a type that is never logged costs no flash.
 //! - `arbitrary`: `Arbitrary` of messages, enums, flags, [`Chars`] and dialects, for fuzzing: any payload decodes.

@@ -172,7 +172,7 @@ pub trait Targeted: Message {
     }
 }
 
-/// Completes a message: `Default`, and what the optional features add.
+/// Completes a message: `Default`, `Display` ([its text](crate::reflect#the-text)), and what the optional features add.
 #[macro_export]
 macro_rules! message {
     ($name:ident) => {
@@ -180,6 +180,13 @@ macro_rules! message {
             #[inline]
             fn default() -> Self {
                 <Self as $crate::Message>::DEFAULT
+            }
+        }
+
+        impl ::core::fmt::Display for $name {
+            #[inline]
+            fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
+                $crate::generated::fmt_message(self, <Self as $crate::Message>::FIELDS, f)
             }
         }
 

@@ -150,6 +150,15 @@ impl<'t> Parser<'t> {
         }
     }
 
+    /// Drops what waits for more bytes, unlike [`finish`](Self::finish), which searches it: for a link that was opened again.
+    /// The [`statistics`](Self::statistics) go on, and leave it out.
+    pub fn reset(&mut self) {
+        self.held.release(self.held.bytes().len());
+        self.held.wipe_used();
+        self.search.restart();
+        self.needed = 1;
+    }
+
     /// What was found since the parser was made.
     #[must_use]
     pub fn statistics(&self) -> Statistics {

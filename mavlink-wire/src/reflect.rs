@@ -60,7 +60,7 @@ mod store;
 
 use core::fmt;
 
-use crate::{FieldInfo, MessageInfo};
+use crate::{Encode, FieldInfo, MAX_PAYLOAD, MessageInfo};
 
 pub use field::{Element, Elements, Field, Value};
 pub use number::Number;
@@ -119,4 +119,16 @@ impl fmt::Display for Reflected<'_> {
         }
         shown.finish()
     }
+}
+
+/// What the macros make of a message or a dialect's enum: one function for all.
+///
+/// # Errors
+///
+/// Those of the formatter.
+#[doc(hidden)]
+pub fn fmt_message(message: &dyn Encode, fields: &[FieldInfo], f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    let mut payload = [0; MAX_PAYLOAD];
+    message.write(&mut payload);
+    fmt::Display::fmt(&Reflected::new(message.info(), fields, &payload), f)
 }

@@ -135,3 +135,16 @@ impl PartialEq for FrameBuf {
 }
 
 impl Eq for FrameBuf {}
+
+impl core::hash::Hash for FrameBuf {
+    fn hash<H: core::hash::Hasher>(&self, state: &mut H) {
+        self.as_frame().hash(state);
+    }
+}
+
+/// All of its bytes.
+impl AsRef<[u8]> for FrameBuf {
+    fn as_ref(&self) -> &[u8] {
+        self.bytes()
+    }
+}

@@ -34,19 +34,29 @@
 //! its bytes. A dialect's enum is a variant whose index is the message id, so that data survives new messages; MessagePack and
 //! CBOR write the variant's name, which is the message's. CBOR by `ciborium` makes signalling NaNs of `float`s quiet.
 //!
+//! # Frames, ids and counters
+//!
+//! An [`Envelope`] is a message with its [`Header`]. A frame is written with all of its bytes, but not read, since a checksum
+//! needs a table: parse the bytes. Ids, timestamps and versions are numbers; `Statistics`, `Received` and the verifier's
+//! `Stream`, which is to be saved, are structs.
+//!
 //! # Keys
 //!
 //! The key in a `SETUP_SIGNING` is written like any field, since nothing is lost here: keep such a message out of what others
-//! read ([`Frame::carries_key`](crate::Frame::carries_key)). `Debug`, [`reflect`](crate::reflect) and `defmt` do not show it.
+//! read ([`Frame::carries_key`](crate::Frame::carries_key)). As a frame it is not written at all. `Debug`, [`reflect`](crate::reflect) and `defmt` do not show it.
 
 mod chars;
 pub(crate) mod dialect;
 mod early;
+mod facts;
 mod field;
 mod float;
 pub(crate) mod message;
 mod named;
+mod record;
 pub(crate) mod value;
+
+pub use facts::{Envelope, Header};
 
 /// Implements serde's traits by two of the functions above: `(type, serialize, deserialize, arguments…)`.
 #[doc(hidden)]

@@ -34,7 +34,7 @@
 //! ```
 
 use core::fmt;
-use std::io::{Error, ErrorKind, Result};
+use std::io::{Error, Result};
 
 use bytes::{Buf, BufMut, BytesMut};
 use tokio_util::codec::{Decoder, Encoder};
@@ -113,17 +113,16 @@ impl<F: FnMut(u32)> Decoder for Codec<'_, F> {
 impl<M: Encode + ?Sized, F> Encoder<&M> for Codec<'_, F> {
     type Error = Error;
 
-    /// An error of kind [`ErrorKind::InvalidInput`] around an [`EncodeError`]: the sender cannot carry
+    /// An error of kind [`InvalidInput`](std::io::ErrorKind::InvalidInput) around an [`EncodeError`]: the sender cannot carry
     /// the message.
     fn encode(&mut self, message: &M, bytes: &mut BytesMut) -> Result<()> {
         let mut buffer = [0; MAX_FRAME];
         let frame = self.sender.encode(message, &mut buffer);
-        let done =
-            frame.map(|frame| bytes.put_slice(frame)).map_err(|error| Error::new(ErrorKind::InvalidInput, error));
+        let done = frame.map(|frame| bytes.put_slice(frame));
         if message.info().id == SETUP_SIGNING {
             wipe(&mut buffer);
         }
-        done
+        Ok(done?)
     }
 }
 
@@ -133,7 +132,7 @@ impl<F> Encoder<FrameBuf> for Codec<'_, F> {
     /// The same, where the frame carries a [key](crate::Frame::carries_key).
     fn encode(&mut self, frame: FrameBuf, bytes: &mut BytesMut) -> Result<()> {
         if frame.as_frame().carries_key() {
-            return Err(Error::new(ErrorKind::InvalidInput, EncodeError::CarriesKey));
+            return Err(EncodeError::CarriesKey.into());
         }
         bytes.put_slice(frame.bytes());
         Ok(())

@@ -123,6 +123,14 @@ macro_rules! dialect {
             }
         )*
 
+        impl ::core::fmt::Display for $dialect {
+            #[inline]
+            fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
+                let fields = <Self as $crate::Dialect>::fields($crate::Encode::info(self).id);
+                $crate::generated::fmt_message(self, fields.unwrap_or_default(), f)
+            }
+        }
+
         $crate::__serde!($dialect, serialize_dialect, deserialize_dialect, ::core::stringify!($dialect));
         $crate::__defmt!($dialect, dialect);
         $crate::__arbitrary!($dialect, dialect, dialect_size);

@@ -58,3 +58,11 @@ fn errors_of_signing_say_what_to_do() {
     says(SigningError::TooFarAhead { timestamp, local }, "timestamp 9 is over a day ahead of 3: discard");
     says(SigningError::Broadcast { system_id: 1.into(), component_id: 0.into() }, "1/0, which are many: send");
 }
+
+#[cfg(feature = "std")]
+#[test]
+fn an_error_of_encoding_is_one_of_input_and_output() {
+    let error = std::io::Error::from(EncodeError::CarriesKey);
+    assert_eq!(error.kind(), std::io::ErrorKind::InvalidInput);
+    assert_eq!(error.get_ref().and_then(|inner| inner.downcast_ref()), Some(&EncodeError::CarriesKey));
+}

@@ -1,6 +1,7 @@
 //! Frames that are sent on: as they came, with another number, without their signature.
 
 use crate::small::{Heartbeat, Small};
+use crate::streams::pieces::encoded;
 use mavlink_wire::{Dialect, EncodeError, Frame, FrameBuf, MAX_FRAME, Message, Parser, Sender, Table, crc};
 
 const SIGNED: [u8; 34] = [
@@ -96,4 +97,14 @@ fn a_key_is_neither_forwarded_nor_shown() {
 #[cfg(not(feature = "signing"))]
 fn a_sender_that_cannot_sign_is_four_bytes() {
     assert_eq!(size_of::<Sender>(), 4);
+}
+
+#[test]
+fn frames_are_bytes_and_keys_of_maps() {
+    let bytes = encoded(Sender::v2(1, 1), 3, &Heartbeat::DEFAULT.into());
+    let frame = Frame::parse(&bytes, Small::TABLE).unwrap();
+    let kept = FrameBuf::from(frame);
+    assert_eq!((frame.as_ref(), kept.as_ref()), (&bytes[..], &bytes[..]));
+    assert!(std::collections::HashSet::from([frame]).contains(&kept.as_frame()));
+    assert!(std::collections::HashSet::from([kept]).contains(&FrameBuf::from(frame)));
 }

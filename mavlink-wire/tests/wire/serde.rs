@@ -1,5 +1,7 @@
 //! serde, where the dialects at hand have no example: signed enums, and fields that are called like the tag.
 
+mod facts;
+
 use mavlink_wire as wire;
 use mavlink_wire::Message;
 

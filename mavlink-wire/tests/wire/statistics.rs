@@ -64,3 +64,17 @@ proptest! {
         prop_assert_eq!(counts.skipped_bytes, (stream.len() - used) as u64);
     }
 }
+
+#[test]
+fn a_parser_that_is_reset_waits_for_nothing() {
+    let frame = |sequence| encoded(Sender::v2(1, 1), sequence, &Heartbeat::DEFAULT.into());
+    for cut in 1..frame(0).len() {
+        let mut parser = Parser::new(Small::TABLE);
+        assert!(parser.next(&mut &frame(0)[..]).is_some());
+        assert!(parser.next(&mut &frame(1)[..cut]).is_none());
+        parser.reset();
+        assert_eq!(parser.next(&mut &frame(2)[..]).map(|frame| frame.sequence()), Some(2), "{cut}");
+        assert!(parser.finish().is_none());
+        assert_eq!((parser.statistics().frames, parser.statistics().bad_checksums), (2, 0), "{cut}");
+    }
+}

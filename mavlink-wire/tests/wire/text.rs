@@ -1,9 +1,9 @@
 //! Text: enums, character fields, errors.
 
 use mavlink_wire as wire;
-use mavlink_wire::{Arrival, Chars, Enum, Invalid, Kind, Sentinel, TooLong, UnknownName, Version};
+use mavlink_wire::{Arrival, Chars, Enum, Invalid, Kind, Message, Sentinel, TooLong, UnknownName, Version};
 
-use crate::small::{MavModeFlag, MavSeverity, MavState};
+use crate::small::{Heartbeat, MavModeFlag, MavSeverity, MavState, Small};
 
 #[test]
 fn enums_have_text_both_ways() {
@@ -79,4 +79,17 @@ fn words_of_the_field_are_printed() {
         Invalid::Each(Sentinel::Float(-0.5)),
     ];
     assert_eq!(invalid.map(|invalid| invalid.to_string()), ["65535", "[-1:]", "[NaN,]", "-0.5"]);
+}
+
+#[test]
+fn messages_and_dialects_are_shown_as_their_fields_say() {
+    let beat = Heartbeat { custom_mode: 4, system_status: MavState::ACTIVE, ..Heartbeat::DEFAULT };
+    let mut payload = [0; 255];
+    wire::Encode::write(&beat, &mut payload);
+    let reflected = wire::reflect::Reflected::new(Heartbeat::INFO, Heartbeat::FIELDS, &payload).to_string();
+    assert!(
+        reflected.starts_with("HEARTBEAT {") && reflected.contains("system_status: MAV_STATE_ACTIVE"),
+        "{reflected}"
+    );
+    assert_eq!([beat.to_string(), Small::from(beat).to_string()], [reflected.clone(), reflected]);
 }

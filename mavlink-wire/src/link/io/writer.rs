@@ -1,6 +1,6 @@
 //! Frames to anything that is written.
 
-use std::io::{Error, ErrorKind, Result, Write};
+use std::io::{ErrorKind, Result, Write};
 
 use crate::link::outgoing::Outgoing;
 use crate::{Encode, Frame, Sender};
@@ -29,7 +29,7 @@ impl<W: Write> FrameWriter<W> {
     /// - What else `W` says: the link has failed in the middle of a frame. What is left of it is kept.
     pub fn send(&mut self, message: &(impl Encode + ?Sized)) -> Result<()> {
         self.write_pending()?;
-        self.outgoing.encode(message).map_err(|error| Error::new(ErrorKind::InvalidInput, error))?;
+        self.outgoing.encode(message)?;
         self.try_write_pending()
     }
 
@@ -41,7 +41,7 @@ impl<W: Write> FrameWriter<W> {
     /// As of [`send`](Self::send); what is not carried is a frame with a [key](Frame::carries_key).
     pub fn send_frame(&mut self, frame: &Frame<'_>) -> Result<()> {
         self.write_pending()?;
-        self.outgoing.put_frame(frame).map_err(|error| Error::new(ErrorKind::InvalidInput, error))?;
+        self.outgoing.put_frame(frame)?;
         self.try_write_pending()
     }
 

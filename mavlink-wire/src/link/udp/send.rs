@@ -1,6 +1,6 @@
 //! What an endpoint sends.
 
-use std::io::{Error, ErrorKind, Result};
+use std::io::{Error, Result};
 use std::net::SocketAddr;
 use std::time::Instant;
 
@@ -15,7 +15,7 @@ impl Endpoint<'_> {
     ///
     /// # Errors
     ///
-    /// [`ErrorKind::InvalidInput`] around an [`EncodeError`] if the message cannot be carried;
+    /// [`InvalidInput`](std::io::ErrorKind::InvalidInput) around an [`EncodeError`] if the message cannot be carried;
     /// else what the socket says.
     pub fn send_to(&mut self, message: &(impl Encode + ?Sized), to: SocketAddr) -> Result<()> {
         let theirs = self.peers.version_of(to, Instant::now());
@@ -37,7 +37,7 @@ impl Endpoint<'_> {
     /// `SETUP_SIGNING` is refused ([`EncodeError::CarriesKey`]): anybody may be a peer, and a key goes to one who is named.
     pub fn send_to_all(&mut self, message: &(impl Encode + ?Sized)) -> Result<usize> {
         if message.info().id == SETUP_SIGNING {
-            return Err(refused(EncodeError::CarriesKey));
+            return Err(EncodeError::CarriesKey.into());
         }
         let (peers, sequence) = (self.peers.peers(Instant::now()), self.sender.sequence());
         let (only, mut sent, mut numbered) = (self.only_version(), Sent::NONE, false);
@@ -64,7 +64,7 @@ impl Endpoint<'_> {
     ///
     /// # Errors
     ///
-    /// [`ErrorKind::InvalidInput`] around an [`EncodeError`] if it carries a [key](Frame::carries_key); else what the socket
+    /// [`InvalidInput`](std::io::ErrorKind::InvalidInput) around an [`EncodeError`] if it carries a [key](Frame::carries_key); else what the socket
     /// says.
     pub fn send_frame_to(&mut self, frame: &Frame<'_>, to: SocketAddr) -> Result<()> {
         self.socket.send_to(forwardable(frame)?, to).map(drop)
@@ -106,9 +106,9 @@ impl Endpoint<'_> {
         }
         let own = self.sender.version();
         self.sender.set_version(version);
-        let frame = self.sender.encode(message, buffer).map_err(refused);
+        let frame = self.sender.encode(message, buffer);
         self.sender.set_version(own);
-        frame
+        Ok(frame?)
     }
 }
 
@@ -135,11 +135,7 @@ impl Sent {
     }
 }
 
-fn refused(error: EncodeError) -> Error {
-    Error::new(ErrorKind::InvalidInput, error)
-}
-
 /// The bytes of a frame that may go on.
 fn forwardable<'b>(frame: &Frame<'b>) -> Result<&'b [u8]> {
-    if frame.carries_key() { Err(refused(EncodeError::CarriesKey)) } else { Ok(frame.bytes()) }
+    if frame.carries_key() { Err(EncodeError::CarriesKey.into()) } else { Ok(frame.bytes()) }
 }
