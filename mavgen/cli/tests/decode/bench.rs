@@ -148,7 +148,7 @@ impl Bench {
     }
 }
 
-fn decode(folder: &Path, arguments: &[&str], input: &[u8]) -> Output {
+pub(crate) fn decode(folder: &Path, arguments: &[&str], input: &[u8]) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_mavgen"));
     let command = command.current_dir(folder).arg("decode").args(arguments);
     let command = command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());

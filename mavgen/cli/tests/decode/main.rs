@@ -5,6 +5,7 @@
 mod bench;
 mod choice;
 mod parameters;
+mod recorded;
 mod tables;
 
 use std::fs;
