@@ -15,7 +15,7 @@
 //! right above it, up to a blank line, and the one behind it on its line.
 //!
 //! What stays is what it is in the whole dialect, to the types and names of the generated Rust. Where a dropped message
-//! decides on that, it stays, and [`Vendored::besides`] says so: an enum is as wide as the widest field of its file that carries
+//! decides on that, it stays, and [`Vendored::retained`] says so: an enum is as wide as the widest field of its file that carries
 //! it, so that `COMMAND_LONG`, which needs all commands and the enums of their params, takes along messages that have fields of
 //! those enums. Generated with the same selection, the part and the whole are the same.
 //!
@@ -25,7 +25,7 @@
 //! counts. In a copy of facts people may write descriptions and comments, which `Prose::From` of that very folder keeps; all
 //! else in it counts as an edit. The header has a digest to tell by; line ends do not count.
 //!
-//! Descriptions of what is no longer in the definitions have no place to be kept in: [`Vendored::homeless`] has them. Those of
+//! Descriptions of what is no longer in the definitions have no place to be kept in: [`Vendored::unplaced`] has them. Those of
 //! what a selection leaves out are [`Vendored::left_out`], and no copy of a part takes the place of a file with such.
 
 mod cut;
@@ -57,7 +57,7 @@ use prose::{Key, Library};
 use tree::Element;
 
 pub use output::{Written, write};
-pub use part::Besides;
+pub use part::Retained;
 
 /// What becomes of descriptions and comments.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -77,11 +77,11 @@ pub struct Vendored {
     /// The copies, the dialect's own file first.
     pub files: Vec<Copy>,
     /// With [`Builder::messages`]: what is in the copies although it was neither asked for nor needed.
-    pub besides: Vec<Besides>,
+    pub retained: Vec<Retained>,
     /// With [`Prose::From`]: what the folder has words about that the definitions no longer have.
-    pub homeless: Vec<Homeless>,
+    pub unplaced: Vec<Unplaced>,
     /// With [`Prose::From`] and [`Builder::messages`]: what the folder has words about that is left out.
-    pub left_out: Vec<Homeless>,
+    pub left_out: Vec<Unplaced>,
     /// Warnings about the definitions.
     pub diagnostics: Diagnostics,
     /// The texts that the warnings point into.
@@ -116,7 +116,7 @@ pub struct Item {
 
 /// Words about something that is not there.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Homeless {
+pub struct Unplaced {
     /// The file they stood in.
     pub file: PathBuf,
     /// What they were about: `message HEARTBEAT field type`.
@@ -157,16 +157,16 @@ pub fn vendor(builder: &Builder, prose: &Prose) -> Result<Vendored, Failure> {
     let originals = originals(&loaded, &sources)?;
     let copies = Copies::of(&originals, part.as_ref(), prose)?;
     let words_from = if let Prose::From(folder) = prose { Some(folder.clone()) } else { None };
-    let (Copies { files, homeless, left_out }, besides) = (copies, part.map(|part| part.besides).unwrap_or_default());
-    Ok(Vendored { files, besides, homeless, left_out, diagnostics, sources, words_from })
+    let (Copies { files, unplaced, left_out }, retained) = (copies, part.map(|part| part.retained).unwrap_or_default());
+    Ok(Vendored { files, retained, unplaced, left_out, diagnostics, sources, words_from })
 }
 
 /// Copies, and words that are not in them.
 #[derive(Default)]
 struct Copies {
     files: Vec<Copy>,
-    homeless: Vec<Homeless>,
-    left_out: Vec<Homeless>,
+    unplaced: Vec<Unplaced>,
+    left_out: Vec<Unplaced>,
 }
 
 impl Copies {
@@ -185,12 +185,12 @@ impl Copies {
         originals.iter().for_each(|original| library.claim(&original.name, original.keys(part)));
         let files = originals.iter().map(|original| original.facts(part, Some(&mut library))).collect();
         let gone: BTreeSet<Key> = originals.iter().flat_map(|original| original.left_out_keys(part)).collect();
-        let (mut homeless, mut left_out) = (Vec::new(), Vec::new());
+        let (mut unplaced, mut left_out) = (Vec::new(), Vec::new());
         for (file, name, words) in library.rest() {
-            let list = if gone.contains(prose::item(&name)) { &mut left_out } else { &mut homeless };
-            list.push(Homeless { file: folder.join(file), name, words });
+            let list = if gone.contains(prose::item(&name)) { &mut left_out } else { &mut unplaced };
+            list.push(Unplaced { file: folder.join(file), name, words });
         }
-        Ok(Self { files, homeless, left_out })
+        Ok(Self { files, unplaced, left_out })
     }
 }
 

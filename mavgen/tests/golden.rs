@@ -6,7 +6,7 @@
 //! `MAVGEN_BLESS=1 cargo test -p mavgen --test golden` writes the goldens anew, and `tests/regenerate.sh` those and
 //! everything else that is committed and generated; review them like code.
 
-#![expect(clippy::unwrap_used, clippy::panic, reason = "a test may panic")]
+#![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use std::fs;
 use std::path::{Path, PathBuf};

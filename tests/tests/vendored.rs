@@ -31,7 +31,7 @@ fn the_definitions_are_made_of_facts_and_their_descriptions() {
     let bare = tempfile::tempdir().unwrap();
     write(bare.path(), &vendor(&Builder::new(xml().join("autoquad.xml")), &Prose::Drop).unwrap()).unwrap();
     let again = vendor(&Builder::new(bare.path().join("autoquad.xml")), &Prose::From(xml())).unwrap();
-    assert_eq!((again.files.len(), again.homeless.len()), (4, 0));
+    assert_eq!((again.files.len(), again.unplaced.len()), (4, 0));
     for copy in &again.files {
         let file = fs::read_to_string(xml().join(&copy.name)).unwrap();
         assert!(below_header(&copy.text) == below_header(&file), "{} is not as `mavgen vendor` writes it", copy.name);

@@ -5,7 +5,7 @@ use std::process::ExitCode;
 
 use clap::Args;
 use mavgen::Failure;
-use mavgen::vendor::{Besides, Copy, Prose, Vendored, Written, vendor, write};
+use mavgen::vendor::{Copy, Prose, Retained, Vendored, Written, vendor, write};
 
 use super::input::{Definitions, concerning, concerning_failure};
 use super::report::{Report, plural};
@@ -64,7 +64,7 @@ impl Vendor {
         report.diagnostics(&warnings, &vendored.sources);
         let Written { written, kept, others } = write(&self.out, &vendored).map_err(Failure::Output)?;
         report.note(&format!("{}: {} written, {kept} kept", self.out.display(), plural(written, "file")));
-        for Besides { name, why } in &vendored.besides {
+        for Retained { name, why } in &vendored.retained {
             report.note(&format!("also copied: {name}: {why}"));
         }
         for other in others {
@@ -77,8 +77,8 @@ impl Vendor {
     }
 
     /// Says what lacks a description, and which ones found no place.
-    fn descriptions(&self, Vendored { files, homeless, left_out, .. }: &Vendored, report: &Report) {
-        for lost in homeless {
+    fn descriptions(&self, Vendored { files, unplaced, left_out, .. }: &Vendored, report: &Report) {
+        for lost in unplaced {
             let (file, name, words) = (lost.file.display(), &lost.name, &lost.words);
             report.note(&format!("{file}: no longer in the definitions: {name}: {words}"));
         }
@@ -91,7 +91,7 @@ impl Vendor {
         let items = || files.iter().flat_map(|file| &file.items);
         let (all, without) = (items().count(), items().filter(|item| !item.described).count());
         let new = items().filter(|item| !item.described && item.new).count();
-        let lost = homeless.len();
+        let lost = unplaced.len();
         report.note(&format!(
             "{without} of {all} items have no description, {new} of them new; {lost} descriptions found no place"
         ));

@@ -26,7 +26,7 @@ pub struct Written {
 ///
 /// # Errors
 /// Before anything is written: if a copy would replace its own source, a file that is no copy, one that was edited, or one
-/// that has descriptions which are neither in the copies nor [`Vendored::homeless`]. Else, if the system refuses something.
+/// that has descriptions which are neither in the copies nor [`Vendored::unplaced`]. Else, if the system refuses something.
 pub fn write(folder: &Path, vendored: &Vendored) -> Result<Written, OutputError> {
     let files = &vendored.files;
     let copies = copies(folder)?;

@@ -27,7 +27,7 @@ use crate::syntax;
 
 /// Something that nobody asked for, and that is in the copies so that nothing else changes.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Besides {
+pub struct Retained {
     /// What it is: `message GIMBAL_MANAGER_SET_ATTITUDE`.
     pub name: String,
     /// Why it is there: what would be different without it.
@@ -40,7 +40,7 @@ pub(super) struct Part {
     messages: BTreeSet<String>,
     enums: BTreeSet<String>,
     /// What of that stays for another reason than that it was asked for, or is needed by that.
-    pub(super) besides: Vec<Besides>,
+    pub(super) retained: Vec<Retained>,
 }
 
 impl Part {
@@ -58,17 +58,17 @@ impl Part {
         selection.check(&[dialect]).map_err(Failure::Usage)?;
         let selected = dialect.messages.iter().filter(|message| selection.means(message));
         let messages = selected.map(|message| message.name.text.clone()).collect();
-        let mut part = Self { messages, enums: BTreeSet::new(), besides: Vec::new() };
+        let mut part = Self { messages, enums: BTreeSet::new(), retained: Vec::new() };
         loop {
-            let before = part.besides.len();
+            let before = part.retained.len();
             let model = part.model(whole);
             part.enums.extend(model.dialect.enums.iter().map(|values| values.name.text.clone()));
             part.keep_named(dialect, loaded);
             part.keep_names(whole, &model);
-            if part.besides.len() == before {
+            if part.retained.len() == before {
                 part.keep_owners(dialect, &model.dialect, loaded, sources)?;
             }
-            if part.besides.len() == before {
+            if part.retained.len() == before {
                 return Ok(part);
             }
         }
@@ -182,14 +182,14 @@ impl Part {
     fn keep_message(&mut self, message: &Message, why: String) {
         let name = &message.name.text;
         if self.messages.insert(name.clone()) {
-            self.besides.push(Besides { name: format!("message {name}"), why });
+            self.retained.push(Retained { name: format!("message {name}"), why });
         }
     }
 
     fn keep_enum(&mut self, values: &Enum, why: String) {
         let name = &values.name.text;
         if self.enums.insert(name.clone()) {
-            self.besides.push(Besides { name: format!("enum {name}"), why });
+            self.retained.push(Retained { name: format!("enum {name}"), why });
         }
     }
 }

@@ -98,9 +98,9 @@ fn what_is_lost_and_what_is_new_is_said() {
     let folder = both();
     let vendored = described(folder.path());
     let lost: Vec<(&str, &str)> =
-        vendored.homeless.iter().map(|lost| (lost.name.as_str(), lost.words.as_str())).collect();
+        vendored.unplaced.iter().map(|lost| (lost.name.as_str(), lost.words.as_str())).collect();
     assert_eq!(lost, [("message KEPT field gone", "Lost.")]);
-    assert_eq!(vendored.homeless[0].file, folder.path().join("old/a.xml"));
+    assert_eq!(vendored.unplaced[0].file, folder.path().join("old/a.xml"));
     let items = || vendored.files.iter().flat_map(|file| &file.items);
     let bare: Vec<(&str, bool)> =
         items().filter(|item| !item.described).map(|item| (item.name.as_str(), item.new)).collect();
@@ -114,7 +114,7 @@ fn again_is_the_same() {
     let folder = both();
     let out = written(&described(folder.path()), folder.path());
     let again = copies(folder.path(), &Prose::From(out.clone()));
-    assert_eq!(again.homeless, []);
+    assert_eq!(again.unplaced, []);
     let done = super::super::write(&out, &again).unwrap();
     assert_eq!((done.written, done.kept), (0, 2));
 }

@@ -23,12 +23,12 @@ fn cut(folder: &Path, messages: &[&str], prose: &Prose) -> Vendored {
     vendor(&builder, prose).unwrap_or_else(|failure| panic!("{failure}"))
 }
 
-fn besides(vendored: &Vendored) -> Vec<(&str, &str)> {
-    vendored.besides.iter().map(|one| (one.name.as_str(), one.why.as_str())).collect()
+fn retained(vendored: &Vendored) -> Vec<(&str, &str)> {
+    vendored.retained.iter().map(|one| (one.name.as_str(), one.why.as_str())).collect()
 }
 
 /// Holds copies of some messages against the whole: with the same selection both are the same; without one, the copies are the
-/// selection and what they have besides.
+/// selection and what was retained.
 #[track_caller]
 fn holds(xml: &Path, messages: &[&str], prose: &Prose) -> Vendored {
     let whole = || Builder::new(xml).messages(messages.iter().copied());
@@ -39,10 +39,10 @@ fn holds(xml: &Path, messages: &[&str], prose: &Prose) -> Vendored {
     let words = *prose == Prose::Keep;
     let selected = copy().messages(messages.iter().copied());
     assert!(shown(resolved(&selected), words) == shown(resolved(&whole()), words), "{messages:?}");
-    let also: Vec<&str> = vendored.besides.iter().filter_map(|one| one.name.strip_prefix("message ")).collect();
+    let also: Vec<&str> = vendored.retained.iter().filter_map(|one| one.name.strip_prefix("message ")).collect();
     let mut wanted = resolved(&whole().messages(also));
     let all = resolved(&copy());
-    if vendored.besides.iter().all(|one| one.name.starts_with("message ")) {
+    if vendored.retained.iter().all(|one| one.name.starts_with("message ")) {
         assert!(shown(all, words) == shown(wanted, words), "{messages:?}");
     } else {
         wanted.enums.clear();
@@ -67,7 +67,7 @@ fn parts_of_real_dialects_are_what_they_are_in_the_whole() {
         ("autoquad.xml", &["*"], Prose::From(xml())),
     ] {
         let vendored = holds(&xml().join(file), messages, &prose);
-        assert!(vendored.homeless.is_empty());
+        assert!(vendored.unplaced.is_empty());
         // Also of all messages some enums are left out: those that no message needs.
         assert_eq!(vendored.left_out.is_empty(), !matches!(prose, Prose::From(_)));
     }
@@ -81,11 +81,11 @@ fn every_message_alone_is_what_it_is_in_the_whole() {
     let named = resolve(&loaded, &sources, &mut diagnostics).unwrap();
     let whole = &named.dialect;
     let originals = originals(&loaded, &sources).unwrap();
-    let (mut besides, mut sizes) = (BTreeSet::new(), Vec::new());
+    let (mut retained, mut sizes) = (BTreeSet::new(), Vec::new());
     for (index, message) in whole.messages.iter().enumerate() {
         let name = &*message.name.text;
         let part = Part::of(&Selection::new([name]).unwrap(), &named, &loaded, &sources).unwrap();
-        besides.extend(part.besides.iter().map(|one| one.name.clone()));
+        retained.extend(part.retained.iter().map(|one| one.name.clone()));
         let prose = if index % 2 == 0 { Prose::Keep } else { Prose::Drop };
         let folder = tempfile::tempdir().unwrap();
         for copy in Copies::of(&originals, Some(&part), &prose).unwrap().files {
@@ -99,7 +99,7 @@ fn every_message_alone_is_what_it_is_in_the_whole() {
         assert!(shown(copied, words) == shown(expected, words), "{name}");
     }
     assert!(sizes.len() > 200 && sizes.iter().any(|size| *size > 40), "{sizes:?}");
-    assert_eq!(besides.iter().collect::<Vec<_>>(), ["message AUTOPILOT_VERSION", "message GIMBAL_MANAGER_STATUS"]);
+    assert_eq!(retained.iter().collect::<Vec<_>>(), ["message AUTOPILOT_VERSION", "message GIMBAL_MANAGER_STATUS"]);
 }
 
 /// `STATE` is four bytes wide because of `WIDE`, which is in the file of the enum; `ALSO_WIDE` is not.
@@ -134,7 +134,7 @@ fn a_message_stays_that_decides_how_wide_an_enum_is() {
         (&["WIDE"], &[]),
     ] {
         for prose in [Prose::Keep, Prose::Drop] {
-            assert_eq!(besides(&holds(&folder.path().join("a.xml"), messages, &prose)), expected);
+            assert_eq!(retained(&holds(&folder.path().join("a.xml"), messages, &prose)), expected);
         }
     }
 }
@@ -163,7 +163,7 @@ fn a_message_stays_that_decides_whose_an_enum_is() {
         ),
     ]);
     let vendored = holds(&folder.path().join("a.xml"), &["ASKS"], &Prose::Keep);
-    assert_eq!(besides(&vendored), [("message OWNS", "without it, enum `E` would be another integer in Rust")]);
+    assert_eq!(retained(&vendored), [("message OWNS", "without it, enum `E` would be another integer in Rust")]);
 }
 
 #[test]
@@ -176,7 +176,7 @@ fn what_is_called_alike_stays_called_otherwise() {
     );
     let folder = folder(&[("a.xml", &text)]);
     let vendored = holds(&folder.path().join("a.xml"), &["ASKS"], &Prose::Drop);
-    let names: Vec<&str> = vendored.besides.iter().map(|one| one.name.as_str()).collect();
+    let names: Vec<&str> = vendored.retained.iter().map(|one| one.name.as_str()).collect();
     assert_eq!(names, ["message SPRAYER", "enum A"]);
     let out = written(&vendored, folder.path());
     let copied = Builder::new(out.join("a.xml")).resolve().unwrap();
@@ -192,7 +192,7 @@ fn an_enum_stays_that_a_sentinel_names() {
          <message id='2' name='B'><field type='uint8_t' name='x'/></message></messages></mavlink>",
     )]);
     let vendored = holds(&folder.path().join("a.xml"), &["ASKS"], &Prose::Keep);
-    assert_eq!(besides(&vendored), [("enum LANDED", "`invalid` of `ASKS.x` is an entry of it")]);
+    assert_eq!(retained(&vendored), [("enum LANDED", "`invalid` of `ASKS.x` is an entry of it")]);
 }
 
 /// The model has no enum there, but the XML has to.
@@ -207,7 +207,7 @@ fn an_enum_stays_that_is_named_where_it_has_no_say() {
          <message id='2' name='GOES'><field type='uint16_t' name='x' enum='MAV_CMD'/></message></messages></mavlink>",
     )]);
     let xml = folder.path().join("a.xml");
-    assert_eq!(besides(&holds(&xml, &["ASKS"], &Prose::Keep)), [("enum GROUP", "`ASKS.x` names it")]);
+    assert_eq!(retained(&holds(&xml, &["ASKS"], &Prose::Keep)), [("enum GROUP", "`ASKS.x` names it")]);
     let goes = holds(&xml, &["GOES"], &Prose::Keep);
     assert!(goes.files[0].text.contains("WAY_UP"), "{}", goes.files[0].text);
 }
@@ -289,9 +289,9 @@ fn words_about_what_is_left_out_are_told_from_those_without_a_home() {
         ("words/a.xml", &TIDY.replace("</description>", &format!("</description>{gone}"))),
     ]);
     let prose = Prose::From(folder.path().join("words"));
-    let names = |list: &[super::super::Homeless]| list.iter().map(|one| one.name.clone()).collect::<Vec<_>>();
+    let names = |list: &[super::super::Unplaced]| list.iter().map(|one| one.name.clone()).collect::<Vec<_>>();
     let vendored = cut(folder.path(), &["A_1"], &prose);
-    assert_eq!(names(&vendored.homeless), ["message A&#95;1 field gone"]);
+    assert_eq!(names(&vendored.unplaced), ["message A&#95;1 field gone"]);
     assert!(text(&vendored, "a.xml").contains("<description>What  it is.</description>"));
     let vendored = cut(folder.path(), &["A2"], &prose);
     assert_eq!(
