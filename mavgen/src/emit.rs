@@ -21,7 +21,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use crate::format::format;
-use crate::lower::Internal;
+use crate::internal::Internal;
 use crate::rust::{Content, File};
 
 /// A generated file.

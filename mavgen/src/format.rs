@@ -4,7 +4,7 @@
 
 use proc_macro2::TokenStream;
 
-use crate::lower::Internal;
+use crate::internal::Internal;
 
 /// The text of a file made of these items.
 ///

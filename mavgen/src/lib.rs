@@ -55,6 +55,7 @@ pub mod diag;
 mod docs;
 mod emit;
 mod format;
+mod internal;
 pub mod ir;
 mod lower;
 pub mod output;

@@ -8,7 +8,7 @@ use super::state::State;
 use super::surface::{Member, Name, Shape, Surface};
 use super::surfaces::surfaces;
 use super::{Change, Kind};
-use crate::lower::Internal;
+use crate::internal::Internal;
 use crate::source::Span;
 
 /// The changes of all types.

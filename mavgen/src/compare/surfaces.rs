@@ -10,8 +10,9 @@ use super::state::State;
 use super::surface::{Surface, plain, surface};
 use crate::emit::content;
 use crate::emit::threads::in_order;
+use crate::internal::Internal;
 use crate::ir::EnumId;
-use crate::lower::{Internal, Items};
+use crate::lower::Items;
 
 /// What users see of the types of both states, but for those of messages and enums whose code is the same in both.
 pub(super) fn surfaces(old: &State, new: &State, names: &Renamed<'_>) -> Result<(Surface, Surface), Internal> {

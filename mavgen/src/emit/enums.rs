@@ -113,11 +113,3 @@ fn param(info: &ParamInfo<'_>) -> TokenStream {
     let (default, reserved) = (number("default", *default), reserved.then(|| quote!(.reserved())));
     quote!(wire::ParamInfo::new(#index) #label #units #values #min #max #increment #default #reserved)
 }
-
-/// The row of the command in `PARAMS`, if it has one.
-pub(super) fn params_body() -> TokenStream {
-    quote! {
-        let found = PARAMS.binary_search_by_key(&self.0, |&(command, _)| command);
-        found.ok().and_then(|at| PARAMS.get(at)).map_or(&[], |&(_, params)| params)
-    }
-}

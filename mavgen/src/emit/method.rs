@@ -6,7 +6,7 @@ use quote::quote;
 use super::token::ident;
 use super::ty::{number_in, ty, value_of};
 use super::view::{bits, scaled, slots, source};
-use super::{accessor, doc, enums};
+use super::{accessor, doc};
 use crate::rust::{Bind, Kind, Method, Receiver, Sig, Ty};
 
 pub(super) fn method(method: &Method<'_>) -> TokenStream {
@@ -66,7 +66,7 @@ fn body(kind: &Kind<'_>) -> TokenStream {
         Kind::SlotSet { get, store } => slots::set(get, store),
         Kind::SlotPush { count, length, store } => slots::push(*count, *length, store),
         Kind::SlotStore(slot) => slots::store(slot),
-        Kind::Params => enums::params_body(),
+        Kind::Params => params(),
         Kind::SentinelGet(sentinel) => accessor::get(sentinel),
         Kind::SentinelSet(sentinel) => accessor::set(sentinel),
         Kind::EnumGet(convert) => accessor::get_enum(convert),
@@ -87,4 +87,12 @@ fn bind_get(bind: &Bind<'_>) -> TokenStream {
 fn bind_set(bind: &Bind<'_>) -> TokenStream {
     let (field, number) = (ident(bind.field), number_in(bind.bound.as_int(), &quote!(value)));
     quote!(self.#field = #number;)
+}
+
+/// The row of the command in `PARAMS`, if it has one.
+fn params() -> TokenStream {
+    quote! {
+        let found = PARAMS.binary_search_by_key(&self.0, |&(command, _)| command);
+        found.ok().and_then(|at| PARAMS.get(at)).map_or(&[], |&(_, params)| params)
+    }
 }

@@ -5,7 +5,7 @@ use quote::quote;
 
 use super::doc;
 use super::token::ident;
-use crate::lower::Internal;
+use crate::internal::Internal;
 use crate::rust::{Alias, Child, Export, Use};
 
 /// `mod heartbeat; …`, then `pub use heartbeat::Heartbeat; …`, and what is deprecated by an alias.

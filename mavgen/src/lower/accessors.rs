@@ -1,7 +1,8 @@
 //! Getters and setters beside the plain fields: for sentinels ("not known"), and for enums in fields of another width.
 
+use super::items::Items;
 use super::named::{NamedField, NamedMessage, spelled};
-use super::{Internal, Items};
+use crate::internal::Internal;
 use crate::ir::{self, EnumId, Invalid, Scalar, Scope, Values};
 use crate::rust::{Convert, Docs, Error, Extent, Kind, Literal, Method, Sentinel, Sig, Ty, Unknown};
 

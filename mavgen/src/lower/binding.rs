@@ -1,7 +1,8 @@
 //! Enums that overlays bind to fields.
 
+use super::items::Items;
 use super::named::NamedMessage;
-use super::{Internal, Items};
+use crate::internal::Internal;
 use crate::ir::Binding;
 use crate::rust::{Bind, Docs, Kind, Method, Paragraph, Sig, Ty};
 

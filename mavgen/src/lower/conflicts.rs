@@ -2,8 +2,9 @@
 //! dialects has to know.
 
 use super::imports::ITEM;
+use super::items::Items;
 use super::link::Home;
-use super::{Internal, Items};
+use crate::internal::Internal;
 use crate::ir::EnumId;
 
 impl Items<'_> {

@@ -1,6 +1,6 @@
 //! Documentation: what the XML says, and what only the generator knows.
 
-use super::Items;
+use super::items::Items;
 use crate::docs::line;
 use crate::ir::{Lifecycle, Limits, Origin, Successor};
 use crate::rust::Paragraph;

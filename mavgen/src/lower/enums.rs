@@ -1,8 +1,10 @@
 //! Enums and flags, the parameters of commands, and the enum over all messages of a dialect.
 
+use super::docs;
+use super::items::Items;
 use super::named::NamedEnum;
-use super::{Internal, Items, docs};
 use crate::docs::line;
+use crate::internal::Internal;
 use crate::ir::{self, Command, Entry, EnumId, Limits, Param};
 use crate::rust::{
     Constant, DialectEnum, Docs, Enum, Kind, ListItem, Method, Paragraph, ParamInfo, Receiver, Sig, Ty, Variant,

@@ -9,8 +9,8 @@
 //!
 //! The modules of a dialect export all that it has. What is declared there is what another dialect has something else for.
 
-use super::Internal;
 use super::link::{Home, Root, Union};
+use crate::internal::Internal;
 use crate::ir::{Dialect, EnumId};
 
 /// A module with the modules `messages`, `enums` and `views`, as far as it has something for them.

@@ -5,8 +5,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::items::Items;
 use super::link::Home;
-use super::{Internal, Items};
+use crate::internal::Internal;
 use crate::ir::EnumId;
 use crate::rust::{Mentions, Use};
 

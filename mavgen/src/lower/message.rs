@@ -1,8 +1,10 @@
 //! A message: its fields, its methods and its documentation.
 
+use super::items::Items;
 use super::named::{NamedField, NamedMessage};
-use super::{Internal, Items, docs, types};
+use super::{docs, types};
 use crate::docs::line;
+use crate::internal::Internal;
 use crate::ir::{self, Invalid, Message, Scalar, Scope, Sentinel, Values};
 use crate::rust::{Alias, Cell, Default, Docs, Field, Frame, Paragraph, Struct, Target};
 

@@ -2,11 +2,12 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::docs;
+use super::files::Maker;
 use super::folder::Listed;
 use super::link::Home;
 use super::named::NamedAccess;
-use super::tree::Maker;
-use super::{Internal, docs};
+use crate::internal::Internal;
 use crate::rust::{Alias, Cell, Child, Content, Docs, Export, File, Paragraph, Use};
 
 /// How deep one of these modules lies below its folder.

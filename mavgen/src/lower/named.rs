@@ -1,8 +1,8 @@
 //! Parts of the wire model beside what they are called in Rust.
 
-use super::Internal;
 use super::names::{AccessNames, EnumNames, MessageNames, ViewNames};
 use super::spelling::is_keyword;
+use crate::internal::Internal;
 use crate::ir::{Access, Binding, Entry, Enum, Field, FieldIndex, Key, Member, Message, Slots, View};
 
 /// A message.

@@ -1,7 +1,8 @@
 //! The Rust types of fields and enums.
 
+use super::items::Items;
 use super::named::{NamedEnum, NamedField, NamedMessage};
-use super::{Internal, Items};
+use crate::internal::Internal;
 use crate::ir::{EnumId, Field, Scalar, Values};
 use crate::rust::{Element, EnumType, Literal, Shape};
 

@@ -5,8 +5,11 @@ mod once;
 mod slots;
 mod source;
 
+use super::items::Items;
 use super::named::{NamedAccess, NamedMessage, NamedView};
-use super::{Internal, Items, spelling};
+use super::spelling;
+use crate::docs::line;
+use crate::internal::Internal;
 use crate::ir::{Meaning, Member, Presence, SwitchOn};
 use crate::rust::{Cell, Debugged, Docs, Int, Kind, Method, Paragraph, Param, Receiver, Sig, SlotType, Ty, View};
 
@@ -72,8 +75,8 @@ impl<'d> Items<'d> {
         let meaning = match &member.meaning {
             Meaning::Flag => "yes or no".to_owned(),
             Meaning::Values(id) => format!("[`{}`]", self.enum_type(*id)?.ident),
-            Meaning::Number { units } => units.clone().unwrap_or_else(|| "number".to_owned()),
-            Meaning::Scaled(scaled) => format!("{scaled} {}", scaled.units.as_deref().unwrap_or_default()),
+            Meaning::Number { units } => units.as_deref().map_or_else(|| "number".to_owned(), line),
+            Meaning::Scaled(scaled) => format!("{scaled} {}", scaled.units.as_deref().map(line).unwrap_or_default()),
         };
         let cells = [bits, format!("`{name}`"), meaning.trim_end().to_owned(), only_if(view, member)];
         Ok(cells.map(Cell::Plain).to_vec())

@@ -1,7 +1,10 @@
 //! Named bits: getters and setters of what they hold, and of the values that raw numbers stand for.
 
+use super::super::items::Items;
 use super::super::named::NamedView;
-use super::super::{Internal, Items, spelling};
+use super::super::spelling;
+use crate::docs::line;
+use crate::internal::Internal;
 use crate::ir::{Meaning, Member, Presence, Scaled, SwitchOn};
 use crate::rust::{
     BitField, Docs, Error, Holds, Int, Kind, Method, Paragraph, Present, Receiver, Scale, Selector, Sig, Ty,
@@ -92,7 +95,7 @@ fn scaled_accessors<'d>(
         method(format!("set_{name}"), setter, set_docs, Kind::ScaledSet(scale.clone())),
     ];
     methods.extend(scale.exact.map(|(exact, int)| {
-        let docs = Docs::line(format!("[`Self::{name}`] exactly, in {}.", exact.units));
+        let docs = Docs::line(format!("[`Self::{name}`] exactly, in {}.", line(&exact.units)));
         let getter = Sig::const_getter(Ty::Int(int).optional(optional));
         method(spelling::beside(name, &exact.suffix()), getter, docs, Kind::ExactGet(scale.clone()))
     }));
@@ -134,7 +137,7 @@ fn member_docs<'d>(name: &str, member: &'d Member) -> Docs<'d> {
     if member.description.trim().is_empty() {
         sentences.push(format!("`{name}`."));
     }
-    sentences.extend(units.map(|units| format!("In {units}.")));
+    sentences.extend(units.map(|units| format!("In {}.", line(units))));
     Docs(vec![Paragraph::Prose(&member.description, sentences)])
 }
 

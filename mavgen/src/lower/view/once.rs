@@ -1,8 +1,9 @@
 //! A view over plain fields: `flight_sw()` and `set_flight_sw()`.
 
+use super::super::items::Items;
 use super::super::named::{NamedMessage, NamedView};
-use super::super::{Internal, Items};
 use super::{Given, summary};
+use crate::internal::Internal;
 use crate::rust::{Docs, Kind, Method, Sig, Ty};
 
 impl<'d> Items<'d> {

@@ -1,9 +1,11 @@
 //! A view of each slot of arrays that lie side by side: the slot's type, an iterator, and setters for simulators.
 
+use super::super::items::Items;
 use super::super::named::{NamedMessage, NamedSlots, NamedView};
-use super::super::{Internal, Items};
 use super::source::{element, place};
 use super::{Given, summary};
+use crate::docs::line;
+use crate::internal::Internal;
 use crate::ir::{self, Blank, SwitchOn};
 use crate::rust::{
     Count, Docs, Error, Key, Kind, Method, Paragraph, Sig, Slot, SlotElement, SlotField, SlotType, Stored, Ty,
@@ -110,7 +112,7 @@ fn key_docs<'d>(key: &'d ir::Key, ident: &str) -> Docs<'d> {
     if key.description.trim().is_empty() {
         sentences.push(format!("`{ident}`."));
     }
-    sentences.extend(key.units.iter().map(|units| format!("In {units}.")));
+    sentences.extend(key.units.iter().map(|units| format!("In {}.", line(units))));
     sentences.extend(key.invalid.map(|_| "`None` where it is not known.".to_owned()));
     Docs(vec![Paragraph::Prose(&key.description, sentences)])
 }

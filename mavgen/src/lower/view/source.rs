@@ -1,8 +1,9 @@
 //! Where a message has a view: its words, the value of its switch, and what must hold.
 
+use super::super::items::Items;
 use super::super::named::{NamedField, NamedMessage, NamedView};
 use super::super::types::shape;
-use super::super::{Internal, Items};
+use crate::internal::Internal;
 use crate::ir::{self, Blank, Condition, FieldIndex, SwitchOn};
 use crate::rust::{Int, Place, Shape, SlotElement, Source, Switch, Test, Word};
 

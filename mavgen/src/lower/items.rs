@@ -1,0 +1,39 @@
+//! What all items are made of.
+
+use super::link::{Home, Union};
+use super::names::Names;
+use crate::internal::Internal;
+use crate::ir::{Dialect, FileIndex, Lifecycle, Origin};
+
+/// What the items of a dialect are made of.
+#[derive(Clone, Copy)]
+pub(crate) struct Items<'d> {
+    /// All that is generated, of however many dialects.
+    pub(super) dialect: &'d Dialect,
+    /// What everything in it is called.
+    pub(super) names: &'d Names,
+    /// The dialects, if there are several.
+    pub(super) union: Option<&'d Union>,
+    /// The folder of the file that is being made.
+    pub(super) home: Home,
+    /// Whether `<deprecated>` becomes `#[deprecated]`.
+    pub(super) deprecated: bool,
+}
+
+impl<'d> Items<'d> {
+    /// Those of one dialect.
+    pub(crate) fn of(dialect: &'d Dialect, names: &'d Names, deprecated: bool) -> Self {
+        Self { dialect, names, union: None, home: Home::Shared, deprecated }
+    }
+
+    /// The name of a file.
+    pub(crate) fn file_name(self, index: FileIndex) -> Result<&'d str, Internal> {
+        let file = self.dialect.file(index).map(|file| file.name.as_str());
+        file.ok_or_else(|| Internal::new(format!("there is no file {}", index.0)))
+    }
+
+    /// Whether naming the item makes the compiler warn.
+    pub(crate) fn is_deprecated(&self, origin: &Origin) -> bool {
+        self.deprecated && matches!(origin.lifecycle, Some(Lifecycle::Deprecated(_)))
+    }
+}
