@@ -17,11 +17,11 @@ goldens! {
     bind: "../../mavgen/tests/golden/bind/generated/mod.rs", "Enums on plain integers, on a condition.";
     commands: "../../mavgen/tests/golden/commands/generated/mod.rs", "Commands with params.";
     deprecated: "../../mavgen/tests/golden/deprecated/generated/mod.rs", "What is deprecated, and what only names it.";
-    enums: "../../mavgen/tests/golden/enums/generated/mod.rs", "Enums, and fields of other widths.";
     fields: "../../mavgen/tests/golden/fields/generated/mod.rs", "Fields of all types.";
     flags: "../../mavgen/tests/golden/flags/generated/mod.rs", "Values that are combined bit by bit.";
     invalid: "../../mavgen/tests/golden/invalid/generated/mod.rs", "Values that mean \"not known\".";
     names: "../../mavgen/tests/golden/names/generated/mod.rs", "Names that Rust has already.";
+    open_enums: "../../mavgen/tests/golden/open_enums/generated/mod.rs", "Enums, and fields of other widths.";
     roots: "../../mavgen/tests/golden/roots/generated/mod.rs", "Two dialects.";
     targets: "../../mavgen/tests/golden/targets/generated/mod.rs", "A message to somebody.";
     view_bits: "../../mavgen/tests/golden/view_bits/generated/mod.rs", "Views over words: flags, enums, numbers, several alike.";

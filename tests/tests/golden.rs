@@ -23,8 +23,8 @@ fn fields() {
 }
 
 #[test]
-fn enums() {
-    use enums::{NeverCarried, PumpState, Pumps};
+fn open_enums() {
+    use open_enums::{NeverCarried, PumpState, Pumps};
 
     assert_eq!((PumpState::ON.to_string(), PumpState(9).to_string()), ("PUMP_STATE_ON".into(), "9".into()));
     assert_eq!("PUMP_STATE_3_WAY".parse(), Ok(PumpState::STATE_3_WAY));

@@ -7,7 +7,9 @@
 //! `MAVGEN_SEEDS=1..2000 cargo test -p mavlink-conformance --test accepted` tries others than [`SEEDS`].
 
 mod failure;
+mod meaning;
 mod package;
+mod program;
 mod sample;
 
 use std::collections::BTreeSet;

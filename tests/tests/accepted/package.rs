@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
-use std::fs;
+use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -67,7 +67,7 @@ impl Package {
             made.add(sample, &mut root);
         }
         made.write("src/lib.rs", &root);
-        let said = made.cargo(&["clippy", "--quiet"]);
+        let said = made.cargo(&["clippy", "--quiet"], "");
         let blamed = blame(said.as_ref().err().map_or("", String::as_str));
         assert!(said.is_ok() || !blamed.is_empty(), "{}", said.unwrap_err());
         blamed
@@ -89,10 +89,12 @@ impl Package {
     }
 
     /// Runs cargo in it: what it prints, or what it says is wrong.
-    pub(crate) fn cargo(&self, arguments: &[&str]) -> Result<String, String> {
+    pub(crate) fn cargo(&self, arguments: &[&str], input: &str) -> Result<String, String> {
+        self.write("input", input);
         let mut cargo = Command::new(env!("CARGO"));
         cargo.args(arguments).args(["--offline", "--color", "never"]).current_dir(&self.folder);
         cargo.env("CARGO_TARGET_DIR", folder().join("target")).env_remove("RUSTFLAGS");
+        cargo.stdin(File::open(self.folder.join("input")).unwrap());
         let output = cargo.output().unwrap();
         let text = |bytes| String::from_utf8_lossy(bytes).into_owned();
         if output.status.success() { Ok(text(&output.stdout)) } else { Err(text(&output.stderr)) }

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use mavgen::{Builder, Failure, GeneratedFile};
+use mavgen::{Builder, Failure, GeneratedFile, Resolved};
 use random_dialects::Case;
 
 /// A case and what became of it.
@@ -18,9 +18,10 @@ pub(crate) enum Fate {
     Refused,
 }
 
-/// What is generated.
+/// What is generated, and from which model.
 pub(crate) struct Accepted {
     pub(crate) files: Vec<GeneratedFile>,
+    pub(crate) resolved: Resolved,
 }
 
 impl Sample {
@@ -34,7 +35,7 @@ impl Sample {
         write(folder.path(), &case);
         let builder = builder(folder.path(), &case);
         let fate = match builder.resolve() {
-            Ok(resolved) => Fate::Accepted(Box::new(Accepted { files: builder.emit(&resolved).unwrap() })),
+            Ok(resolved) => Fate::Accepted(Box::new(Accepted { files: builder.emit(&resolved).unwrap(), resolved })),
             Err(Failure::Definitions(_)) => Fate::Refused,
             Err(failure) => panic!("seed {}: {failure}", case.seed),
         };

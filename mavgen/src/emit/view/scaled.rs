@@ -64,22 +64,24 @@ fn to_float(scale: &Scale<'_>, raw: &TokenStream) -> TokenStream {
     }
     let float = ident(if scale.in_f32 { "f32" } else { "f64" });
     let number = if scale.bits.raw.bits() <= 16 { quote!(#float::from(#raw)) } else { quote!((#raw as #float)) };
-    let literal = |value: f64| Literal::f64_unsuffixed(value);
-    let product = match (scale.factor, literal(scale.factor as f64)) {
+    let literal = |value: u64| Literal::f64_unsuffixed(value as f64);
+    let product = match (scale.factor.unsigned_abs(), literal(scale.factor.unsigned_abs())) {
         (1, _) => number,
-        (-1, _) => quote!(-#number),
         (_, factor) => quote!(#number * #factor),
     };
-    let bias = literal(scale.bias.unsigned_abs() as f64);
-    let sum = match scale.bias {
-        0 => product.clone(),
-        negative if negative < 0 => quote!(#product - #bias),
-        _ => quote!(#product + #bias),
+    let bias = literal(scale.bias.unsigned_abs());
+    // `-x` would make a negative zero of zero.
+    let sum = match (scale.factor < 0, scale.bias) {
+        (false, 0) => product,
+        (false, 1..) => quote!(#product + #bias),
+        (false, _) => quote!(#product - #bias),
+        (true, 0..) => quote!(#bias - #product),
+        (true, _) => quote!(-#bias - #product),
     };
-    let value = match (scale.bias, scale.divisor, literal(scale.divisor as f64)) {
+    let value = match (scale.factor < 0 || scale.bias != 0, scale.divisor, literal(scale.divisor.unsigned_abs())) {
         (_, 1, _) => sum,
-        (0, _, divisor) => quote!(#product / #divisor),
-        (_, _, divisor) => quote!((#sum) / #divisor),
+        (false, _, divisor) => quote!(#sum / #divisor),
+        (true, _, divisor) => quote!((#sum) / #divisor),
     };
     if scale.in_f32 { value } else { quote!((#value) as f32) }
 }
