@@ -111,7 +111,7 @@ impl BatteryBits {
     /// `climb`. In m/s.
     #[inline]
     pub fn climb(self) -> f32 {
-        -f32::from(self.climb_raw()) / 2.0
+        (0.0 - f32::from(self.climb_raw())) / 2.0
     }
 
     /// Sets [`Self::climb`]. An error if the value does not fit.
