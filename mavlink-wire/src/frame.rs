@@ -49,39 +49,46 @@ pub struct Frame<'a> {
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) struct Facts {
     pub(crate) id: u32,
-    crc_extra: u8,
+    pub(crate) crc_extra: u8,
     pub(crate) verified: bool,
 }
 
-impl Facts {
-    /// Verifies the frame at the start of `bytes`.
+/// What may be a frame, by its header.
+#[derive(Clone, Copy)]
+pub(crate) struct Candidate<'t> {
+    pub(crate) header: Header,
+    pub(crate) id: u32,
+    known: Option<&'t MessageInfo>,
+}
+
+impl<'t> Candidate<'t> {
+    /// Reads a header.
     #[inline]
-    pub(crate) fn of(bytes: &[u8], table: &Table<'_>) -> Result<(Header, Self), FrameError> {
-        Self::among(bytes, table, true)
+    pub(crate) fn read(bytes: &[u8], table: &Table<'t>) -> Result<Self, FrameError> {
+        let header = Header::read(bytes)?;
+        let id = header.id(bytes).ok_or(FrameError::Incomplete { needed: header.frame_length() })?;
+        Ok(Self { header, id, known: table.get(id) })
     }
 
-    /// Verifies the frame at the start of `bytes`; without `unknown`, it has to be of a message of the table.
+    /// The facts of the frame, if it is whole, and its checksum is right; `checksum` calculates that of its first bytes.
     #[inline]
-    pub(crate) fn among(bytes: &[u8], table: &Table<'_>, unknown: bool) -> Result<(Header, Self), FrameError> {
-        let header = Header::read(bytes)?;
-        let incomplete = FrameError::Incomplete { needed: header.frame_length() };
-        let id = header.id(bytes).ok_or(incomplete)?;
-        let known = table.get(id);
-        if known.is_none() && !unknown {
-            return Err(FrameError::Checksum { message_id: id });
-        }
-        let frame = bytes.get(..header.frame_length()).ok_or(incomplete)?;
-        let (Some([_, checked @ ..]), Some(sent)) =
-            (frame.get(..header.checked_length()), frame.get(header.checked_length()..).and_then(<[u8]>::first_chunk))
-        else {
-            return Err(incomplete);
+    pub(crate) fn verify(self, bytes: &[u8], checksum: impl FnOnce(usize) -> u16) -> Result<Facts, FrameError> {
+        let (end, length) = (self.header.checked_length(), self.header.frame_length());
+        let Some(sent) = bytes.get(..length).and_then(|frame| frame.get(end..)).and_then(<[u8]>::first_chunk) else {
+            return Err(FrameError::Incomplete { needed: length });
         };
-        match crc::byte_between(crc::checksum(checked), u16::from_le_bytes(*sent)) {
-            Some(crc_extra) if known.is_none_or(|info| info.crc_extra == crc_extra) => {
-                Ok((header, Self { id, crc_extra, verified: known.is_some() }))
+        match crc::byte_between(checksum(end), u16::from_le_bytes(*sent)) {
+            Some(crc_extra) if self.known.map_or(crc_extra, |info| info.crc_extra) == crc_extra => {
+                Ok(Facts { id: self.id, crc_extra, verified: self.known.is_some() })
             }
-            _ => Err(FrameError::Checksum { message_id: id }),
+            _ => Err(FrameError::Checksum { message_id: self.id }),
         }
+    }
+
+    /// Whether the message is known, and has this length: a payload of MAVLink 2 leaves zeros out, and the sender may know
+    /// more fields.
+    pub(crate) fn is_likely(&self) -> bool {
+        self.known.is_some_and(|info| self.header.is_v2() || self.header.payload_length() == usize::from(info.len_v1))
     }
 }
 
@@ -94,11 +101,13 @@ impl<'a> Frame<'a> {
     /// The bytes do not start with a whole, undamaged frame that may be read.
     #[inline]
     pub fn parse(bytes: &'a [u8], table: &Table<'_>) -> Result<Self, FrameError> {
-        let (header, facts) = Facts::of(bytes, table)?;
-        Ok(Self::with_facts(bytes.get(..header.frame_length()).unwrap_or_default(), header, facts))
+        let candidate = Candidate::read(bytes, table)?;
+        let facts = candidate.verify(bytes, |end| crc::checksum(bytes.get(1..end).unwrap_or_default()))?;
+        let length = candidate.header.frame_length();
+        Ok(Self::with_facts(bytes.get(..length).unwrap_or_default(), candidate.header, facts))
     }
 
-    /// The frame that these are the bytes of, and of which [`Facts::of`] found these facts.
+    /// The frame that these are the bytes of, and of which [`Candidate::verify`] found these facts.
     #[inline]
     pub(crate) fn with_facts(bytes: &'a [u8], header: Header, facts: Facts) -> Self {
         Self { bytes, payload: bytes.get(header.length()..header.checked_length()).unwrap_or_default(), facts }

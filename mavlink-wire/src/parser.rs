@@ -1,11 +1,13 @@
 //! Finds the frames in a stream of bytes that may be cut anywhere and damaged anywhere.
 
-mod belief;
 mod held;
 mod losses;
+pub(crate) mod prefixes;
 mod search;
+mod sightings;
 mod statistics;
 pub(crate) mod table;
+pub(crate) mod work;
 
 pub use losses::{Arrival, Losses, Received};
 pub use statistics::Statistics;
@@ -22,8 +24,9 @@ use crate::header::Header;
 /// Finds frames in a stream of bytes, wherever it is cut into chunks.
 ///
 /// What is found depends on the bytes alone, not on the cuts. After a wrong checksum or a false start the search goes on
-/// with the next byte, so that a damaged frame costs only itself. With the feature `fast-crc`, frames that lie within one
-/// chunk are not copied. A parser takes some 650 bytes of memory.
+/// with the next byte, so that a damaged frame costs only itself. The work for a byte is bounded, whatever the bytes are. With
+/// the feature `fast-crc`, frames that lie within one chunk are not copied. A parser takes some 900 bytes of memory, or 1,300
+/// with `fast-crc`.
 ///
 /// ```
 /// use mavlink_wire::{Parser, Table};
@@ -46,23 +49,32 @@ use crate::header::Header;
 ///
 /// - behind a frame, or at the beginning of the stream, and directly before the start of another, or at the end, it is
 ///   handed over whatever it carries;
-/// - elsewhere, as behind damage, only if no verified frame starts inside of it. Else that one is handed over.
+/// - so it is elsewhere, as behind damage, if the parser knows its message: if the last two frames of it that stood behind
+///   another frame, or at the beginning, had the same `crc_extra` as this one. That is remembered for the eight messages that
+///   were seen last;
+/// - else it is handed over only if no known frame starts inside of it. That may be one that ends behind it, by its header:
+///   then another one has to start directly behind.
 ///
-/// If bytes in it look like the start of a known frame, it is handed over as soon as the bytes behind it have decided that,
-/// or [`finish`](Self::finish) is called; all others at once.
+/// So the first frames of an unknown message may be lost if they stand behind damage and carry known ones, which are handed
+/// over then. And who sends frames that nobody signs can make a parser believe in any message.
+///
+/// A frame waits for ten more bytes at most, or for [`finish`](Self::finish), and only if bytes in it look like the start of
+/// a known one.
+// Small fields lie in front: that makes the code smaller which reaches for them.
 #[derive(Clone, Debug)]
+#[repr(C)]
 pub struct Parser<'t> {
-    search: Search<'t>,
-    held: Held,
     /// With fewer held bytes there is nothing new to find out.
     needed: usize,
+    held: Held,
+    search: Search<'t>,
 }
 
 impl<'t> Parser<'t> {
     /// A parser that verifies the messages of this table, and hands over others unverified.
     #[must_use]
     pub const fn new(table: &'t Table<'t>) -> Self {
-        Self { search: Search::new(table), held: Held::EMPTY, needed: 1 }
+        Self { search: Search::new(table), held: Held::EMPTY, needed: 0 }
     }
 
     /// The next frame; `input` moves behind what was used. `None` when `input` is used up: the beginning of a frame at
@@ -115,7 +127,7 @@ impl<'t> Parser<'t> {
                 }
                 Err(Step::Wait { needed }) => {
                     self.needed = needed;
-                    self.held.fill(needed, input);
+                    self.held.fill(needed, input, false);
                     return None;
                 }
                 Err(Step::Pass { count }) => *input = bytes.get(count..).unwrap_or_default(),
@@ -150,13 +162,13 @@ impl<'t> Parser<'t> {
         }
     }
 
-    /// Drops what waits for more bytes, unlike [`finish`](Self::finish), which searches it: for a link that was opened again.
-    /// The [`statistics`](Self::statistics) go on, and leave it out.
+    /// Drops what waits for more bytes, unlike [`finish`](Self::finish), which searches it, and forgets what is known about other
+    /// messages: for a link that was opened again. The [`statistics`](Self::statistics) go on, and leave it out.
     pub fn reset(&mut self) {
         self.held.release(self.held.bytes().len());
         self.held.wipe_used();
-        self.search.restart();
-        self.needed = 1;
+        self.search.reset();
+        self.needed = 0;
     }
 
     /// What was found since the parser was made.
@@ -171,46 +183,50 @@ impl<'t> Parser<'t> {
         !self.held.is_empty()
     }
 
-    /// The bytes that were held and are used; a held frame that was handed over ends with them.
-    pub(crate) fn released(&self) -> &[u8] {
-        self.held.released()
+    /// The last of the bytes that were held and are used, so many of them; a held frame that was handed over ends with them.
+    pub(crate) fn released(&self, count: usize) -> &[u8] {
+        self.held.released(count)
     }
 
     /// The frame that was found last, among the held bytes.
     fn held_frame(&self, header: Header, facts: Facts) -> Frame<'_> {
-        let released = self.released();
-        let start = released.len().saturating_sub(header.frame_length());
-        Frame::with_facts(released.get(start..).unwrap_or_default(), header, facts)
+        Frame::with_facts(self.released(header.frame_length()), header, facts)
     }
 
-    /// Searches the held bytes for a frame. Of `input`, only what it takes to know is used: as soon as no earlier byte is
-    /// left, the search may go on in place.
+    /// Searches the held bytes for a frame, and takes more of `input` as it goes on.
     fn resume(
         &mut self,
         input: &mut &[u8],
         at_end: bool,
         bad_checksum: &mut impl FnMut(u32),
     ) -> Option<(Header, Facts)> {
+        let chunk = *input;
         while self.is_to_resume(input, at_end) {
             self.needed = 1;
-            match self.search.look(self.held.bytes(), at_end, bad_checksum) {
-                Ok((header, facts)) => {
-                    self.held.release(header.frame_length());
-                    return Some((header, facts));
-                }
-                Err(Step::Wait { needed }) => self.needed = needed,
-                Err(Step::Pass { count }) => self.held.release(count),
+            let found = self.search.look(self.held.bytes(), at_end, bad_checksum);
+            match &found {
+                Ok((header, _)) => self.held.release(header.frame_length()),
+                Err(Step::Wait { needed }) => self.needed = *needed,
+                Err(Step::Pass { count }) => self.held.release(*count),
+            }
+            if IN_PLACE {
+                self.held.give_back(chunk, input);
+            }
+            if let Ok(found) = found {
+                return Some(found);
             }
         }
         None
     }
 
-    /// Whether there are held bytes to be searched, enough of them.
+    /// Whether there are held bytes to be searched, enough of them. What is taken of `input` is no more than that, so that the
+    /// search soon goes on in place; or as much as there is room for, where many frames seem to start and few do.
+    #[cfg_attr(feature = "fast-crc", inline(always))]
     fn is_to_resume(&mut self, input: &mut &[u8], at_end: bool) -> bool {
         if at_end || IN_PLACE && self.held.is_empty() {
             !self.held.is_empty()
         } else {
-            self.held.fill(self.needed, input)
+            self.held.fill(self.needed, input, !IN_PLACE || self.search.is_contested())
         }
     }
 }

@@ -12,6 +12,12 @@
 //! assert_eq!(byte_between(crc, 0x4390), Some(50));
 //! ```
 
+use core::ops::Range;
+
+use super::header::LONGEST as LONGEST_HEADER;
+use crate::MAX_PAYLOAD;
+use crate::parser::work;
+
 #[cfg(feature = "fast-crc")]
 static TABLE: crc::Crc<u16, crc::Table<16>> = crc::Crc::<u16, crc::Table<16>>::new(&crc::CRC_16_MCRF4XX);
 
@@ -23,8 +29,9 @@ static TABLE: crc::Crc<u16, crc::Table<16>> = crc::Crc::<u16, crc::Table<16>>::n
 #[must_use]
 pub fn checksum(bytes: &[u8]) -> u16 {
     let (Some(first), Some(last)) = (bytes.first_chunk::<8>(), bytes.last_chunk::<8>()) else {
-        return bytes.iter().fold(0xFFFF, |crc, &byte| step(crc, byte));
+        return extend(INITIAL, bytes, 0..bytes.len());
     };
+    work::count(bytes.len());
     let length = (bytes.len() - 1) % 16 + 1;
     let short = match bytes.first_chunk::<16>() {
         Some(block) => u128::from_le_bytes(*block) << (128 - 8 * length),
@@ -57,7 +64,71 @@ fn after(crc: u16, block: &[u8; 16]) -> u16 {
 #[cfg(not(feature = "fast-crc"))]
 #[must_use]
 pub fn checksum(bytes: &[u8]) -> u16 {
-    bytes.iter().fold(0xFFFF, |crc, &byte| step(crc, byte))
+    extend(INITIAL, bytes, 0..bytes.len())
+}
+
+/// The register at the start.
+pub(crate) const INITIAL: u16 = 0xFFFF;
+
+/// The register after these bytes.
+pub(crate) fn extend(crc: u16, bytes: &[u8], range: Range<usize>) -> u16 {
+    work::count(range.len());
+    range.fold(crc, |crc, at| step(crc, bytes.get(at).copied().unwrap_or_default()))
+}
+
+/// Bytes by which [`advance`] counts: each of them where time counts, and fewer powers where flash does.
+pub(crate) const WORD: usize = if cfg!(feature = "fast-crc") { 2 } else { 8 };
+
+/// Words of the longest range that has a checksum: a header without its first byte, and a payload.
+const WORDS: usize = (LONGEST_HEADER - 1 + MAX_PAYLOAD) / WORD;
+
+/// The register after so many words of zeros. As a polynomial, it is multiplied by a power of x, each bit of it by another.
+#[cfg(feature = "fast-crc")]
+pub(crate) fn advance(crc: u16, words: usize) -> u16 {
+    /// x to the power of the index.
+    static POWERS: [u16; 8 * WORD * WORDS + 16] = powers(1);
+    const BITS: [u16; 16] = powers(1);
+    work::count(8);
+    let powers = POWERS.get(8 * WORD * words..).and_then(<[u16]>::first_chunk::<16>);
+    let powers = powers.unwrap_or(&[0; 16]);
+    powers.iter().zip(BITS).fold(0, |sum, (power, bit)| sum ^ if crc & bit == 0 { 0 } else { *power })
+}
+
+/// The register after so many words of zeros. As a polynomial, it is multiplied by a power of x.
+#[cfg(not(feature = "fast-crc"))]
+pub(crate) fn advance(mut crc: u16, words: usize) -> u16 {
+    /// x to the power of the bits in so many words.
+    static POWERS: [u16; WORDS + 1] = powers(8 * WORD);
+    work::count(8);
+    let (mut power, mut product) = (POWERS.get(words).copied().unwrap_or_default(), 0);
+    while crc != 0 {
+        product ^= if crc & ONE == 0 { 0 } else { power };
+        (crc, power) = (crc << 1, times_x(power));
+    }
+    product
+}
+
+/// The polynomial 1. The bits of a register are reflected: its lowest is of the highest power.
+const ONE: u16 = 0x8000;
+
+/// The polynomial times x.
+const fn times_x(polynomial: u16) -> u16 {
+    (polynomial >> 1) ^ if polynomial & 1 == 0 { 0 } else { 0x8408 }
+}
+
+/// Powers of x, so many apart, from 1 on.
+const fn powers<const N: usize>(apart: usize) -> [u16; N] {
+    let (mut powers, mut power) = ([0; N], ONE);
+    let mut rest: &mut [u16] = &mut powers;
+    while let [first, others @ ..] = rest {
+        *first = power;
+        let mut times = 0;
+        while times < apart {
+            (power, times) = (times_x(power), times + 1);
+        }
+        rest = others;
+    }
+    powers
 }
 
 /// The checksum after one more byte.

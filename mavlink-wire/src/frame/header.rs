@@ -1,6 +1,8 @@
 //! The first bytes of a frame: where everything else lies.
 
 use crate::FrameError;
+#[cfg(feature = "fast-crc")]
+use crate::parser::work;
 
 /// First byte of a MAVLink 1 frame.
 pub(crate) const STX_V1: u8 = 0xFE;
@@ -13,12 +15,32 @@ pub(crate) const SIGNATURE: usize = 13;
 /// Bytes of the checksum.
 pub(crate) const CHECKSUM: usize = 2;
 
+/// A number of bytes, kept as time wants it or as flash does.
+#[cfg(feature = "fast-crc")]
+type Length = usize;
+/// A number of bytes, kept as time wants it or as flash does.
+#[cfg(not(feature = "fast-crc"))]
+type Length = u32;
+
+/// A number of bytes, as others count them.
+#[cfg_attr(feature = "fast-crc", expect(clippy::unnecessary_cast, reason = "only there it is the same type"))]
+const fn whole(length: Length) -> usize {
+    length as usize
+}
+
+/// Bytes of a header of MAVLink 1.
+const V1: Length = 6;
+/// Bytes of a header of MAVLink 2.
+const V2: Length = 10;
+/// Bytes of the longest header.
+pub(crate) const LONGEST: usize = 10;
+
 /// What the first bytes say about a frame's layout.
 #[derive(Clone, Copy)]
 pub(crate) struct Header {
-    length: usize,
-    checked_length: usize,
-    frame_length: usize,
+    length: Length,
+    checked_length: Length,
+    frame_length: Length,
 }
 
 impl Header {
@@ -26,46 +48,59 @@ impl Header {
     #[inline]
     pub(crate) fn read(bytes: &[u8]) -> Result<Self, FrameError> {
         let (length, needed) = match bytes.first() {
-            Some(&STX_V2) => (10, 3),
-            Some(&STX_V1) => (6, 2),
+            Some(&STX_V2) => (V2, 3),
+            Some(&STX_V1) => (V1, 2),
             Some(&found) => return Err(FrameError::NotStx { found }),
             None => return Err(FrameError::Incomplete { needed: 1 }),
         };
-        let Some([_, payload_length, flags @ ..]) = bytes.get(..needed) else {
+        let Some([_, payload, flags @ ..]) = bytes.get(..needed) else {
             return Err(FrameError::Incomplete { needed });
         };
         let flags = flags.first().copied().unwrap_or_default();
         if flags & !SIGNED != 0 {
             return Err(FrameError::IncompatFlags { flags });
         }
-        let checked_length = length + usize::from(*payload_length);
-        Ok(Self { length, checked_length, frame_length: checked_length + CHECKSUM + SIGNATURE * usize::from(flags) })
+        let checked_length = length + Length::from(*payload);
+        let frame_length = checked_length + (CHECKSUM + SIGNATURE * usize::from(flags)) as Length;
+        Ok(Self { length, checked_length, frame_length })
     }
 
     /// Bytes before the payload.
     #[inline]
-    pub(crate) const fn length(self) -> usize {
-        self.length
+    pub(crate) fn length(self) -> usize {
+        whole(self.length)
+    }
+
+    /// Bytes of the payload.
+    #[inline]
+    pub(crate) const fn payload_length(self) -> usize {
+        whole(self.checked_length - self.length)
     }
 
     /// Bytes before the checksum.
     #[inline]
     pub(crate) const fn checked_length(self) -> usize {
-        self.checked_length
+        whole(self.checked_length)
     }
 
     /// Bytes of the whole frame, at most [`MAX_FRAME`](crate::MAX_FRAME).
     #[inline]
     pub(crate) const fn frame_length(self) -> usize {
-        self.frame_length
+        whole(self.frame_length)
+    }
+
+    /// Whether this is of MAVLink 2.
+    #[inline]
+    pub(crate) const fn is_v2(self) -> bool {
+        self.length == V2
     }
 
     /// The message id in the bytes that this header was read from, if the header is whole.
     #[inline]
     pub(crate) fn id(self, bytes: &[u8]) -> Option<u32> {
         // The last byte of the header is the top byte of the id: one load and a shift.
-        let end = bytes.get(..self.length)?.last_chunk().map(|end| u32::from_le_bytes(*end))?;
-        Some(if self.length == 10 { end >> 8 } else { end >> 24 })
+        let end = bytes.get(..self.length())?.last_chunk().map(|end| u32::from_le_bytes(*end))?;
+        Some(if self.is_v2() { end >> 8 } else { end >> 24 })
     }
 }
 
@@ -73,8 +108,12 @@ impl Header {
 #[cfg(feature = "fast-crc")]
 #[inline]
 pub(crate) fn to_next_start(bytes: &[u8]) -> usize {
-    let others = bytes.get(1..).unwrap_or_default();
-    1 + memchr::memchr2(STX_V1, STX_V2, others).unwrap_or(others.len())
+    let count = match bytes.get(1..).unwrap_or_default() {
+        [STX_V1 | STX_V2, ..] => 1,
+        others => 1 + memchr::memchr2(STX_V1, STX_V2, others).unwrap_or(others.len()),
+    };
+    work::count(count);
+    count
 }
 
 /// How many bytes further the next frame may start, if none starts with the first byte.

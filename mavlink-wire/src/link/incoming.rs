@@ -2,7 +2,7 @@
 
 use crate::frame::Outline;
 use crate::frame::key::{SETUP_SIGNING, WIPES, wipe_around};
-use crate::{Frame, Parser, Statistics, Table};
+use crate::{Frame, MAX_FRAME, Parser, Statistics, Table};
 
 /// A parser and its input, in a buffer `B`.
 #[derive(Clone)]
@@ -46,7 +46,7 @@ impl Found {
 
     /// The frame, if it was the parser's last one; `used` is what is used of the input.
     pub(crate) fn frame<'f>(&self, parser: &'f Parser<'_>, used: &'f [u8]) -> Frame<'f> {
-        self.outline.at_end_of(if self.held { parser.released() } else { used })
+        self.outline.at_end_of(if self.held { parser.released(MAX_FRAME) } else { used })
     }
 }
 

@@ -60,29 +60,36 @@ impl<'t> Table<'t> {
     #[inline]
     #[must_use]
     pub fn get(&self, id: u32) -> Option<&'t MessageInfo> {
-        self.infos.get(self.position(id)?).copied()
+        self.find(id).map(|(_, info)| info)
     }
 
     /// The place of the message with this id among those that were given; the first one if there are several.
     #[inline]
     #[must_use]
     pub fn position(&self, id: u32) -> Option<usize> {
+        self.find(id).map(|(position, _)| position)
+    }
+
+    #[inline]
+    fn find(&self, id: u32) -> Option<(usize, &'t MessageInfo)> {
         match self.index.get(id as usize) {
-            Some(&position) => usize::from(position).checked_sub(1),
+            Some(&position) => {
+                let position = usize::from(position).checked_sub(1)?;
+                Some((position, self.infos.get(position)?))
+            }
             None => self.search(id),
         }
     }
 
-    fn search(&self, id: u32) -> Option<usize> {
-        let (mut start, mut length) = (self.tail, self.infos.len() - self.tail);
-        while self.sorted && length > FEW {
-            let half = length / 2;
-            let is_behind = self.infos.get(start + half).is_some_and(|info| info.id <= id);
-            start += if is_behind { half } else { 0 };
-            length -= half;
+    fn search(&self, id: u32) -> Option<(usize, &'t MessageInfo)> {
+        let (mut start, mut rest) = (self.tail, self.infos.get(self.tail..)?);
+        while self.sorted && rest.len() > FEW {
+            let (front, back) = rest.split_at_checked(rest.len() / 2)?;
+            let is_behind = back.first().is_some_and(|info| info.id <= id);
+            (start, rest) = if is_behind { (start + front.len(), back) } else { (start, front) };
         }
-        let place = self.infos.get(start..start + length)?.iter().position(|info| info.id == id)?;
-        Some(start + place)
+        let (place, info) = rest.iter().enumerate().find(|(_, info)| info.id == id)?;
+        Some((start + place, info))
     }
 
     /// The messages in the order they were given.

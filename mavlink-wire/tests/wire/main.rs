@@ -6,6 +6,7 @@ mod checksum;
 mod errors;
 mod flags_interface;
 mod forwarding;
+mod hostile;
 mod hygiene;
 mod known_frames;
 #[cfg(feature = "std")]

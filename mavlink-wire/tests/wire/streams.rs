@@ -10,7 +10,7 @@ use proptest::prelude::*;
 
 use crate::small::{Heartbeat, Small};
 use pieces::{Piece, byte, cut, encoded, pieces, with_checksum};
-use reference::{Place, parsed, scanned, stands_between, whole_frame};
+use reference::{Place, parsed, scanned, seems_known, stands_between, whole_frame};
 
 proptest! {
     #[test]
@@ -45,15 +45,17 @@ proptest! {
         for piece in &pieces {
             let start = end;
             end += piece.len();
-            let intact = whole_frame(Small::TABLE, piece).is_some_and(|(length, _)| length == piece.len());
+            let intact = whole_frame(Small::TABLE, piece).is_some_and(|found| found.length == piece.len());
             // Chance can make a frame of an unknown message from garbage, or a verified one with a good checksum. But a
             // known frame is taken along only by a verified one, or by one that stands between others.
             let overlaps = |place: &Place| place.start < end && start < place.end;
-            let known = matches!(whole_frame(Small::TABLE, piece), Some((_, true)));
+            let known = whole_frame(Small::TABLE, piece).is_some_and(|found| found.verified);
             let swallows = |place: &Place| place.verified || !known || stands_between(&found, *place, &stream);
             let other = |place: &Place| (place.start, place.end) != (start, end);
             let swallowed = found.iter().any(|place| other(place) && overlaps(place) && swallows(place));
-            if intact && !(start..end).contains(&hit) && !swallowed {
+            // An unknown one may be lost if a known one seems to start in it.
+            let seems_to_carry = !known && (start + 1..end).any(|inside| seems_known(Small::TABLE, &stream, inside));
+            if intact && !(start..end).contains(&hit) && !swallowed && !seems_to_carry {
                 prop_assert!(frames.contains(piece));
             }
         }
@@ -159,5 +161,6 @@ fn unknown_frames_between_the_times_of_a_tlog_are_handed_over() {
 
 #[test]
 fn a_parser_takes_little_memory() {
-    assert!(size_of::<Parser<'_>>() <= 664, "{}", size_of::<Parser<'_>>());
+    let limit = if cfg!(feature = "fast-crc") { 1400 } else { 1000 };
+    assert!(size_of::<Parser<'_>>() <= limit, "{}", size_of::<Parser<'_>>());
 }

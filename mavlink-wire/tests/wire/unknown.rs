@@ -72,6 +72,81 @@ fn a_frame_waits_only_if_it_might_carry_a_known_one() {
     }
 }
 
+/// A frame of another unknown message.
+fn other(id: u32) -> Vec<u8> {
+    Piece::Unknown { id, crc_extra: 9, payload: vec![1, 2, 3] }.bytes(0)
+}
+
+#[test]
+fn a_message_that_was_seen_twice_is_believed_behind_noise() {
+    let (seen, tunnel) = (unknown(&[1; 20]), unknown(&[&[1, 2], &known(9)[..], &[3]].concat()));
+    let noise = &[1][..];
+    assert_eq!(found(&[&seen[..], noise, &tunnel, noise].concat()), [seen.clone(), known(9)]);
+    assert_eq!(found(&[&seen[..], &seen, noise, &tunnel, noise].concat()), [&seen[..], &seen, &tunnel]);
+    assert_eq!(
+        found(&[&seen[..], &known(0), &seen, noise, noise, &tunnel, noise, &known(1)].concat()),
+        [&seen[..], &known(0), &seen, &tunnel, &known(1)]
+    );
+    // What stands behind noise is no sighting.
+    assert_eq!(found(&[noise, &seen, noise, &seen, noise, &tunnel, noise].concat()).last(), Some(&known(9)));
+}
+
+#[test]
+fn a_message_is_believed_with_one_crc_extra() {
+    let with = |crc_extra, payload: &[u8]| Piece::Unknown { id: 70_000, crc_extra, payload: payload.to_vec() }.bytes(0);
+    let (seen, seen_with_8) = (unknown(&[1; 20]), with(8, &[1; 20]));
+    let (tunnel, tunnel_with_8) = (unknown(&known(9)), with(8, &known(9)));
+    let stream = |frames: [&[u8]; 3], last: &[u8]| [&frames.concat(), &[1][..], last, &[1]].concat();
+    let last = |stream: Vec<u8>| found(&stream).pop().unwrap();
+    assert_eq!(last(stream([&seen, &seen, &seen], &tunnel_with_8)), known(9));
+    assert_eq!(last(stream([&seen, &seen, &seen_with_8], &tunnel)), known(9));
+    assert_eq!(last(stream([&seen, &seen_with_8, &seen_with_8], &tunnel_with_8)), tunnel_with_8);
+}
+
+#[test]
+fn eight_messages_are_remembered() {
+    let (seen, tunnel) = (unknown(&[1; 20]), unknown(&known(9)));
+    let others = |count: u32| (0..count).flat_map(|id| other(80_000 + id)).collect::<Vec<u8>>();
+    let last = |count| found(&[&seen[..], &seen, &others(count), &[1], &tunnel, &[1]].concat()).pop().unwrap();
+    assert_eq!(last(7), tunnel);
+    assert_eq!(last(8), known(9));
+}
+
+#[test]
+fn a_frame_waits_for_no_more_than_the_start_of_the_next() {
+    // Behind noise, with the starts of known ones in it that go on behind it.
+    for start in [&[0xFD, 200, 0, 0, 0, 1, 1, 0, 0, 0][..], &[0xFE, 9, 0, 1, 1, 0], &[0xFE, 9], &[0xFD, 200, 0]] {
+        let frame = unknown(start);
+        let stream = [&[1][..], &frame, &known(0), &known(1)].concat();
+        let (mut parser, mut needed) = (Parser::new(Small::TABLE), 0);
+        for byte in stream.chunks(1) {
+            needed += 1;
+            if let Some(found) = parser.next(&mut &byte[..]) {
+                assert_eq!(found.bytes(), frame);
+                break;
+            }
+        }
+        assert!(needed <= 1 + frame.len() + 10, "{needed}");
+    }
+}
+
+#[test]
+fn a_reset_parser_has_forgotten_what_it_saw() {
+    let (seen, tunnel) = (unknown(&[1; 20]), unknown(&known(9)));
+    let mut parser = Parser::new(Small::TABLE);
+    let frames = |parser: &mut Parser<'_>, mut chunk: &[u8]| {
+        let mut lengths = vec![];
+        while let Some(frame) = parser.next(&mut chunk) {
+            lengths.push(frame.bytes().len());
+        }
+        lengths
+    };
+    assert_eq!(frames(&mut parser, &[&seen[..], &seen, &[0xFE, 200]].concat()), [seen.len(); 2]);
+    parser.reset();
+    assert_eq!((parser.statistics().frames, parser.statistics().skipped_bytes), (2, 0));
+    assert_eq!(frames(&mut parser, &[&[1][..], &tunnel, &[1]].concat()), [known(9).len()]);
+}
+
 #[test]
 fn a_frame_at_the_end_is_handed_over_by_finish() {
     let mut parser = Parser::new(Small::TABLE);

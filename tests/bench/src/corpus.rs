@@ -59,8 +59,11 @@ impl Corpus {
         }
         let theirs = MavMessage::parse(their_version(frame.version()), frame.message_id(), frame.payload());
         let theirs = theirs.map_err(|_| Refusal::Value)?;
-        let header =
-            MavHeader { system_id: frame.system_id().to_u32(), component_id: frame.component_id().to_u32() as u8, sequence: frame.sequence() };
+        let header = MavHeader {
+            system_id: frame.system_id().to_u32(),
+            component_id: frame.component_id().to_u32() as u8,
+            sequence: frame.sequence(),
+        };
         let start = self.bytes.len();
         self.bytes.extend_from_slice(bytes);
         let payload = start + if frame.version() == Version::V1 { 6 } else { 10 };
