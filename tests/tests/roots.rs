@@ -43,10 +43,10 @@ fn two_messages_with_one_id_do_not_disturb_each_other() {
 #[test]
 fn each_dialect_has_exactly_its_messages() {
     let names = |table: &mavlink_wire::Table<'_>| -> Vec<&str> { table.iter().map(|info| info.name).collect() };
-    assert_eq!(names(heron::Heron::TABLE), ["TANK", "ORDER", "OLD_TANK", "NEST", "GAUGE", "DEPTH", "PERCH"]);
-    assert_eq!(names(osprey::Osprey::TABLE), ["TANK", "ORDER", "OLD_TANK", "CATCH", "GAUGE", "DEPTH", "PERCH"]);
+    assert_eq!(names(heron::Heron::TABLE), ["TANK", "ORDER", "OLD_TANK", "NEST", "GAUGE", "DEPTH", "PERCH", "SHIP", "WEATHER"]);
+    assert_eq!(names(osprey::Osprey::TABLE), ["TANK", "ORDER", "OLD_TANK", "CATCH", "GAUGE", "DEPTH", "PERCH", "SHIP", "WEATHER"]);
     let ids = |table: &mavlink_wire::Table<'_>| -> Vec<u32> { table.iter().map(|info| info.id).collect() };
-    assert_eq!(ids(osprey::Osprey::TABLE), [1, 2, 3, 150, 160, 161, 163]);
+    assert_eq!(ids(osprey::Osprey::TABLE), [1, 2, 3, 150, 160, 161, 163, 170, 171]);
 }
 
 #[test]
@@ -67,6 +67,29 @@ fn a_value_with_two_names_has_the_first_and_knows_both() {
     let labels: Vec<_> = enums::MavCmd(500).params().iter().map(|param| param.label).collect();
     assert_eq!(labels, [Some("Heron")]);
     assert_eq!(enums::MavCmd::SPRAY.params().len(), 1);
+}
+
+/// Dialects of different age: an entry that was renamed and kept its value is one constant, with the name that it had first.
+#[test]
+fn an_entry_that_was_renamed_is_one_constant() {
+    let ship = messages::Ship { state: enums::ShipState::MOORED };
+    assert_eq!(TypeId::of::<heron::Ship>(), TypeId::of::<osprey::Ship>());
+    assert_eq!((ship.state.to_string().as_str(), osprey::ShipState::ADRIFT.0), ("MOORED", 3));
+    assert_eq!("SAILING".parse::<enums::ShipState>(), Ok(enums::ShipState::SAILING));
+}
+
+/// And an enum in which an entry has another value is another type, and so are the messages with a field of it.
+#[test]
+fn an_entry_with_two_values_makes_two_enums() {
+    assert_eq!((heron::Wind::STORM.0, osprey::Wind::STORM.0, osprey::Wind::BREEZE.0), (1, 2, 1));
+    assert_eq!(osprey::Wind(1).to_string(), "WIND_BREEZE");
+    assert_ne!(TypeId::of::<heron::Weather>(), TypeId::of::<osprey::Weather>());
+    let weather = heron::Heron::from(heron::Weather { wind: heron::Wind::STORM });
+    let mut buffer = [0; MAX_FRAME];
+    let sent = Sender::v2(1, 1).encode(&weather, &mut buffer).unwrap();
+    // On the wire they are one message, in which the number means something else.
+    let read = Frame::parse(sent, osprey::Osprey::TABLE).unwrap().message::<osprey::Osprey>();
+    assert_eq!(read, Some(osprey::Weather { wind: osprey::Wind::BREEZE }.into()));
 }
 
 #[test]

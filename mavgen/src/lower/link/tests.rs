@@ -77,6 +77,38 @@ fn width_and_kind_make_an_enum_another() {
     }
 }
 
+/// Every row: the entries in two dialects, and how many types they become.
+#[test]
+fn an_entry_with_two_values_makes_an_enum_another() {
+    for (a, b, types, constants) in [
+        (&[("E_A", 1)][..], &[("E_A", 1), ("E_B", 2)][..], 1, &["A", "B"][..]),
+        // Renamed, and one name in Rust; the entry keeps its first name.
+        (&[("SAILING", 1), ("MOORED", 2)], &[("E_SAILING", 1), ("E_MOORED", 2)], 1, &["SAILING", "MOORED"]),
+        // Renamed, with two names in Rust.
+        (&[("E_OLD", 1), ("E_X", 2)], &[("E_NEW", 1), ("E_X", 2)], 1, &["OLD", "NEW", "X"]),
+        // Another value under one name, in the definitions or in Rust.
+        (&[("E_A", 1)], &[("E_A", 2)], 2, &["A"]),
+        (&[("A", 1), ("B", 3)], &[("E_A", 2), ("E_C", 4)], 2, &["A", "B"]),
+    ] {
+        let wrapped = |entries: &[(&str, u64)]| format!("<enums>{}</enums>", values("E", "", entries));
+        let union = union(&[("a", &wrapped(a)), ("b", &wrapped(b))]);
+        assert_eq!((union.all.enums.len(), union.names.enums.len()), (types, types), "{a:?} {b:?}");
+        assert_eq!(union.names.enums[0].constants, constants, "{a:?} {b:?}");
+        assert_eq!(union.all.enums[0].entries[0].name.text, a[0].0);
+        let apart = union.enum_homes == [Home::Root(0), Home::Root(1)];
+        assert_eq!(apart, types == 2, "{a:?} {b:?}");
+    }
+}
+
+/// The third dialect has what one of the two before it has.
+#[test]
+fn of_three_enums_those_that_agree_are_one() {
+    let wrapped = |value: u64| format!("<enums>{}</enums>", values("E", "", &[("E_A", value)]));
+    let union = union(&[("a", &wrapped(1)), ("b", &wrapped(2)), ("c", &wrapped(2))]);
+    let enums: Vec<_> = union.roots.iter().map(|root| root.enums.clone()).collect();
+    assert_eq!(enums, [[EnumId(0)], [EnumId(1)], [EnumId(1)]]);
+}
+
 /// A message with an enum that a dialect widens is not the message of the dialect that does not.
 #[test]
 fn a_message_goes_with_its_enums() {
