@@ -192,6 +192,7 @@ impl Builder {
             dialects.iter_mut().for_each(|named| named.select(&selection));
         }
         let union = roots::link_all(&dialects, &all, tree, &mut diagnostics);
+        let union = union.map_err(|internal| Failure::Internal(internal.to_string()))?;
         let watched = roots::watched(all);
         let mut dialects = dialects.into_iter();
         let Some(Named { dialect, names }) = dialects.next().filter(|_| !diagnostics.has_errors()) else {

@@ -130,7 +130,7 @@ impl Origin {
     }
 
     /// Changes every mention of a file.
-    pub(crate) fn map_files(&mut self, change: impl Fn(&mut FileIndex)) {
+    pub(crate) fn map_files(&mut self, mut change: impl FnMut(&mut FileIndex)) {
         change(&mut self.file);
         self.overlays.iter_mut().for_each(change);
     }

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use crate::diag::Diagnostics;
 use crate::ir::{Dialect, Kept};
+use crate::lower::Internal;
 use crate::lower::link::{self, Part, Union};
 use crate::lower::names::Names;
 use crate::lower::spelling::dialect_module_name;
@@ -79,9 +80,14 @@ fn top<'a>(loaded: &'a Loaded, sources: &'a Sources) -> Option<(&'a str, (FileId
 }
 
 /// Links dialects into a tree of this name; nothing if there is only one, or none. `all` is what they were resolved from.
-pub(crate) fn link_all(dialects: &[Named], all: &[Loaded], tree: &str, diagnostics: &mut Diagnostics) -> Option<Union> {
+pub(crate) fn link_all(
+    dialects: &[Named],
+    all: &[Loaded],
+    tree: &str,
+    diagnostics: &mut Diagnostics,
+) -> Result<Option<Union>, Internal> {
     if dialects.len() < 2 {
-        return None;
+        return Ok(None);
     }
     let parts = dialects.iter().cloned().zip(all).map(|(Named { dialect, names }, loaded)| {
         let files = loaded.files.iter().map(|file| file.id);
@@ -89,10 +95,10 @@ pub(crate) fn link_all(dialects: &[Named], all: &[Loaded], tree: &str, diagnosti
         Part { dialect, names, sources }
     });
     let mut found = Diagnostics::default();
-    let union = link::link(tree, parts.collect(), &mut found);
+    let union = link::link(tree, parts.collect(), &mut found)?;
     found.arrange();
     diagnostics.extend(found.iter().cloned());
-    Some(union)
+    Ok(Some(union))
 }
 
 /// The diagnostics of several dialects, without those that are there already: they find the same in the files they share.

@@ -43,8 +43,14 @@ fn two_messages_with_one_id_do_not_disturb_each_other() {
 #[test]
 fn each_dialect_has_exactly_its_messages() {
     let names = |table: &mavlink_wire::Table<'_>| -> Vec<&str> { table.iter().map(|info| info.name).collect() };
-    assert_eq!(names(heron::Heron::TABLE), ["TANK", "ORDER", "OLD_TANK", "NEST", "GAUGE", "DEPTH", "PERCH", "SHIP", "WEATHER"]);
-    assert_eq!(names(osprey::Osprey::TABLE), ["TANK", "ORDER", "OLD_TANK", "CATCH", "GAUGE", "DEPTH", "PERCH", "SHIP", "WEATHER"]);
+    assert_eq!(
+        names(heron::Heron::TABLE),
+        ["TANK", "ORDER", "OLD_TANK", "NEST", "GAUGE", "DEPTH", "PERCH", "SHIP", "WEATHER"]
+    );
+    assert_eq!(
+        names(osprey::Osprey::TABLE),
+        ["TANK", "ORDER", "OLD_TANK", "CATCH", "GAUGE", "DEPTH", "PERCH", "SHIP", "WEATHER"]
+    );
     let ids = |table: &mavlink_wire::Table<'_>| -> Vec<u32> { table.iter().map(|info| info.id).collect() };
     assert_eq!(ids(osprey::Osprey::TABLE), [1, 2, 3, 150, 160, 161, 163, 170, 171]);
 }

@@ -60,7 +60,7 @@ impl Dialect {
         kept.cut_enums(&mut self.enums);
         let old = kept.enums.iter().enumerate().filter(|(_, stays)| **stays).map(|(old, _)| EnumId(old));
         let numbers: BTreeMap<EnumId, EnumId> = old.enumerate().map(|(new, old)| (old, EnumId(new))).collect();
-        // Whatever names an enum had it among its needs, so that it has a new number.
+        // Whatever names an enum had it among its needs, so that it has a new number; what names none goes on naming none.
         let mut renumber = |id: &mut EnumId| *id = numbers.get(id).copied().unwrap_or(*id);
         self.messages.iter_mut().for_each(|message| enums_of_message_mut(message, &mut renumber));
         self.enums.iter_mut().for_each(|values| enums_of_enum_mut(values, &mut renumber));

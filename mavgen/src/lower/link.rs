@@ -16,7 +16,7 @@ use std::path::Path;
 
 use super::names::Names;
 use super::namespace::{Claim, Namespace, Scope, What};
-use super::{collision, spelling};
+use super::{Internal, collision, spelling};
 use crate::diag::Diagnostics;
 use crate::ir::{Dialect, EnumId, FileIndex};
 use crate::source::{FileId, Span};
@@ -90,13 +90,14 @@ pub(crate) fn check_modules<'a>(
 }
 
 /// Links dialects into a tree of this name.
-pub(crate) fn link(tree: &str, parts: Vec<Part>, diagnostics: &mut Diagnostics) -> Union {
+pub(crate) fn link(tree: &str, parts: Vec<Part>, diagnostics: &mut Diagnostics) -> Result<Union, Internal> {
     let (mut files, mut enums, mut messages) = (Files::default(), Enums::default(), Messages::default());
     let mut roots = Vec::with_capacity(parts.len());
     for (index, Part { mut dialect, names, sources }) in parts.into_iter().enumerate() {
-        let file = files.take(&mut dialect, &sources);
-        let ids = enums.take((index, &dialect.name), dialect.enums.into_iter().zip(names.enums).collect(), diagnostics);
-        let messages = messages.take(index, dialect.messages.into_iter().zip(names.messages), &ids, &enums);
+        let file = files.take(&mut dialect, &sources)?;
+        let ids =
+            enums.take((index, &dialect.name), dialect.enums.into_iter().zip(names.enums).collect(), diagnostics)?;
+        let messages = messages.take(index, dialect.messages.into_iter().zip(names.messages), &ids, &enums)?;
         let mut enums: Vec<EnumId> = ids;
         enums.sort_unstable();
         let module = spelling::root_module_name(&dialect.name, tree);
@@ -116,11 +117,6 @@ pub(crate) fn link(tree: &str, parts: Vec<Part>, diagnostics: &mut Diagnostics) 
         enums: all_enums,
         messages: all_messages,
     };
-    Union {
-        all,
-        names: Names { dialect, messages: message_names, enums: enum_names },
-        enum_homes,
-        message_homes,
-        roots,
-    }
+    let names = Names { dialect, messages: message_names, enums: enum_names };
+    Ok(Union { all, names, enum_homes, message_homes, roots })
 }

@@ -8,7 +8,8 @@ use std::collections::HashMap;
 
 use super::Class;
 use crate::diag::{Code, Diagnostic, Diagnostics};
-use crate::ir::{Entry, Enum, EnumId, Lifecycle, Origin, Repr, enums_of_enum_mut};
+use crate::ir::{Entry, Enum, EnumId, Lifecycle, Name, Origin, Repr, enums_of_enum_mut};
+use crate::lower::Internal;
 use crate::lower::names::EnumNames;
 
 /// What has to be equal for two enums to be one type: the name, in the definitions and in Rust, the width, and whether the
@@ -29,16 +30,18 @@ impl Enums {
         (root, dialect): (usize, &str),
         enums: Vec<(Enum, EnumNames)>,
         diagnostics: &mut Diagnostics,
-    ) -> Vec<EnumId> {
+    ) -> Result<Vec<EnumId>, Internal> {
         let ids = self.ids(dialect, &enums, diagnostics);
         for ((mut values, names), id) in enums.into_iter().zip(&ids) {
-            enums_of_enum_mut(&mut values, &mut |id| *id = ids.get(id.0).copied().unwrap_or(*id));
+            let mut links = Links::new(&ids);
+            enums_of_enum_mut(&mut values, &mut |id| links.follow(id));
+            links.check(&values.name)?;
             match self.list.get_mut(id.0) {
                 None => self.list.push(Class { item: values, names, roots: vec![root] }),
                 Some(class) => class.add(root, values, names),
             }
         }
-        ids
+        Ok(ids)
     }
 
     /// For each enum of a dialect that of the same kind whose entries agree with its own, or a new one.
@@ -65,6 +68,35 @@ impl Enums {
     /// The type of an enum.
     pub(super) fn ty(&self, id: EnumId) -> Option<&str> {
         self.list.get(id.0).map(|class| class.names.ty.as_str())
+    }
+}
+
+/// What the enums of a dialect are now.
+pub(super) struct Links<'i> {
+    ids: &'i [EnumId],
+    lost: Option<EnumId>,
+}
+
+impl<'i> Links<'i> {
+    /// By what each was.
+    pub(super) fn new(ids: &'i [EnumId]) -> Self {
+        Self { ids, lost: None }
+    }
+
+    /// Points a mention of an enum to what it is now.
+    pub(super) fn follow(&mut self, id: &mut EnumId) {
+        match self.ids.get(id.0) {
+            Some(now) => *id = *now,
+            None => self.lost = Some(*id),
+        }
+    }
+
+    /// Whether everything that `of` names was there.
+    pub(super) fn check(&self, of: &Name) -> Result<(), Internal> {
+        match self.lost {
+            None => Ok(()),
+            Some(EnumId(lost)) => Err(Internal::new(format!("`{}` names an enum {lost} that there is not", of.text))),
+        }
     }
 }
 

@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 
 use crate::ir::{Dialect, File, FileIndex};
+use crate::lower::Internal;
 use crate::source::FileId;
 
 /// The files so far.
@@ -14,7 +15,7 @@ pub(super) struct Files {
 
 impl Files {
     /// Takes in the files of a dialect, and points everything in it to their new places. Returns that of its top file.
-    pub(super) fn take(&mut self, dialect: &mut Dialect, sources: &[FileId]) -> FileIndex {
+    pub(super) fn take(&mut self, dialect: &mut Dialect, sources: &[FileId]) -> Result<FileIndex, Internal> {
         let before = self.list.len();
         let mut places = Vec::with_capacity(sources.len());
         for (file, source) in std::mem::take(&mut dialect.files).into_iter().zip(sources) {
@@ -25,27 +26,36 @@ impl Files {
             }
             places.push(place);
         }
-        let moved = |file: &mut FileIndex| *file = places.get(file.0).copied().unwrap_or(FileIndex(usize::MAX));
-        self.list.iter_mut().skip(before).flat_map(|file| &mut file.includes).for_each(moved);
+        let mut lost = None;
+        let mut moved = |file: &mut FileIndex| match places.get(file.0) {
+            Some(place) => *file = *place,
+            None => lost = Some(file.0),
+        };
+        self.list.iter_mut().skip(before).flat_map(|file| &mut file.includes).for_each(&mut moved);
         each(dialect, moved);
-        places.first().copied().unwrap_or(FileIndex(usize::MAX))
+        match (lost, places.first()) {
+            (None, Some(top)) => Ok(*top),
+            (Some(lost), _) => Err(Internal::new(format!("dialect {} has no file {lost}", dialect.name))),
+            (None, None) => Err(Internal::new(format!("dialect {} has no files", dialect.name))),
+        }
     }
 }
 
 /// Changes every mention of a file.
-fn each(dialect: &mut Dialect, change: impl Fn(&mut FileIndex)) {
+fn each(dialect: &mut Dialect, mut change: impl FnMut(&mut FileIndex)) {
     for values in &mut dialect.enums {
+        change(&mut values.named_in);
         change(&mut values.defined_in);
-        values.origin.map_files(&change);
+        values.origin.map_files(&mut change);
         for entry in &mut values.entries {
-            entry.origin.map_files(&change);
+            entry.origin.map_files(&mut change);
             let params = entry.command.iter_mut().flat_map(|command| &mut command.params);
-            params.for_each(|param| param.origin.map_files(&change));
+            params.for_each(|param| param.origin.map_files(&mut change));
         }
     }
     for message in &mut dialect.messages {
-        message.origin.map_files(&change);
-        message.fields.iter_mut().for_each(|field| field.origin.map_files(&change));
-        message.views.iter_mut().for_each(|view| view.origin.map_files(&change));
+        message.origin.map_files(&mut change);
+        message.fields.iter_mut().for_each(|field| field.origin.map_files(&mut change));
+        message.views.iter_mut().for_each(|view| view.origin.map_files(&mut change));
     }
 }

@@ -2,9 +2,10 @@
 
 use std::collections::{HashMap, HashSet};
 
-use super::enums::{Enums, join};
+use super::enums::{Enums, Links, join};
 use super::{Class, definition};
 use crate::ir::{Binding, EnumId, Meaning, Message, View, enums_of_message_mut};
+use crate::lower::Internal;
 use crate::lower::methods::{binding_methods, view_methods};
 use crate::lower::names::{MessageNames, ViewNames};
 
@@ -29,10 +30,12 @@ impl Messages {
         messages: impl Iterator<Item = (Message, MessageNames)>,
         ids: &[EnumId],
         enums: &Enums,
-    ) -> Vec<usize> {
+    ) -> Result<Vec<usize>, Internal> {
         let mut take = |(mut message, names): (Message, MessageNames)| {
-            enums_of_message_mut(&mut message, &mut |id| *id = ids.get(id.0).copied().unwrap_or(*id));
-            self.take_one(root, message, names, enums)
+            let mut links = Links::new(ids);
+            enums_of_message_mut(&mut message, &mut |id| links.follow(id));
+            links.check(&message.name)?;
+            Ok(self.take_one(root, message, names, enums))
         };
         messages.map(&mut take).collect()
     }
