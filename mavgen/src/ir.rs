@@ -1,8 +1,8 @@
-//! The resolved dialect: a model that can only say legal things.
+//! The wire model: a resolved dialect, what its bytes are and mean.
 //!
-//! It is the public result of [`crate::Builder::resolve`]; tools other than the emitter can be written on it. Everything is
-//! spelled out: wire order, offsets, checksums, merged enums with every value filled in, and the Rust name beside the name
-//! in the XML.
+//! It is the public result of [`crate::Builder::resolve`]; tools other than the generator can be written on it. Everything is
+//! spelled out: wire order, offsets, checksums, merged enums with every value filled in, bits of views. It belongs to no
+//! language: names are those of the definitions.
 
 mod crc;
 mod kept;
@@ -36,8 +36,6 @@ use crate::source::Span;
 pub struct Dialect {
     /// The stem of the file name: `autoquad`.
     pub name: String,
-    /// The Rust type that holds any message of the dialect: `Autoquad`.
-    pub type_name: String,
     /// `<version>` of the top file; 2, pymavlink's default, where it has none.
     pub version: u8,
     /// The files in merge order: breadth first from the top file.

@@ -33,13 +33,14 @@
 //! # How it works
 //!
 //! ```text
-//! XML text ─read→ syntax ─resolve→ ir ─emit→ tokens ─format→ files
+//! XML text ─read→ syntax ─resolve→ ir ─lower→ Rust model ─emit→ tokens ─format→ files
 //! (+ overlay, read by the same reader, joined in resolve)
 //! ```
 //!
 //! [`syntax`] is what a file says, with a [`source::Span`] on every name and number. [`ir`] is what the files mean together:
-//! wire order, offsets, checksums, merged enums, Rust names; other tools can be written on it. Problems are collected as
-//! [`diag::Diagnostic`]s, each with its place, and a stage that found an error is the last.
+//! wire order, offsets, checksums, merged enums; other tools can be written on it. Then every Rust item is decided, first its
+//! names, and printed. Problems are collected as [`diag::Diagnostic`]s, each with its place; after an error only names are still
+//! looked at, so that one run finds all.
 
 #![cfg_attr(docsrs, feature(doc_cfg))]
 #![forbid(unsafe_code)]

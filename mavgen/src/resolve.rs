@@ -97,8 +97,8 @@ pub(crate) fn passes(loaded: &Loaded, sources: &Sources, diagnostics: &mut Diagn
     let whole = drafts.into_iter().zip(added);
     let mut messages: Vec<_> = whole.map(|(draft, added)| build_message(draft, added, &links, diagnostics)).collect();
     messages.sort_by_key(|message| message.id);
-    let (name, type_name, version) = (loaded.name.clone(), String::new(), versions.first()?.number());
-    let dialect = Dialect { name, type_name, version, files: files(loaded, sources), enums: models, messages };
+    let (name, version) = (loaded.name.clone(), versions.first()?.number());
+    let dialect = Dialect { name, version, files: files(loaded, sources), enums: models, messages };
     let (lost, lost_views) = (lost::messages(loaded, &dialect), lost::views(loaded, &dialect));
     Some(Partial { dialect, lost, lost_views })
 }

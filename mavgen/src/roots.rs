@@ -4,8 +4,8 @@ use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 
 use crate::diag::Diagnostics;
+use crate::internal::Internal;
 use crate::ir::{Dialect, Kept};
-use crate::lower::Internal;
 use crate::lower::link::{self, Part, Union};
 use crate::lower::names::Names;
 use crate::lower::spelling::dialect_module_name;
@@ -52,9 +52,7 @@ pub(crate) fn conflict(roots: &[PathBuf], tree: &str) -> Option<String> {
 pub(crate) fn resolve(loaded: &Loaded, sources: &Sources, diagnostics: &mut Diagnostics) -> Option<Named> {
     let named = passes(loaded, sources, diagnostics).map(|partial| {
         let names = Names::check(&partial, diagnostics);
-        let mut dialect = partial.dialect;
-        names.write_into(&mut dialect);
-        Named { dialect, names }
+        Named { dialect: partial.dialect, names }
     });
     diagnostics.arrange();
     named.filter(|_| !diagnostics.has_errors())

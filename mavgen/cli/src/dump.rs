@@ -134,7 +134,7 @@ fn text(dialect: &Dialect) -> String {
     }
     for values in &dialect.enums {
         let kind = if values.bitmask { "flags" } else { "enum" };
-        line(&mut text, format_args!("{kind} {}: {}", values.name.text, values.repr.rust_name()));
+        line(&mut text, format_args!("{kind} {}: {}", values.name.text, values.repr.name()));
         for entry in &values.entries {
             let auto = if entry.auto { " (automatic)" } else { "" };
             line(&mut text, format_args!("  {:>10} {}{auto}", entry.value, entry.name.text));

@@ -234,9 +234,9 @@ impl Scalar {
 /// How a field carries the values of an enum.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Values {
-    /// The field has the enum's own width and sign: its Rust type is the enum.
+    /// The field has the enum's own width and sign.
     Typed(EnumId),
-    /// The field is narrower, wider or of another sign: it stays an integer, with a typed getter and setter.
+    /// The field is narrower, wider or of another sign, so that it may not hold every value of the enum.
     Converted(EnumId),
 }
 

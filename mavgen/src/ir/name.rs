@@ -6,22 +6,20 @@ use std::hash::{Hash, Hasher};
 
 use crate::source::Span;
 
-/// A name in the definitions, where it was written, and what it is called in Rust.
+/// A name in the definitions, and where it was written.
 ///
-/// The spelling of the definitions is what checksums are made of; the Rust spelling is what a user types. Two names are equal
-/// wherever they stand: the place is for messages alone, and `Debug` does not show it.
+/// Two names are equal wherever they stand: the place is for messages alone, and `Debug` does not show it. What a language makes
+/// of a name is not here.
 #[derive(Clone)]
 pub struct Name {
-    /// As the definitions spell it: `GPS_RAW_INT`, `Index`.
+    /// As the definitions spell it, which is what checksums are made of: `GPS_RAW_INT`, `Index`.
     pub text: String,
-    /// As Rust spells it: `GpsRawInt`, `index`; a keyword as a field is `type` here, and written `r#type`.
-    pub rust: String,
     /// Where it was written.
     pub span: Span,
 }
 
 impl Name {
-    /// What keeps a text from being a name in the definitions, or from leaving something to be a name in Rust.
+    /// What keeps a text from being a name in the definitions, or from leaving something to make a name of.
     pub(crate) fn fault(text: &str) -> Option<&'static str> {
         if text.is_empty() {
             Some("empty")
@@ -35,16 +33,11 @@ impl Name {
             None
         }
     }
-
-    /// What two names are compared by.
-    fn key(&self) -> (&str, &str) {
-        (&self.text, &self.rust)
-    }
 }
 
 impl PartialEq for Name {
     fn eq(&self, other: &Self) -> bool {
-        self.key() == other.key()
+        self.text == other.text
     }
 }
 
@@ -58,19 +51,20 @@ impl PartialOrd for Name {
 
 impl Ord for Name {
     fn cmp(&self, other: &Self) -> Ordering {
-        self.key().cmp(&other.key())
+        self.text.cmp(&other.text)
     }
 }
 
 impl Hash for Name {
     fn hash<H: Hasher>(&self, state: &mut H) {
-        self.key().hash(state);
+        self.text.hash(state);
     }
 }
 
+/// As text.
 impl fmt::Debug for Name {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Name").field("text", &self.text).field("rust", &self.rust).finish()
+        self.text.fmt(f)
     }
 }
 

@@ -11,7 +11,7 @@ pub struct Enum {
     pub name: Name,
     /// Whether values are combined bit by bit.
     pub bitmask: bool,
-    /// The integer behind its Rust type.
+    /// The integer that its values are.
     pub repr: Repr,
     /// The entries by value, merged over all files.
     pub entries: Vec<Entry>,
@@ -37,7 +37,7 @@ impl Enum {
 /// An entry of an enum.
 #[derive(Clone, Debug)]
 pub struct Entry {
-    /// Its name; the Rust name is that of a constant, without the prefix of its enum.
+    /// Its name, with the prefix that entries of the enum share.
     pub name: Name,
     /// Its value.
     pub value: u64,
@@ -131,8 +131,8 @@ impl Repr {
         [Self::U8, Self::U16, Self::U32].into_iter().find(|repr| value <= repr.highest()).unwrap_or(Self::U64)
     }
 
-    /// The type's name in Rust.
-    pub fn rust_name(self) -> &'static str {
+    /// What it is called: `u8`.
+    pub fn name(self) -> &'static str {
         match self {
             Self::U8 => "u8",
             Self::I8 => "i8",

@@ -38,7 +38,7 @@ impl Items<'_> {
                 if other.name.text == name.text {
                     let link = self.link(index, "enums", ident)?;
                     let kind = if other.bitmask { "flags in a" } else { "numbers of type" };
-                    lines.push(format!("In `{}` it is {kind} `{}`: {link}.", root.name, other.repr.rust_name()));
+                    lines.push(format!("In `{}` it is {kind} `{}`: {link}.", root.name, other.repr.name()));
                 }
             }
         }

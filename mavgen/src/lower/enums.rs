@@ -35,7 +35,7 @@ impl<'d> Items<'d> {
     fn enum_docs(self, one: &'d ir::Enum, conflicts: Vec<String>) -> Result<Docs<'d>, Internal> {
         let (file, name) = (self.file_name(one.defined_in)?, &one.name.text);
         let kind = if one.bitmask { "flags in a" } else { "numbers of type" };
-        let facts = format!("`{name}` of `{file}`: {kind} `{}`.", one.repr.rust_name());
+        let facts = format!("`{name}` of `{file}`: {kind} `{}`.", one.repr.name());
         let facts = [facts].into_iter().chain(docs::reference(file, name)).collect();
         let mut paragraphs = docs::description(&one.origin);
         paragraphs.extend([Paragraph::Lines(facts), Paragraph::Lines(conflicts)]);

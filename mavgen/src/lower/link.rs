@@ -16,8 +16,9 @@ use std::path::Path;
 
 use super::names::Names;
 use super::namespace::{Claim, Namespace, Scope, What};
-use super::{Internal, collision, spelling};
+use super::{collision, spelling};
 use crate::diag::Diagnostics;
+use crate::internal::Internal;
 use crate::ir::{Dialect, EnumId, FileIndex};
 use crate::source::{FileId, Span};
 
@@ -109,14 +110,8 @@ pub(crate) fn link(tree: &str, parts: Vec<Part>, diagnostics: &mut Diagnostics) 
     let (all_messages, message_names) =
         messages.list.into_iter().map(|class| (class.item.message, class.names)).unzip();
     let dialect = spelling::dialect_type_name(tree);
-    let all = Dialect {
-        name: tree.to_owned(),
-        type_name: String::new(),
-        version: 0,
-        files: files.list,
-        enums: all_enums,
-        messages: all_messages,
-    };
+    let all =
+        Dialect { name: tree.to_owned(), version: 0, files: files.list, enums: all_enums, messages: all_messages };
     let names = Names { dialect, messages: message_names, enums: enum_names };
     Ok(Union { all, names, enum_homes, message_homes, roots })
 }

@@ -10,7 +10,9 @@ use std::collections::HashSet;
 
 use super::{methods, spelling};
 use crate::diag::Diagnostics;
-use crate::ir::{Access, Dialect, Enum, FieldIndex, Kept, Label, Message, Partial, Slots, Switch, SwitchOn, View};
+#[cfg(any(feature = "compare", doc))]
+use crate::ir::Dialect;
+use crate::ir::{Access, Enum, FieldIndex, Kept, Message, Partial, Slots, Switch, SwitchOn, View};
 
 /// The names of a dialect, in the order of its model. A keyword is not raw here: `type`, not `r#type`.
 #[derive(Clone, Debug, Default)]
@@ -110,35 +112,6 @@ impl Names {
     pub(crate) fn of(dialect: &Dialect) -> Self {
         let partial = Partial { dialect: dialect.clone(), lost: Vec::new(), lost_views: Vec::new() };
         Self::check(&partial, &mut Diagnostics::default())
-    }
-
-    /// Puts the names into the model, for those who still look for them there.
-    pub(crate) fn write_into(&self, dialect: &mut Dialect) {
-        let label = |label: &mut Label| label.name.rust = spelling::field_name(&label.name.text);
-        dialect.type_name.clone_from(&self.dialect);
-        for (values, names) in dialect.enums.iter_mut().zip(&self.enums) {
-            values.name.rust.clone_from(&names.ty);
-            let entries = values.entries.iter_mut().zip(&names.constants);
-            entries.for_each(|(entry, constant)| entry.name.rust.clone_from(constant));
-        }
-        for (message, names) in dialect.messages.iter_mut().zip(&self.messages) {
-            message.name.rust.clone_from(&names.ty);
-            message.fields.iter_mut().zip(&names.fields).for_each(|(field, name)| field.name.rust.clone_from(name));
-            message.bindings.iter_mut().for_each(|binding| label(&mut binding.name));
-            for view in &mut message.views {
-                view.name.rust = spelling::type_name(&view.name.text);
-                view.members.iter_mut().for_each(|member| label(&mut member.name));
-                view.switch.iter_mut().for_each(|switch| label(&mut switch.name));
-                match &mut view.access {
-                    Access::Once { getter } => label(getter),
-                    Access::Slots(slots) => {
-                        slots.item.rust = spelling::type_name(&slots.item.text);
-                        label(&mut slots.items);
-                        slots.keys.iter_mut().for_each(|key| label(&mut key.name));
-                    }
-                }
-            }
-        }
     }
 
     /// Drops the names of what does not stay.

@@ -7,7 +7,7 @@ use crate::syntax::Text;
 
 /// A name as the model has it.
 pub(super) fn name(text: &Text) -> Name {
-    Name { text: text.value.clone(), rust: String::new(), span: text.span }
+    Name { text: text.value.clone(), span: text.span }
 }
 
 /// The name of what an overlay says.

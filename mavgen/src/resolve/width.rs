@@ -44,7 +44,7 @@ impl Width {
 
     fn widening(self, merged: &Merged<'_>, entry: &ValuedEntry<'_>) -> Diagnostic {
         let (name, value, of) = (&entry.syntax.name, entry.value, &merged.name.value);
-        let (from, to) = (self.own.rust_name(), self.repr.rust_name());
+        let (from, to) = (self.own.name(), self.repr.name());
         let message = format!("`{}` = {value} does not fit `{of}`, which becomes {to} instead of {from}", name.value);
         let problem = Diagnostic::new(Code::WidenedEnum, name.span, message);
         problem.related(merged.defining_span(self.defining_file), format!("the enum is {from} here"))

@@ -8,8 +8,8 @@ use std::collections::HashMap;
 
 use super::Class;
 use crate::diag::{Code, Diagnostic, Diagnostics};
+use crate::internal::Internal;
 use crate::ir::{Entry, Enum, EnumId, Lifecycle, Name, Origin, Repr, enums_of_enum_mut};
-use crate::lower::Internal;
 use crate::lower::names::EnumNames;
 
 /// What has to be equal for two enums to be one type: the name, in the definitions and in Rust, the width, and whether the

@@ -2,8 +2,8 @@
 
 use std::collections::HashMap;
 
+use crate::internal::Internal;
 use crate::ir::{Dialect, File, FileIndex};
-use crate::lower::Internal;
 use crate::source::FileId;
 
 /// The files so far.

@@ -4,8 +4,8 @@ use std::collections::{HashMap, HashSet};
 
 use super::enums::{Enums, Links, join};
 use super::{Class, definition};
+use crate::internal::Internal;
 use crate::ir::{Binding, EnumId, Meaning, Message, View, enums_of_message_mut};
-use crate::lower::Internal;
 use crate::lower::methods::{binding_methods, view_methods};
 use crate::lower::names::{MessageNames, ViewNames};
 

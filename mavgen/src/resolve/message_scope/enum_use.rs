@@ -68,7 +68,7 @@ pub(in crate::resolve) fn check(
 }
 
 fn too_narrow(enum_use: &EnumUse<'_>, merged: &Merged<'_>, width: Width, (bits, place): (u8, Span)) -> Diagnostic {
-    let (name, repr) = (&enum_use.name.value, width.repr.rust_name());
+    let (name, repr) = (&enum_use.name.value, width.repr.name());
     let message = format!("enum `{name}` is {repr}, which does not hold all values of {bits} bits");
     let problem = Diagnostic::new(Code::EnumTooNarrow, enum_use.name.span, message);
     let problem = problem.related(place, "the width");
@@ -97,7 +97,7 @@ fn beyond(enum_use: &EnumUse<'_>, merged: &Merged<'_>, (bits, place): (u8, Span)
 }
 
 fn other_type(enum_use: &EnumUse<'_>, merged: &Merged<'_>, width: Width, (field, place): (Repr, Span)) -> Diagnostic {
-    let (name, repr, field) = (&enum_use.name.value, width.repr.rust_name(), field.rust_name());
+    let (name, repr, field) = (&enum_use.name.value, width.repr.name(), field.name());
     let message = format!("enum `{name}` is {repr}, and the field is {field}");
     let problem = Diagnostic::new(Code::Bind, enum_use.name.span, message).related(place, "the field");
     let problem = problem.related(merged.defining_span(width.defining_file), format!("the enum is {repr} here"));
