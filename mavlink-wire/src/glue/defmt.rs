@@ -153,11 +153,11 @@ impl Format for Frame<'_> {
     fn format(&self, f: Formatter<'_>) {
         write!(
             f,
-            "Frame {{ {}, sequence: {=u8}, system_id: {}, component_id: {}, message_id: {=u32}, payload: ",
+            "Frame {{ {}, sequence: {=u8}, system_id: {=u8}, component_id: {=u8}, message_id: {=u32}, payload: ",
             self.version(),
             self.sequence(),
-            self.system_id(),
-            self.component_id(),
+            self.system_id().to_u8(),
+            self.component_id().to_u8(),
             self.message_id()
         );
         if self.carries_key() {

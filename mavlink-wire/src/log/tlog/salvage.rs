@@ -57,6 +57,7 @@ pub const fn records<'b, 't>(log: &'b [u8], table: &'t Table<'t>) -> Records<'b,
 
 /// What is left of a message, not verified.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Record<'b> {
     /// When it was received: Unix time in µs, as the clock of the ground station had it.
     pub time_us: u64,
