@@ -60,7 +60,7 @@
 //!
 //! [`Frame::bytes`] are what came, to the byte. A [`FrameBuf`] keeps a frame for a queue, and can give it another sequence
 //! number or take its signature away; [`Sender::renumber`] makes it the next frame of a link. A router forwards what its
-//! table does not have, too; the more the table has, the less damage passes.
+//! table does not have, too; the more the table has, the less damage passes. [`Routes`] says to which links a frame goes.
 //!
 //! ```
 //! # use mavlink_wire::{MessageInfo, Table};
@@ -149,6 +149,7 @@ pub use link::embedded_io;
 pub use link::embedded_io_async;
 #[cfg(feature = "tokio-codec")]
 pub use link::tokio_codec;
+pub use link::{LinkNumbers, Links, Routes};
 #[cfg(feature = "std")]
 pub use link::{io, udp};
 pub use log::tlog;

@@ -1,4 +1,4 @@
-//! Frames over something that carries bytes: each module a thin adapter behind a feature.
+//! Frames over something that carries bytes: each module a thin adapter behind a feature. And from one link to others.
 
 #[cfg(all(feature = "std", feature = "signing"))]
 mod clock;
@@ -12,7 +12,10 @@ mod incoming;
 pub mod io;
 #[cfg(any(feature = "std", feature = "embedded-io", feature = "embedded-io-async"))]
 mod outgoing;
+mod routes;
 #[cfg(feature = "tokio-codec")]
 pub mod tokio_codec;
 #[cfg(feature = "std")]
 pub mod udp;
+
+pub use routes::{LinkNumbers, Links, Routes};

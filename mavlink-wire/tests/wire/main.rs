@@ -14,6 +14,7 @@ mod links;
 mod losses;
 mod metadata;
 mod reflection;
+mod routes;
 #[cfg(feature = "serde")]
 mod serde;
 #[cfg(feature = "signing")]
