@@ -5,10 +5,12 @@ mod warnings;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-use crate::diag::{Diagnostics, Style, render};
+use crate::diag::Diagnostics;
 use crate::emit::{GeneratedFile, emit};
+use crate::ir::Fault;
 use crate::lower::{Options, tree, tree_of_several};
 use crate::output::{Differences, OutputError, Report, check, write};
+use crate::problems::Problems;
 use crate::read::load_all;
 use crate::resolved::Resolved;
 use crate::roots::{self, Named};
@@ -56,19 +58,10 @@ pub enum Failure {
     Output(OutputError),
     /// The builder was told something impossible.
     Usage(String),
+    /// A model is not legal, because somebody changed it after it was resolved.
+    Model(Vec<Fault>),
     /// A mistake of mavgen's own, and nothing of its user's: please report it.
     Internal(String),
-}
-
-/// The problems of a set of definitions.
-#[derive(Debug)]
-pub struct Problems {
-    /// The problems.
-    pub diagnostics: Diagnostics,
-    /// The texts that the spans point into.
-    pub sources: Sources,
-    /// Every file that was read, and every place where a missing include was looked for.
-    pub watched: Vec<PathBuf>,
 }
 
 impl Builder {
@@ -239,7 +232,8 @@ impl Builder {
     /// Generates what was resolved into memory; [`Builder::files`] in two steps.
     ///
     /// # Errors
-    /// [`Failure::Usage`] if the runtime path is not a path.
+    /// [`Failure::Usage`] if the runtime path is not a path, [`Failure::Model`] if somebody changed a model so that it is
+    /// not legal any more.
     pub fn emit(&self, resolved: &Resolved) -> Result<Vec<GeneratedFile>, Failure> {
         if syn::parse_str::<syn::Path>(&self.runtime).is_err() {
             return Err(Failure::Usage(format!("`{}` is not a path to a crate or module", self.runtime)));
@@ -249,9 +243,13 @@ impl Builder {
             sources.push_str(&format!("\n// only {selection}, and what they need"));
         }
         let options = Options { runtime: self.runtime.clone(), deprecated: self.deprecated, sources };
+        let valid = resolved.dialect.validate().map_err(Failure::Model)?;
+        for other in &resolved.others {
+            other.validate().map_err(Failure::Model)?;
+        }
         let tree = match &resolved.union {
             Some(union) => tree_of_several(union, &options),
-            None => tree(&resolved.dialect, &resolved.names, &options),
+            None => tree(valid, &resolved.names, &options),
         };
         tree.and_then(|files| emit(&files)).map_err(|internal| Failure::Internal(internal.to_string()))
     }
@@ -290,18 +288,12 @@ impl fmt::Display for Failure {
             Self::Denied(problems) => write!(f, "{problems}\n\nerror: {DENIED}"),
             Self::Output(error) => error.fmt(f),
             Self::Usage(text) => f.write_str(text),
+            Self::Model(faults) => {
+                let faults: Vec<String> = faults.iter().map(Fault::to_string).collect();
+                write!(f, "the model is not legal:\n{}", faults.join("\n"))
+            }
             Self::Internal(text) => write!(f, "mavgen is wrong: {text}"),
         }
-    }
-}
-
-impl fmt::Display for Problems {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (index, diagnostic) in self.diagnostics.iter().enumerate() {
-            let gap = if index == 0 { "" } else { "\n\n" };
-            write!(f, "{gap}{}", render(diagnostic, &self.sources, Style::Plain))?;
-        }
-        Ok(())
     }
 }
 

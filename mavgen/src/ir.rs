@@ -11,6 +11,7 @@ mod layout;
 mod message;
 mod name;
 mod partial;
+mod validate;
 mod values;
 mod view;
 mod visit;
@@ -22,6 +23,7 @@ pub(crate) use layout::Layout;
 pub use message::{Field, FieldType, Invalid, Limits, Message, Scalar, Scope, Sentinel, Values};
 pub use name::Name;
 pub use partial::{LostMessage, LostView, Partial};
+pub use validate::{Fault, Valid};
 pub use values::{Command, Entry, Enum, Param, Repr};
 pub use view::{
     Access, Binding, Blank, Condition, Exact, FieldIndex, Key, Meaning, Member, Place, Presence, Repeat, Scaled, Slots,

@@ -62,6 +62,7 @@ mod lower;
 pub mod output;
 #[doc = include_str!("overlay.md")]
 pub mod overlay {}
+mod problems;
 mod provenance;
 pub mod read;
 pub mod resolve;
@@ -76,6 +77,7 @@ pub mod uorb;
 #[cfg(feature = "vendor")]
 pub mod vendor;
 
-pub use builder::{Builder, Failure, Problems};
+pub use builder::{Builder, Failure};
 pub use emit::GeneratedFile;
+pub use problems::Problems;
 pub use resolved::Resolved;

@@ -2,11 +2,11 @@
 
 use std::path::PathBuf;
 
-use crate::builder::Problems;
 use crate::diag::Diagnostics;
 use crate::ir::Dialect;
 use crate::lower::link::Union;
 use crate::lower::names::Names;
+use crate::problems::Problems;
 use crate::read::Loaded;
 use crate::roots::{self, Named};
 use crate::source::Sources;

@@ -55,7 +55,13 @@ pub(crate) fn resolve(loaded: &Loaded, sources: &Sources, diagnostics: &mut Diag
         Named { dialect: partial.dialect, names }
     });
     diagnostics.arrange();
-    named.filter(|_| !diagnostics.has_errors())
+    let named = named.filter(|_| !diagnostics.has_errors());
+    if cfg!(debug_assertions)
+        && let Some(Err(faults)) = named.as_ref().map(|named| named.dialect.validate())
+    {
+        debug_assert!(false, "what is resolved without errors is legal: {faults:#?}");
+    }
+    named
 }
 
 /// Resolves dialects, each for itself; none if there was an error. `diagnostics` holds what was found in reading them.

@@ -45,8 +45,9 @@ mod tests;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use crate::builder::{Builder, Failure, Problems};
+use crate::builder::{Builder, Failure};
 use crate::diag::Diagnostics;
+use crate::problems::Problems;
 use crate::read::{self, load};
 use crate::roots::resolve;
 use crate::source::{FileId, Sources};

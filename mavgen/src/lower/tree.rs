@@ -10,15 +10,12 @@ use super::link::Union;
 use super::modules;
 use super::names::Names;
 use crate::internal::Internal;
-use crate::ir::Dialect;
+use crate::ir::Valid;
 use crate::rust::{Content, Docs, File, Use};
 
 /// The files of a dialect, in a fixed order.
-pub(crate) fn tree<'d>(
-    dialect: &'d Dialect,
-    names: &'d Names,
-    options: &'d Options,
-) -> Result<Vec<File<'d>>, Internal> {
+pub(crate) fn tree<'d>(valid: Valid<'d>, names: &'d Names, options: &'d Options) -> Result<Vec<File<'d>>, Internal> {
+    let dialect = valid.dialect();
     let items = Items::of(dialect, names, options.deprecated);
     files(&Maker { items, options, folder: &Folder::of_one(dialect, &names.dialect) })
 }

@@ -2,7 +2,7 @@
 
 use super::characters::illegal;
 use super::encoding;
-use super::grammar::{self, Child, Element, Times, Words};
+use super::grammar::{self, Child, Element, TextKind, Times};
 use super::range::{first_line, trimmed};
 use super::schema;
 use super::tag::{self, Tag};
@@ -135,7 +135,7 @@ impl<'t, 'd> Elements<'t, 'd> {
             self.skip()?;
         }
         let text = self.closed.text.take();
-        if let Words::Fact(ty) = element.text {
+        if let TextKind::Fact(ty) = element.text {
             let (said, tag) = (text.as_ref(), self.left.as_ref().map(|left| left.tag));
             let place = said.map(|text| self.xml.span(trimmed(self.xml.text(), text.span.range()))).or(tag);
             let said = said.map_or("", |text| text.value.as_str());
@@ -285,7 +285,7 @@ impl<'t, 'd> Elements<'t, 'd> {
 
     /// Reports text in the element that was closed last, if it is no place for text.
     fn stray(&mut self, element: &Element) {
-        let Some(first) = self.closed.first.filter(|_| element.text == Words::None) else { return };
+        let Some(first) = self.closed.first.filter(|_| element.text == TextKind::None) else { return };
         let text = self.xml.text();
         let place = self.xml.span(first_line(text, trimmed(text, first.range())));
         let message = format!("text in `<{}>`", element.name);

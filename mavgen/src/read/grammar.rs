@@ -10,7 +10,7 @@ pub(crate) struct Element {
     pub(crate) name: &'static str,
     pub(crate) attributes: &'static [Attribute],
     pub(crate) children: &'static [Child],
-    pub(crate) text: Words,
+    pub(crate) text: TextKind,
     /// Whether the wire, or a name, is another without it: then it must not be lost by a slip of spelling.
     pub(crate) essential: bool,
 }
@@ -18,7 +18,7 @@ pub(crate) struct Element {
 /// What an element is filled with.
 #[cfg(feature = "vendor")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Content {
+pub(crate) enum Filling {
     /// Elements.
     Elements,
     /// A fact: the path of an include, a number.
@@ -31,7 +31,7 @@ pub(crate) enum Content {
 
 /// What the text in an element is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Words {
+pub(crate) enum TextKind {
     /// There is none.
     None,
     /// A fact: the path of an include, a number.
@@ -88,12 +88,12 @@ impl Element {
 
 /// What fills the element of that name in a dialect file.
 #[cfg(feature = "vendor")]
-pub(crate) fn content(name: &str) -> Content {
+pub(crate) fn filling(name: &str) -> Filling {
     match Element::named(name).map(|element| (element.text, element.children)) {
-        None | Some((Words::None, [])) => Content::Nothing,
-        Some((Words::None, _)) => Content::Elements,
-        Some((Words::Fact(_), _)) => Content::Fact,
-        Some((Words::Prose, _)) => Content::Prose,
+        None | Some((TextKind::None, [])) => Filling::Nothing,
+        Some((TextKind::None, _)) => Filling::Elements,
+        Some((TextKind::Fact(_), _)) => Filling::Fact,
+        Some((TextKind::Prose, _)) => Filling::Prose,
     }
 }
 
@@ -121,16 +121,16 @@ const fn container(
     children: &'static [Child],
     essential: bool,
 ) -> Element {
-    Element { name, attributes, children, text: Words::None, essential }
+    Element { name, attributes, children, text: TextKind::None, essential }
 }
 
 /// An element that holds prose.
 const fn prose(name: &'static str, attributes: &'static [Attribute], children: &'static [Child]) -> Element {
-    Element { name, attributes, children, text: Words::Prose, essential: false }
+    Element { name, attributes, children, text: TextKind::Prose, essential: false }
 }
 
 const fn fact(name: &'static str, ty: Type, essential: bool) -> Element {
-    Element { name, attributes: &[], children: &[], text: Words::Fact(ty), essential }
+    Element { name, attributes: &[], children: &[], text: TextKind::Fact(ty), essential }
 }
 
 pub(crate) static MAVLINK: Element = container(
@@ -294,7 +294,7 @@ mod tests {
     fn complete(element: &Element) -> String {
         let attributes: String = element.attributes.iter().map(|one| format!(" {}='1'", one.name)).collect();
         let children: String = element.children.iter().map(|child| complete(child.element)).collect();
-        let text = if element.text == Words::None { "" } else { "1" };
+        let text = if element.text == TextKind::None { "" } else { "1" };
         format!("<{0}{attributes}>{text}{children}</{0}>", element.name)
     }
 

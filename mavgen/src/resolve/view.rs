@@ -1,5 +1,6 @@
 //! Views: layouts of bits over the fields of a message.
 
+mod beside;
 mod branches;
 mod case;
 mod coverage;
@@ -10,6 +11,7 @@ mod piece;
 mod place;
 mod ranges;
 mod scaling;
+mod selector;
 mod sentinel;
 mod slots;
 mod switch;

@@ -9,7 +9,7 @@ use std::ops::Range;
 use sha2::{Digest, Sha256};
 
 use super::tree::{Element, place};
-use crate::read::grammar::{Content, content};
+use crate::read::grammar::{Filling, filling};
 
 /// So many bytes are enough to tell an edit; nobody is meant to be deceived.
 const LENGTH: usize = 8;
@@ -48,10 +48,10 @@ impl Sum {
             self.add(name);
             self.add(value);
         }
-        match content(element.name) {
-            Content::Prose => {}
-            Content::Fact | Content::Nothing => self.add(element.inner.trim()),
-            Content::Elements => {
+        match filling(element.name) {
+            Filling::Prose => {}
+            Filling::Fact | Filling::Nothing => self.add(element.inner.trim()),
+            Filling::Elements => {
                 let comments = element.children.iter().flat_map(|child| &child.above).chain(&element.below).copied();
                 let children = element.children.iter().map(|child| child.outer);
                 self.add(&rest(text, element.inner, comments.chain(children)));

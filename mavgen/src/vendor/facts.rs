@@ -2,7 +2,7 @@
 
 use super::prose::{Key, Keys, Words};
 use super::tree::Element;
-use crate::read::grammar::{self, Content, Times};
+use crate::read::grammar::{self, Filling, Times};
 
 /// Gives the words about an element.
 pub(super) type Describe<'a> = dyn FnMut(&str) -> Option<Words> + 'a;
@@ -41,7 +41,7 @@ fn collect(parent: &str, element: &Element<'_>, names: &mut Keys, keys: &mut Vec
 
 /// The children that the grammar has; of messages, enums and entries the stage of life first. Descriptions are no facts.
 fn children<'e, 't>(element: &'e Element<'t>) -> impl Iterator<Item = &'e Element<'t>> {
-    let known = grammar::Element::named(element.name).filter(|_| content(element) == Content::Elements);
+    let known = grammar::Element::named(element.name).filter(|_| filling(element) == Filling::Elements);
     let is_known = |child: &&Element<'_>| known.is_some_and(|known| known.child(child.name).is_some());
     let mut children: Vec<_> =
         element.children.iter().filter(|child| is_known(child) && child.name != DESCRIPTION).collect();
@@ -55,13 +55,13 @@ fn is_stage(element: &Element<'_>) -> bool {
     matches!(element.name, "wip" | "superseded" | "deprecated")
 }
 
-fn content(element: &Element<'_>) -> Content {
-    grammar::content(element.name)
+fn filling(element: &Element<'_>) -> Filling {
+    grammar::filling(element.name)
 }
 
 /// Whether the grammar has a description in an element, and whether it demands one, be it empty.
 fn description(element: &Element<'_>) -> Option<Times> {
-    let known = grammar::Element::named(element.name).filter(|_| content(element) == Content::Elements)?;
+    let known = grammar::Element::named(element.name).filter(|_| filling(element) == Filling::Elements)?;
     known.child(DESCRIPTION).map(|child| child.times)
 }
 
@@ -89,18 +89,18 @@ impl Writer<'_, '_> {
     fn element(&mut self, element: &Element<'_>, depth: usize, known: Known) {
         known.words.above.iter().for_each(|comment| self.line(depth, comment));
         let tag = format!("{}{}", element.name, attributes(element));
-        match content(element) {
-            Content::Elements => self.container(element, depth, &tag, known),
-            Content::Fact if element.name == "include" => {
+        match filling(element) {
+            Filling::Elements => self.container(element, depth, &tag, known),
+            Filling::Fact if element.name == "include" => {
                 let path = self.includes.next().cloned().unwrap_or_default();
                 self.leaf(depth, element.name, &tag, &escaped(&path));
             }
-            Content::Fact => self.leaf(depth, element.name, &tag, &fact(element.inner)),
-            Content::Prose => {
+            Filling::Fact => self.leaf(depth, element.name, &tag, &fact(element.inner)),
+            Filling::Prose => {
                 self.leaf(depth, element.name, &tag, &known.words.text);
                 self.note(element, known.key, &known.words.text);
             }
-            Content::Nothing => self.leaf(depth, element.name, &tag, ""),
+            Filling::Nothing => self.leaf(depth, element.name, &tag, ""),
         }
     }
 

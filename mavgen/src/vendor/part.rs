@@ -15,10 +15,11 @@
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use crate::builder::{Failure, Problems};
+use crate::builder::Failure;
 use crate::diag::Diagnostics;
 use crate::ir::{Dialect, Enum, Kept, Message};
 use crate::lower::spelling;
+use crate::problems::Problems;
 use crate::read::Loaded;
 use crate::roots::{Named, resolve};
 use crate::select::Selection;

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::header;
 use super::tree::Element;
-use crate::read::grammar::{Content, content};
+use crate::read::grammar::{Filling, filling};
 
 /// What people wrote about one element.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -94,13 +94,13 @@ impl Prose {
         let own = element.above.iter().filter(|comment| !header::is_mark(comment));
         let mut words =
             Words { text: String::new(), above: own.map(|comment| text(comment)).collect(), below: Vec::new() };
-        match content(element.name) {
-            Content::Prose => words.text = text(element.inner),
-            Content::Elements => {
+        match filling(element.name) {
+            Filling::Prose => words.text = text(element.inner),
+            Filling::Elements => {
                 words.below = element.below.iter().map(|comment| text(comment)).collect();
                 element.children.iter().for_each(|child| self.read(&base, child, keys));
             }
-            Content::Fact | Content::Nothing => {}
+            Filling::Fact | Filling::Nothing => {}
         }
         self.known.insert(key.clone());
         if !words.is_empty() {

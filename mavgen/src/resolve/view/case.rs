@@ -2,7 +2,7 @@
 
 use std::ops::RangeInclusive;
 
-use super::switch::Selector;
+use super::selector::Selector;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::resolve::message_scope::{MessageScope, parts};
 use crate::resolve::number;
@@ -10,7 +10,7 @@ use crate::resolve::suggest::suggest;
 use crate::syntax::Text;
 
 /// A range of values, and where it is written.
-pub(super) struct Values {
+pub(super) struct CaseValues {
     pub(super) range: RangeInclusive<u64>,
     pub(super) text: Text,
 }
@@ -29,7 +29,7 @@ pub(super) fn ranges(
     text: &Text,
     selector: &Selector,
     diagnostics: &mut Diagnostics,
-) -> Vec<Values> {
+) -> Vec<CaseValues> {
     let parts = parts(text);
     if parts.is_empty() {
         let problem = Diagnostic::new(Code::CaseValue, text.span, "a case of no values");
@@ -38,7 +38,7 @@ pub(super) fn ranges(
     let mut ranges = Vec::new();
     for part in parts {
         match range(scope, &part.value, selector) {
-            Ok(range) if *range.end() <= selector.most => ranges.push(Values { range, text: part }),
+            Ok(range) if *range.end() <= selector.most => ranges.push(CaseValues { range, text: part }),
             Ok(range) => diagnostics.push(unreachable(&part, &range, selector)),
             Err(Refusal::Unknown(_)) if !scope.entries.complete => {}
             Err(refusal) => {

@@ -2,7 +2,7 @@
 
 use std::ops::RangeInclusive;
 
-use super::piece::Piece;
+use super::piece::PlacedBits;
 use super::ranges;
 use super::switch::Branch;
 use super::words::Words;
@@ -13,7 +13,7 @@ use crate::syntax::overlay::View;
 pub(super) fn check(
     element: &View,
     words: &Words,
-    (common, branches): (&[Piece<'_>], &[Branch<'_>]),
+    (common, branches): (&[PlacedBits<'_>], &[Branch<'_>]),
     complete: bool,
     diagnostics: &mut Diagnostics,
 ) {
@@ -50,7 +50,7 @@ fn help(missing: u128) -> String {
 }
 
 /// Reports bits that `pieces` share with each other or with those of `before`. Returns all bits of `pieces`.
-fn overlaps(pieces: &[Piece<'_>], before: &[Piece<'_>], diagnostics: &mut Diagnostics) -> u128 {
+fn overlaps(pieces: &[PlacedBits<'_>], before: &[PlacedBits<'_>], diagnostics: &mut Diagnostics) -> u128 {
     let mut covered = 0;
     for (index, piece) in pieces.iter().enumerate() {
         let earlier = before.iter().chain(pieces.iter().take(index));

@@ -1,7 +1,8 @@
 //! The layouts of a view: bits that are always there, and a switch between others.
 
-use super::piece::{self, Piece};
-use super::switch::{self, Branch, Selector};
+use super::piece::{self, PlacedBits};
+use super::selector::{self, Selector};
+use super::switch::{self, Branch};
 use super::words::Words;
 use super::{all_bits, branches, coverage};
 use crate::diag::{Code, Diagnostic, Diagnostics};
@@ -27,7 +28,7 @@ pub(super) fn resolve<'a>(
 ) -> Layout {
     let partial = element.partial.as_ref().and_then(|text| boolean::of_overlay(text, diagnostics)) == Some(true);
     let switch = only_switch(element, diagnostics);
-    let mut common: Vec<Option<Piece<'a>>> = Vec::new();
+    let mut common: Vec<Option<PlacedBits<'a>>> = Vec::new();
     // Where the members of the switch belong among the others.
     let mut before_switch = 0;
     for part in &element.parts {
@@ -38,11 +39,11 @@ pub(super) fn resolve<'a>(
         }
     }
     let whole = common.iter().all(Option::is_some);
-    let pieces = |pieces: Vec<Option<Piece<'a>>>| pieces.into_iter().flatten().collect::<Vec<_>>();
+    let pieces = |pieces: Vec<Option<PlacedBits<'a>>>| pieces.into_iter().flatten().collect::<Vec<_>>();
     let after = pieces(common.split_off(before_switch));
     let (mut common, count) = (pieces(common), after.len());
     common.extend(after);
-    let selector = switch.and_then(|switch| switch::selector(scope, switch, words, &common, diagnostics));
+    let selector = switch.and_then(|switch| selector::resolve(scope, switch, words, &common, diagnostics));
     let branches = match switch {
         Some(one) => switch::branches((scope, words), one, selector.as_ref(), enum_uses, diagnostics),
         None => Some(Vec::new()),
@@ -58,7 +59,7 @@ pub(super) fn resolve<'a>(
 
 /// Puts the members of the branches before the last `after` of the others.
 fn joined(
-    common: Vec<Piece<'_>>,
+    common: Vec<PlacedBits<'_>>,
     after: usize,
     selector: Option<Selector>,
     branches: Vec<Branch<'_>>,

@@ -13,7 +13,7 @@ use crate::syntax::Text;
 use crate::syntax::overlay::{self, Bits};
 
 /// A part of a layout.
-pub(super) struct Piece<'a> {
+pub(super) struct PlacedBits<'a> {
     /// The bits it covers.
     pub(super) mask: u128,
     /// Where it says where it begins.
@@ -24,7 +24,7 @@ pub(super) struct Piece<'a> {
     name: Option<&'a Text>,
 }
 
-impl Piece<'_> {
+impl PlacedBits<'_> {
     /// What a message calls it.
     pub(super) fn title(&self) -> String {
         self.name.map_or_else(|| "reserved bits".to_owned(), |name| format!("`{}`", name.value))
@@ -57,18 +57,18 @@ pub(super) fn resolve<'a>(
     words: &Words,
     enum_uses: &mut Vec<EnumUse<'a>>,
     diagnostics: &mut Diagnostics,
-) -> Option<Piece<'a>> {
+) -> Option<PlacedBits<'a>> {
     match element {
         overlay::Piece::Reserved(reserved) => {
             let (at, width) = place(&reserved.at, &reserved.width, words, diagnostics)?;
             let mask = Extent { at, width, repeat: None }.mask();
-            Some(Piece { mask, at: &reserved.at, member: None, name: None })
+            Some(PlacedBits { mask, at: &reserved.at, member: None, name: None })
         }
         overlay::Piece::Bits(bits) => {
             let (at, width) = place(&bits.at, &bits.width, words, diagnostics)?;
             let extent = Extent { at, width, repeat: repeat(bits, (at, width), words, diagnostics)? };
             let member = member(scope, bits, extent, enum_uses, diagnostics).map(|member| (member, &**bits));
-            Some(Piece { mask: extent.mask(), at: &bits.at, member, name: Some(&bits.name) })
+            Some(PlacedBits { mask: extent.mask(), at: &bits.at, member, name: Some(&bits.name) })
         }
     }
 }

@@ -1,6 +1,6 @@
 //! `invalid`: the values that say that a view or a key means nothing.
 
-use super::place;
+use super::beside::beside;
 use super::words::Words;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{Blank, Scalar, Sentinel};
@@ -28,7 +28,7 @@ fn blank(
     let Some(field) = &element.field else {
         return of_words(scope, &element.value, words, diagnostics);
     };
-    let (place, found) = place::beside(scope, field, words, diagnostics)?;
+    let (place, found) = beside(scope, field, words, diagnostics)?;
     of_field(scope, &element.value, found, diagnostics).map(|value| Blank::Field(place, value))
 }
 

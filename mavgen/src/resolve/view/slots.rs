@@ -1,6 +1,6 @@
 //! How a message gives a view: once, or once a slot with the slot's keys.
 
-use super::place;
+use super::beside::beside;
 use super::sentinel;
 use super::words::{Shape, Words};
 use super::{spelling, text};
@@ -84,7 +84,7 @@ fn key(
     words: &Words,
     diagnostics: &mut Diagnostics,
 ) -> Option<Key> {
-    let (place, found) = place::beside(scope, &element.field, words, diagnostics)?;
+    let (place, found) = beside(scope, &element.field, words, diagnostics)?;
     let invalid = element.invalid.as_ref();
     let invalid = invalid.and_then(|text| sentinel::of_field(scope, text, found, diagnostics));
     // An integer is mostly in a fraction of the plain unit, which its name should say; a float is in the plain one.

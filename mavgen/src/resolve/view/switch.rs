@@ -1,122 +1,26 @@
-//! `<switch>`: what it looks at, and its cases.
+//! `<switch>`: its cases.
 
 use std::ops::RangeInclusive;
 
-use super::case::{self, Values};
-use super::piece::{self, Piece};
+use super::case::{self, CaseValues};
+use super::piece::{self, PlacedBits};
+use super::ranges;
 use super::ranges::{complement, joined, list};
+use super::selector::Selector;
 use super::words::Words;
-use super::{place, ranges, spelling};
 use crate::diag::{Code, Diagnostic, Diagnostics};
-use crate::ir::{EnumId, Label, Meaning, SwitchOn};
 use crate::resolve::message_scope::{EnumUse, MessageScope};
 use crate::source::Span;
-use crate::syntax::Text;
 use crate::syntax::overlay::{Case, Switch};
-
-/// What a switch looks at.
-pub(super) struct Selector {
-    /// The name of its getter.
-    pub(super) name: Label,
-    /// What a message calls it.
-    pub(super) title: String,
-    /// Where it is read.
-    pub(super) on: SwitchOn,
-    /// The largest value.
-    pub(super) most: u64,
-    /// The enum of its values.
-    pub(super) values: Option<EnumId>,
-    /// Where it is defined.
-    pub(super) span: Span,
-    /// Where the switch names it.
-    pub(super) named: Span,
-}
 
 /// One of the layouts.
 pub(super) struct Branch<'a> {
     /// The values it is for: sorted and apart.
     pub(super) ranges: Vec<RangeInclusive<u64>>,
     /// Its parts, beside those of every layout.
-    pub(super) pieces: Vec<Piece<'a>>,
+    pub(super) pieces: Vec<PlacedBits<'a>>,
     /// The start tag.
     pub(super) span: Span,
-}
-
-/// Resolves what a switch looks at: a field, or bits that stand before it in every layout.
-pub(super) fn selector(
-    scope: &MessageScope<'_, '_>,
-    element: &Switch,
-    words: &Words,
-    common: &[Piece<'_>],
-    diagnostics: &mut Diagnostics,
-) -> Option<Selector> {
-    let message = match (&element.field, &element.bits) {
-        (Some(field), None) => return on_field(scope, field, words, diagnostics),
-        (None, Some(bits)) => return on_bits(bits, common, diagnostics),
-        (None, None) => "a switch does not say what it looks at",
-        (Some(_), Some(_)) => "a switch looks at a field and at bits",
-    };
-    let problem = Diagnostic::new(Code::SwitchOn, element.span, message);
-    diagnostics.push(problem.help("write `field=\"…\"` or `bits=\"…\"`"));
-    None
-}
-
-fn on_field(
-    scope: &MessageScope<'_, '_>,
-    text: &Text,
-    words: &Words,
-    diagnostics: &mut Diagnostics,
-) -> Option<Selector> {
-    let (place, found) = place::beside(scope, text, words, diagnostics)?;
-    let (name, ty) = (&found.syntax.name, &found.syntax.ty);
-    let Some(repr) = found.field.ty.scalar.repr().filter(|repr| !repr.is_signed()) else {
-        let message = format!("`{}.{}` is `{}`, which no switch can look at", scope.name(), name.value, ty.value);
-        let problem = Diagnostic::new(Code::SwitchOn, text.span, message).related(ty.span, "the field");
-        diagnostics.push(problem.help("a switch looks at an unsigned integer"));
-        return None;
-    };
-    Some(Selector {
-        name: spelling::label(name),
-        title: format!("`{}`", name.value),
-        on: SwitchOn::Field(place, repr),
-        most: repr.highest(),
-        values: scope.values_of(found.syntax),
-        span: ty.span,
-        named: text.span,
-    })
-}
-
-fn on_bits(text: &Text, common: &[Piece<'_>], diagnostics: &mut Diagnostics) -> Option<Selector> {
-    let name = spelling::label(text);
-    let members = || common.iter().filter_map(|piece| piece.member.as_ref());
-    let Some((member, bits)) = members().find(|(member, _)| member.name == name) else {
-        let message = format!("`{}` is not in every layout of the view", text.value);
-        let problem = Diagnostic::new(Code::SwitchOn, text.span, message).label("no such bits outside of the switch");
-        let names = members().map(|(_, bits)| bits.name.value.as_str());
-        let problem = crate::resolve::suggest::suggest(problem, &text.value, names, diagnostics);
-        diagnostics.push(problem);
-        return None;
-    };
-    let values = match member.meaning {
-        Meaning::Values(values) => Some(values),
-        Meaning::Number { .. } | Meaning::Flag | Meaning::Scaled(_) => None,
-    };
-    let plain = !matches!(member.meaning, Meaning::Scaled(_)) && !member.signed && member.repeat.is_none();
-    if !plain || member.width > 64 {
-        let message = format!("`{}` is no plain number, which no switch can look at", text.value);
-        let problem = Diagnostic::new(Code::SwitchOn, text.span, message).related(bits.span, "the bits");
-        diagnostics.push(problem.help("a switch looks at up to 64 bits without sign, scale or repetition"));
-        return None;
-    }
-    Some(Selector {
-        name,
-        title: format!("`{}`", text.value),
-        on: SwitchOn::Bits { at: member.at, width: member.width },
-        most: u64::MAX >> (64 - u32::from(member.width)),
-        values,
-        span: bits.width.span,
-        named: text.span,
-    })
 }
 
 /// Resolves the cases. Without a selector their parts are looked at all the same, for what is wrong with them.
@@ -141,7 +45,7 @@ pub(super) fn branches<'a>(
             _ => rest.clone().unwrap_or_default(),
         };
         let pieces = case.pieces.iter().map(|piece| piece::resolve(scope, piece, words, enum_uses, diagnostics));
-        let pieces: Vec<Option<Piece<'a>>> = pieces.collect();
+        let pieces: Vec<Option<PlacedBits<'a>>> = pieces.collect();
         whole &= pieces.iter().all(Option::is_some);
         branches.push(Branch { ranges, pieces: pieces.into_iter().flatten().collect(), span: case.span });
     }
@@ -154,8 +58,8 @@ fn cases(
     element: &Switch,
     selector: &Selector,
     diagnostics: &mut Diagnostics,
-) -> Vec<Vec<Values>> {
-    let mut all: Vec<Vec<Values>> = Vec::new();
+) -> Vec<Vec<CaseValues>> {
+    let mut all: Vec<Vec<CaseValues>> = Vec::new();
     for case in &element.cases {
         let own = case.value.as_ref().map(|text| case::ranges(scope, text, selector, diagnostics)).unwrap_or_default();
         for (index, values) in own.iter().enumerate() {
@@ -174,7 +78,7 @@ fn overlap(a: &RangeInclusive<u64>, b: &RangeInclusive<u64>) -> Option<RangeIncl
     (start <= end).then_some(start..=end)
 }
 
-fn in_two_cases(first: &Values, second: &Values, selector: &Selector) -> Option<Diagnostic> {
+fn in_two_cases(first: &CaseValues, second: &CaseValues, selector: &Selector) -> Option<Diagnostic> {
     let both = ranges::list(&[overlap(&first.range, &second.range)?]);
     let message = format!("{both} of {} are in two cases", selector.title);
     let message = if both.contains(' ') { message } else { message.replace(" are ", " is ") };
