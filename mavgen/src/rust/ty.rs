@@ -258,3 +258,39 @@ pub(crate) enum Literal<'d> {
     /// `1e30`
     Float(f64),
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn integers_are_the_smallest_that_hold_their_bits() {
+        for (bits, unsigned, signed) in [
+            (1, "u8", "i8"),
+            (8, "u8", "i8"),
+            (9, "u16", "i16"),
+            (17, "u32", "i32"),
+            (33, "u64", "i64"),
+            (64, "u64", "i64"),
+            (65, "u128", "i128"),
+        ] {
+            assert_eq!([false, true].map(|sign| Int::of_bits(bits, sign).name()), [unsigned, signed]);
+            assert_eq!(Int::of_bits(bits, true).unsigned().name(), unsigned);
+        }
+    }
+
+    #[test]
+    fn an_integer_is_within_one_that_has_all_its_numbers() {
+        let int = |bits, signed| Int::of_bits(bits, signed);
+        for (one, other, within) in [
+            (int(8, false), int(8, false), true),
+            (int(16, false), int(8, false), false),
+            (int(8, false), int(8, true), false),
+            (int(8, false), int(16, true), true),
+            (int(8, true), int(64, false), false),
+            (int(8, true), int(16, true), true),
+        ] {
+            assert_eq!(one.is_within(other), within, "{} in {}", one.name(), other.name());
+        }
+    }
+}
