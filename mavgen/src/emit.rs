@@ -3,7 +3,7 @@
 //! It looks nothing up and decides nothing. Each file is a job of its own, so that threads can share the work, the wrapping of prose and
 //! the formatting with it; the result does not depend on how they do.
 
-mod accessor;
+mod body;
 mod dialect;
 mod doc;
 mod enums;

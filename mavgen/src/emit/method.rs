@@ -3,10 +3,10 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::body::{accessor, bits, scaled, slots, source};
+use super::doc;
 use super::token::ident;
 use super::ty::{number_in, ty, value_of};
-use super::view::{bits, scaled, slots, source};
-use super::{accessor, doc};
 use crate::rust::{Bind, Kind, Method, Receiver, Sig, Ty};
 
 pub(super) fn method(method: &Method<'_>) -> TokenStream {

@@ -21,15 +21,12 @@
 //! }
 //! ```
 
-pub(super) mod bits;
 mod debug;
-pub(super) mod scaled;
-pub(super) mod slots;
-pub(super) mod source;
 
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::body::slots;
 use super::doc;
 use super::method::method;
 use super::token::ident;

@@ -22,7 +22,7 @@ use crate::emit::ty::{int, literal, number_in, ty, value_of};
 use crate::rust::{Count, Key, Place, Slot, SlotField, SlotType, Stored, Switch};
 
 /// `pub struct Esc { … }`
-pub(super) fn declaration(slot: &SlotType<'_>) -> TokenStream {
+pub(in crate::emit) fn declaration(slot: &SlotType<'_>) -> TokenStream {
     let (docs, name) = (doc::documentation(&slot.docs), ident(slot.ident));
     let fields = slot.fields.iter().map(|SlotField { ident: name, ty: of, docs }| {
         let (docs, name, of) = (doc::documentation(docs), ident(name), ty(of));

@@ -151,8 +151,8 @@ pub(super) fn raw_range(bits: &BitField<'_>) -> TokenStream {
         let mask = mask_of(bits.width);
         return quote!(0..=#mask);
     }
-    let end = 1_i128.checked_shl(u32::from(bits.width) - 1).unwrap_or_default();
-    let (start, last) = (Literal::i128_unsuffixed(end), Literal::i128_unsuffixed(end - 1));
+    let end = 1_u128 << (bits.width.max(1) - 1);
+    let (start, last) = (Literal::u128_unsuffixed(end), Literal::u128_unsuffixed(end - 1));
     quote!(-#start..=#last)
 }
 

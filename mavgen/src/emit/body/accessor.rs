@@ -18,12 +18,12 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use super::token::ident;
-use super::ty::{int, literal, maker, number_in, value_of};
+use crate::emit::token::ident;
+use crate::emit::ty::{int, literal, maker, number_in, value_of};
 use crate::rust::{Convert, Extent, Sentinel, Unknown};
 
 /// The value, if it is known.
-pub(super) fn get(sentinel: &Sentinel<'_>) -> TokenStream {
+pub(in crate::emit) fn get(sentinel: &Sentinel<'_>) -> TokenStream {
     let field = ident(sentinel.field);
     let known = is_known(sentinel.unknown);
     match sentinel.extent {
@@ -41,7 +41,7 @@ pub(super) fn get(sentinel: &Sentinel<'_>) -> TokenStream {
 }
 
 /// Puts the value, or what says that it is not known, into the field.
-pub(super) fn set(sentinel: &Sentinel<'_>) -> TokenStream {
+pub(in crate::emit) fn set(sentinel: &Sentinel<'_>) -> TokenStream {
     let (field, unknown) = (ident(sentinel.field), unknown_value(sentinel.unknown));
     match sentinel.extent {
         Extent::Scalar => quote!(self.#field = value.unwrap_or(#unknown);),
@@ -58,7 +58,7 @@ pub(super) fn set(sentinel: &Sentinel<'_>) -> TokenStream {
 }
 
 /// The number as the enum, if it is known and one.
-pub(super) fn get_enum(convert: &Convert<'_>) -> TokenStream {
+pub(in crate::emit) fn get_enum(convert: &Convert<'_>) -> TokenStream {
     let (field, enum_int, to) = (ident(convert.field), int(convert.to.int), convert.to.as_int());
     if !convert.is_optional() {
         return value_of(to, &quote!(#enum_int::from(self.#field)));
@@ -77,7 +77,7 @@ pub(super) fn get_enum(convert: &Convert<'_>) -> TokenStream {
 }
 
 /// Puts the number of the enum into the field, if it fits.
-pub(super) fn set_enum(convert: &Convert<'_>) -> TokenStream {
+pub(in crate::emit) fn set_enum(convert: &Convert<'_>) -> TokenStream {
     let (field, own) = (ident(convert.field), int(convert.int));
     let number = number_in(convert.to.as_int(), &quote!(value));
     let number = match convert.always_sets() {
