@@ -1,9 +1,9 @@
 //! The runtime's tables, made from a dialect at run time.
 
-use mavlink_wire::reflect::Reflected;
+use mavlink_wire::reflect::{Number, Reflected};
 use mavlink_wire::{EnumInfo, FieldInfo, Frame, Invalid, Kind, MessageInfo, Sentinel, Table};
 
-use crate::ir::{self, Dialect, Enum, EnumId, Field, Message, Scalar, Scope};
+use crate::ir::{self, Dialect, Enum, EnumId, Field, Message, Repr, Scalar, Scope};
 
 /// What the runtime needs to know of a dialect to find its frames and to reflect its messages.
 #[derive(Clone, Debug)]
@@ -13,6 +13,7 @@ pub struct Tables {
     fields: Vec<&'static [FieldInfo]>,
     /// In the order of [`Dialect::enums`].
     enums: Vec<&'static EnumInfo>,
+    reprs: Vec<Repr>,
 }
 
 impl Tables {
@@ -21,6 +22,7 @@ impl Tables {
     #[must_use]
     pub fn leak(dialect: &Dialect) -> Self {
         let enums: Vec<&'static EnumInfo> = dialect.enums.iter().map(enum_info).collect();
+        let reprs = dialect.enums.iter().map(|values| values.repr).collect();
         let infos: Vec<&'static MessageInfo> = dialect.messages.iter().map(message_info).collect();
         let fields = dialect.messages.iter().map(|message| {
             let secret = message.secret().map(|field| field.offset);
@@ -28,7 +30,7 @@ impl Tables {
             &*fields.collect::<Vec<FieldInfo>>().leak()
         });
         let fields = fields.collect();
-        Self { table: Box::leak(Box::new(Table::of(infos.leak()))), fields, enums }
+        Self { table: Box::leak(Box::new(Table::of(infos.leak()))), fields, enums, reprs }
     }
 
     /// For the [`Parser`](mavlink_wire::Parser).
@@ -47,6 +49,20 @@ impl Tables {
     #[must_use]
     pub fn values(&self, id: EnumId) -> Option<&'static EnumInfo> {
         self.enums.get(id.0).copied()
+    }
+
+    /// The number that the lowest of these bits are in the type of an enum, which can be signed.
+    #[must_use]
+    pub fn number(&self, id: EnumId, bits: u64) -> Option<Number> {
+        let (repr, values) = (self.reprs.get(id.0)?, self.values(id)?);
+        let spare = 64_usize.saturating_sub(8 * repr.size());
+        let at_the_top = bits.checked_shl(spare as u32).unwrap_or_default();
+        Some(if repr.is_signed() && !values.bitmask {
+            // The sign bit comes back with its copies.
+            Number::I64((at_the_top as i64).checked_shr(spare as u32).unwrap_or_default())
+        } else {
+            Number::U64(at_the_top.checked_shr(spare as u32).unwrap_or_default())
+        })
     }
 
     /// The message in a frame, if the dialect has it and the sender has the same definition of it.

@@ -197,6 +197,9 @@ pub(super) fn member_units(member: &Member) -> Option<String> {
 
 /// An entry by name, flags by their names, or the number.
 fn named(tables: &Tables, id: EnumId, value: u64) -> Node {
-    let named = tables.values(id).and_then(|values| entry(values, value));
-    named.unwrap_or(Node::Unsigned(value.into()))
+    let Some((values, number)) = tables.values(id).zip(tables.number(id, value)) else {
+        return Node::Unsigned(value.into());
+    };
+    let listed = number.as_integer().and_then(|value| u64::try_from(value).ok());
+    listed.and_then(|value| entry(values, value)).unwrap_or_else(|| self::number(number))
 }

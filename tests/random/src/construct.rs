@@ -109,6 +109,8 @@ constructs! {
     ViewWide,
     /// A word that carries an enum.
     EnumWord,
+    /// A word that is a float.
+    FloatWord,
     /// Two views of one message.
     TwoViews,
     /// `partial`.

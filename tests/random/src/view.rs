@@ -24,6 +24,10 @@ pub(crate) fn make(chance: &mut Chance, message: &Message, added: &mut Additions
     }
 }
 
+fn is_word(field: &Field) -> bool {
+    field.scalar.is_unsigned() || field.scalar.kind == Kind::Float
+}
+
 /// Some of the fields, as many as there is room for.
 fn words<'m>(chance: &mut Chance, fields: impl Iterator<Item = &'m Field>, whole: bool) -> (Vec<&'m Field>, u32) {
     let (mut words, mut width) = (Vec::new(), 0);
@@ -38,6 +42,9 @@ fn words<'m>(chance: &mut Chance, fields: impl Iterator<Item = &'m Field>, whole
     if words.iter().any(|field| field.values.is_some()) {
         chance.say(Construct::EnumWord);
     }
+    if words.iter().any(|field| field.scalar.kind == Kind::Float) {
+        chance.say(Construct::FloatWord);
+    }
     if width > 64 {
         chance.say(Construct::ViewWide);
     }
@@ -47,7 +54,7 @@ fn words<'m>(chance: &mut Chance, fields: impl Iterator<Item = &'m Field>, whole
 fn once(chance: &mut Chance, message: &Message, added: &mut Additions<'_>) -> Option<String> {
     let skip = chance.below(message.fields.len());
     let fields = message.fields.iter().cycle().skip(skip).take(message.fields.len());
-    let (words, width) = words(chance, fields.filter(|field| field.scalar.is_unsigned()), true);
+    let (words, width) = words(chance, fields.filter(|field| is_word(field)), true);
     if words.is_empty() {
         return None;
     }
@@ -66,7 +73,7 @@ fn once(chance: &mut Chance, message: &Message, added: &mut Additions<'_>) -> Op
 }
 
 fn slots(chance: &mut Chance, message: &Message, length: u8, added: &mut Additions<'_>) -> Option<String> {
-    let elements = message.fields.iter().filter(|field| field.array == Some(length) && field.scalar.is_unsigned());
+    let elements = message.fields.iter().filter(|field| field.array == Some(length) && is_word(field));
     let (words, width) = words(chance, elements, false);
     chance.say(Construct::ViewSlots);
     let spelled: Vec<String> = words.iter().map(|field| format!("{}[i]", field.name)).collect();

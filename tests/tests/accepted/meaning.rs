@@ -76,7 +76,12 @@ impl Teller<'_> {
 
     /// What `Display` of the enum prints.
     fn entry(&self, id: EnumId, value: u64) -> String {
-        self.tables.values(id).unwrap().display(value).to_string()
+        let (values, number) = (self.tables.values(id).unwrap(), self.tables.number(id, value).unwrap());
+        match number {
+            Number::U64(value) => values.display(value).to_string(),
+            Number::I64(value) => values.entry_name(value as u64).map_or_else(|| value.to_string(), str::to_owned),
+            Number::F32(_) | Number::F64(_) => unreachable!("an enum is no float"),
+        }
     }
 
     fn view(&mut self, message: &Message, reading: &Reading<'_>) {

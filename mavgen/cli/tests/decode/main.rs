@@ -257,3 +257,18 @@ fn any_bytes_are_survived() {
         }
     }
 }
+
+#[test]
+fn a_value_of_a_signed_enum_can_be_negative() {
+    let mut bench = Bench::of(
+        "<mavlink><enums><enum name='TILT'><entry value='1' name='TILT_UP'/></enum></enums><messages>\
+         <message id='7' name='BOOM'><field type='int8_t' name='a' enum='TILT'/><field type='int8_t' name='b'/></message>\
+         </messages></mavlink>",
+    );
+    let overlay = "<mavlink-overlay version='1' for='acme.xml'><message name='BOOM'>\
+                   <bind name='c' field='b' enum='TILT'/></message></mavlink-overlay>";
+    fs::write(bench.folder.path().join("acme.overlay.xml"), overlay).unwrap();
+    let frames = [bench.frame(7, &[0xff, 0xfe]), bench.frame(7, &[1, 1])].concat();
+    let expected = "1/2 #0 BOOM { a: -1, b: -2 }\n    c: -2\n1/2 #1 BOOM { a: TILT_UP, b: 1 }\n    c: TILT_UP\n";
+    assert_eq!(bench.printed(&[], &frames), expected);
+}
