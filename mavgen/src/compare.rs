@@ -19,7 +19,6 @@ mod pairs;
 mod renamed;
 mod state;
 mod surface;
-mod surfaces;
 mod wire;
 
 #[cfg(test)]

@@ -12,7 +12,7 @@ mod message;
 mod method;
 mod modules;
 mod secret;
-pub(crate) mod threads;
+mod threads;
 mod token;
 mod ty;
 mod view;
@@ -46,7 +46,7 @@ fn generate(file: &File<'_>) -> Result<GeneratedFile, Internal> {
 }
 
 /// The items of a file.
-pub(crate) fn content(content: &Content<'_>) -> Result<TokenStream, Internal> {
+fn content(content: &Content<'_>) -> Result<TokenStream, Internal> {
     Ok(match content {
         Content::Module { children, exports, aliases } => modules::module(children, exports, aliases)?,
         Content::Message(message) => message::message(message),

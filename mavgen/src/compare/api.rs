@@ -5,8 +5,7 @@ use std::collections::{BTreeMap, HashMap};
 use super::pairs::Pairs;
 use super::renamed::Renamed;
 use super::state::State;
-use super::surface::{Member, Name, Shape, Surface};
-use super::surfaces::surfaces;
+use super::surface::{Member, Name, Shape, Surface, surface};
 use super::{Change, Kind};
 use crate::internal::Internal;
 use crate::source::Span;
@@ -14,8 +13,7 @@ use crate::source::Span;
 /// The changes of all types.
 pub(super) fn changes(old: &State, new: &State, pairs: &Pairs<'_>) -> Result<Vec<Change>, Internal> {
     let names = Renamed::of(pairs, old, new);
-    let (before, after) = surfaces(old, new, &names)?;
-    let (before, after) = (Side::of(old, before), Side::of(new, after));
+    let (before, after) = (Side::of(old, surface(old)?), Side::of(new, surface(new)?));
     let mut changes = Vec::new();
     let mut matched: BTreeMap<&str, &str> = BTreeMap::new();
     for (name, shape) in &before.surface {

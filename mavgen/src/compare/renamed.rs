@@ -1,6 +1,6 @@
 //! What generated types and their members are called in the new state.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 
 use super::pairs::Pairs;
 use super::state::{State, constant, field};
@@ -74,13 +74,6 @@ impl<'a> Renamed<'a> {
             rest = after;
         }
         text + rest
-    }
-
-    /// Every name that something else had, or has lost.
-    pub(super) fn changed(&self) -> HashSet<&'a str> {
-        let types = self.types.iter().map(|(&old, &new)| (old, new));
-        let members = self.members.iter().map(|(&(_, old), &new)| (old, new));
-        types.chain(members).filter(|(old, new)| old != new).flat_map(|(old, new)| [old, new]).collect()
     }
 }
 

@@ -1,12 +1,15 @@
-//! The generated Rust as its users see it: public types and their public members.
-//!
-//! It is read from the generated items themselves, so that whatever the generator makes public is compared.
+//! The generated Rust as its users see it: public types and their public members, as they are decided before they are printed.
 
 use std::collections::BTreeMap;
 
-use proc_macro2::{TokenStream, TokenTree};
-use quote::ToTokens;
-use syn::{Attribute, Expr, Fields, ImplItem, Item, ItemImpl, Type, Visibility};
+use super::state::State;
+use crate::internal::Internal;
+use crate::ir::EnumId;
+use crate::lower::Items;
+use crate::rust::{
+    Content, Default, Element, Enum, Error, Field, Method, Param, Receiver, Shape as FieldShape, Sig, SlotType, Struct,
+    Ty, View,
+};
 
 /// Public types by name.
 pub(super) type Surface = BTreeMap<String, Shape>;
@@ -14,7 +17,7 @@ pub(super) type Surface = BTreeMap<String, Shape>;
 /// What users see of a type.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Shape {
-    /// What kind of type: `enum over u8`; empty for a message.
+    /// What kind of type: `an enum of u8`, `a struct`.
     pub(super) signature: String,
     pub(super) deprecated: bool,
     /// Whether it is built of its public fields, all of them.
@@ -45,135 +48,157 @@ pub(super) struct Member {
     pub(super) default: Option<String>,
 }
 
-/// The public types that some generated items declare.
-pub(super) fn surface(items: TokenStream) -> Surface {
+/// The public types of a state: of its enums, and of its messages with their views.
+pub(super) fn surface(state: &State) -> Result<Surface, Internal> {
+    let items = Items::of(&state.dialect, &state.names, true);
     let mut surface = Surface::new();
-    // The emitters write whole items, so there is nothing that cannot be read.
-    let items = syn::parse2(items).map_or_else(|_| Vec::new(), |file: syn::File| file.items);
-    items.into_iter().for_each(|item| add(&mut surface, item));
-    surface.retain(|_, shape| shape != &Shape::default());
-    surface
+    for index in 0..state.dialect.enums.len() {
+        add(&mut surface, &items.enum_content(EnumId(index))?);
+    }
+    for index in 0..state.dialect.messages.len() {
+        items.message_contents(index)?.iter().for_each(|content| add(&mut surface, content));
+    }
+    Ok(surface)
 }
 
-fn add(surface: &mut Surface, item: Item) {
-    match item {
-        Item::Struct(item) if is_public(&item.vis) => {
-            let shape = surface.entry(plain(&item.ident)).or_default();
-            shape.deprecated |= is_deprecated(&item.attrs);
-            let exhaustive =
-                matches!(&item.fields, Fields::Named(fields) if fields.named.iter().all(|field| is_public(&field.vis)));
-            shape.exhaustive = exhaustive;
-            shape.signature = if exhaustive { "a struct" } else { "a type" }.to_owned();
-            for field in item.fields.into_iter().filter(|field| is_public(&field.vis)) {
-                let Some(name) = field.ident.as_ref().map(plain) else { continue };
-                let member = shape.members.entry(Name::Field(name)).or_default();
-                member.signature = readable(field.ty);
-                member.deprecated = is_deprecated(&field.attrs);
+fn add(surface: &mut Surface, content: &Content<'_>) {
+    match content {
+        Content::Enum(one) => {
+            surface.insert(one.ident.to_owned(), of_enum(one));
+        }
+        Content::Message(one) => {
+            surface.insert(one.ident.to_owned(), of_message(one));
+        }
+        Content::View(view) => {
+            surface.insert(view.ident.to_owned(), of_view(view));
+            surface.extend(view.slot.as_ref().map(|slot| (slot.ident.to_owned(), of_slot(slot))));
+            if let Some(message) = surface.get_mut(view.message) {
+                message.members.extend(methods(&view.message_methods));
             }
         }
-        // The name of a deprecated message; the struct does not say that it is.
-        Item::Type(item) if is_public(&item.vis) => {
-            surface.entry(plain(&item.ident)).or_default().deprecated = is_deprecated(&item.attrs);
-        }
-        Item::Impl(item) => add_impl(surface, item),
-        Item::Macro(item) => {
-            let words: Vec<String> = item.mac.tokens.into_iter().filter_map(word).collect();
-            let kind = item.mac.path.segments.last().map(|segment| plain(&segment.ident)).unwrap_or_default();
-            if let ([name, int, ..], Some(kind)) = (words.as_slice(), enum_kind(&kind)) {
-                surface.entry(name.clone()).or_default().signature = format!("{kind} of {int}");
-            }
-        }
-        _ => {}
+        // What these export are the types of the others.
+        Content::Module { .. } | Content::Dialect(_) => {}
     }
 }
 
-/// What the runtime's macro of this name makes of a newtype.
-fn enum_kind(name: &str) -> Option<&'static str> {
-    match name {
-        "open_enum" => Some("an enum"),
-        "flags" => Some("flags"),
+fn of_enum(one: &Enum<'_>) -> Shape {
+    let kind = if one.flags { "flags" } else { "an enum" };
+    let constants = one.constants.iter().map(|constant| {
+        let deprecated = constant.deprecated.is_some();
+        let member = Member { signature: "Self".to_owned(), deprecated, default: None };
+        (Name::Constant(constant.ident.to_owned()), member)
+    });
+    Shape {
+        signature: format!("{kind} of {}", one.int.name()),
+        deprecated: one.deprecated.is_some(),
+        exhaustive: false,
+        members: constants.chain(methods(&one.methods)).collect(),
+    }
+}
+
+fn of_message(message: &Struct<'_>) -> Shape {
+    let fields = message.fields.iter().map(|field| {
+        let default = default(field).map(|number| number.to_string());
+        (Name::Field(field.ident.to_owned()), Member { signature: field_type(field), deprecated: false, default })
+    });
+    let targeted = message.frame.target_system.and(message.frame.target_component).map(|_| "wire::Targeted");
+    // Others have a derived one.
+    let secretive = message.fields.iter().any(|field| field.secret).then_some(DEBUG);
+    let traits = ["wire::Message"].into_iter().chain(targeted).chain(secretive).map(implementation);
+    Shape {
+        signature: "a struct".to_owned(),
+        deprecated: message.deprecated.is_some(),
+        exhaustive: true,
+        members: fields.chain(methods(&message.methods)).chain(traits).collect(),
+    }
+}
+
+fn of_view(view: &View<'_>) -> Shape {
+    Shape {
+        signature: "a type".to_owned(),
+        deprecated: false,
+        exhaustive: false,
+        members: methods(&view.methods).chain([implementation(DEBUG)]).collect(),
+    }
+}
+
+fn of_slot(slot: &SlotType<'_>) -> Shape {
+    let fields = slot.fields.iter().map(|field| {
+        let member = Member { signature: ty(&field.ty), ..Member::default() };
+        (Name::Field(field.ident.to_owned()), member)
+    });
+    Shape { signature: "a struct".to_owned(), deprecated: false, exhaustive: true, members: fields.collect() }
+}
+
+const DEBUG: &str = "core::fmt::Debug";
+
+fn implementation(of: &str) -> (Name, Member) {
+    (Name::Trait(of.to_owned()), Member::default())
+}
+
+fn methods(methods: &[Method<'_>]) -> impl Iterator<Item = (Name, Member)> {
+    let public = methods.iter().filter(|method| method.sig.public);
+    public.map(|method| {
+        let member = Member { signature: signature(&method.sig), ..Member::default() };
+        (Name::Method(method.ident.clone()), member)
+    })
+}
+
+/// `fn(&mut self, value: u16)`; `const` is a promise like others.
+fn signature(sig: &Sig<'_>) -> String {
+    let Sig { public: _, is_const, receiver, params, result } = sig;
+    let receiver = match receiver {
+        Receiver::None => None,
+        Receiver::Value => Some("self".to_owned()),
+        Receiver::Ref => Some("&self".to_owned()),
+        Receiver::Mut => Some("&mut self".to_owned()),
+    };
+    let params = params.iter().map(|Param { ident, ty: of }| format!("{ident}: {}", ty(of)));
+    let params: Vec<String> = receiver.into_iter().chain(params).collect();
+    let (is_const, result) = (
+        if *is_const { "const " } else { "" },
+        match result {
+            Ty::Unit => String::new(),
+            result => format!(" -> {}", ty(result)),
+        },
+    );
+    format!("{is_const}fn({}){result}", params.join(", "))
+}
+
+fn field_type(field: &Field<'_>) -> String {
+    let element = ty(&field.element.ty());
+    match field.shape {
+        FieldShape::One => element,
+        FieldShape::Array(n) => format!("[{element}; {n}]"),
+        FieldShape::Chars(n) => format!("wire::Chars<{n}>"),
+    }
+}
+
+/// The number that a field has in `DEFAULT`; all other values hang on its type alone.
+fn default(field: &Field<'_>) -> Option<u8> {
+    match (field.default, field.shape, field.element) {
+        (Default::Version(version), FieldShape::One, _) => Some(version),
+        (Default::Zero, FieldShape::One, Element::Int(_)) => Some(0),
         _ => None,
     }
 }
 
-fn word(token: TokenTree) -> Option<String> {
-    match token {
-        TokenTree::Ident(ident) => Some(plain(&ident)),
-        _ => None,
+fn ty(of: &Ty<'_>) -> String {
+    match of {
+        Ty::Int(int) => int.name().to_owned(),
+        Ty::F32 => "f32".to_owned(),
+        Ty::F64 => "f64".to_owned(),
+        Ty::Bool => "bool".to_owned(),
+        Ty::Usize => "usize".to_owned(),
+        Ty::Unit => "()".to_owned(),
+        Ty::Own => "Self".to_owned(),
+        Ty::Enum(one) => one.ident.to_owned(),
+        Ty::Named(name) => (*name).to_owned(),
+        Ty::Array(inner, length) => format!("[{}; {length}]", ty(inner)),
+        Ty::Option(inner) => format!("Option<{}>", ty(inner)),
+        Ty::Fallible(Error::OutOfRange) => "Result<(), wire::OutOfRange>".to_owned(),
+        Ty::Fallible(Error::View) => "Result<(), wire::ViewError>".to_owned(),
+        Ty::Params => "&'static [wire::ParamInfo]".to_owned(),
+        Ty::Iterator(item) => format!("impl Iterator<Item = {}> + '_", ty(item)),
     }
-}
-
-fn add_impl(surface: &mut Surface, item: ItemImpl) {
-    let Type::Path(path) = item.self_ty.as_ref() else { return };
-    let Some(name) = path.path.segments.last().map(|segment| plain(&segment.ident)) else { return };
-    let shape = surface.entry(name).or_default();
-    if let Some((of, _)) = item.trait_ {
-        shape.members.entry(Name::Trait(readable(of))).or_default();
-        item.items.into_iter().for_each(|item| add_default(shape, item));
-        return;
-    }
-    for item in item.items {
-        let (name, member) = match item {
-            ImplItem::Const(item) if is_public(&item.vis) => {
-                let member =
-                    Member { signature: readable(item.ty), deprecated: is_deprecated(&item.attrs), default: None };
-                (Name::Constant(plain(&item.ident)), member)
-            }
-            ImplItem::Fn(item) if is_public(&item.vis) => {
-                let name = plain(&item.sig.ident);
-                let signature = readable(&item.sig);
-                // What stands before the parameters is the name, but for `const`, which is a promise like others.
-                let signature = signature.replacen(&format!("fn {}", item.sig.ident), "fn", 1);
-                (Name::Method(name), Member { signature, deprecated: is_deprecated(&item.attrs), default: None })
-            }
-            _ => continue,
-        };
-        shape.members.insert(name, member);
-    }
-}
-
-/// Notes which numbers `DEFAULT` has; all other values hang on the types of the fields alone.
-fn add_default(shape: &mut Shape, item: ImplItem) {
-    let ImplItem::Const(item) = item else { return };
-    let Expr::Struct(value) = item.expr else { return };
-    for field in value.fields {
-        let syn::Member::Named(name) = &field.member else { continue };
-        if let Expr::Lit(number) = field.expr {
-            shape.members.entry(Name::Field(plain(name))).or_default().default = Some(readable(number));
-        }
-    }
-}
-
-fn is_public(visibility: &Visibility) -> bool {
-    matches!(visibility, Visibility::Public(_))
-}
-
-fn is_deprecated(attributes: &[Attribute]) -> bool {
-    attributes.iter().any(|attribute| attribute.path().is_ident("deprecated"))
-}
-
-/// An identifier, without the mark of a raw one.
-pub(super) fn plain(ident: &proc_macro2::Ident) -> String {
-    let text = ident.to_string();
-    text.strip_prefix("r#").unwrap_or(&text).to_owned()
-}
-
-/// Tokens with no more blanks than a person would write.
-fn readable(tokens: impl ToTokens) -> String {
-    let mut text = tokens.to_token_stream().to_string();
-    for (wide, narrow) in [
-        (" :: ", "::"),
-        (" < ", "<"),
-        (" >", ">"),
-        ("& ", "&"),
-        (" ;", ";"),
-        (" ,", ","),
-        (" :", ":"),
-        (" (", "("),
-        ("( ", "("),
-        (" )", ")"),
-    ] {
-        text = text.replace(wide, narrow);
-    }
-    text
 }
