@@ -19,7 +19,7 @@ pub(crate) use enums::{Constant, DialectEnum, Enum, ParamInfo, Variant};
 pub(crate) use mentions::Mentions;
 pub(crate) use message::{Default, Field, Frame, Struct, Target};
 pub(crate) use method::{Kind, Method, Param, Receiver, Sig};
-pub(crate) use tree::{Alias, Child, Content, Export, File, Use};
+pub(crate) use tree::{Alias, Child, ChildAccess, Content, Export, File, Use};
 pub(crate) use ty::{AsInt, Element, EnumType, Error, Int, Literal, Shape, Through, Ty};
 pub(crate) use view::{
     Bind, BitField, Count, Debugged, Holds, Key, Place, Present, Scale, Selector, Slot, SlotElement, SlotField,

@@ -6,13 +6,17 @@ use quote::quote;
 use super::doc;
 use super::token::ident;
 use crate::internal::Internal;
-use crate::rust::{Alias, Child, Export, Use};
+use crate::rust::{Alias, Child, ChildAccess, Export, Use};
 
 /// `mod heartbeat; …`, then `pub use heartbeat::Heartbeat; …`, and what is deprecated by an alias.
 pub(super) fn module(children: &[Child], exports: &[Export], aliases: &[Alias<'_>]) -> Result<TokenStream, Internal> {
-    let children = children.iter().map(|Child { ident: name, public, expect }| {
-        let (name, public, expect) = (ident(name), public.then(|| quote!(pub)), expect_deprecated(*expect));
-        quote!(#expect #public mod #name;)
+    let children = children.iter().map(|Child { ident: name, access, expect }| {
+        let (name, expect) = (ident(name), expect_deprecated(*expect));
+        match access {
+            ChildAccess::Private => quote!(#expect mod #name;),
+            ChildAccess::Hidden => quote!(#expect #[doc(hidden)] pub mod #name;),
+            ChildAccess::Public => quote!(#expect pub mod #name;),
+        }
     });
     let exports = exports.iter().map(|Export { of, expect }| {
         let (of, expect) = (used(of)?, expect_deprecated(*expect));

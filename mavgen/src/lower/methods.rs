@@ -23,12 +23,14 @@ pub(super) fn check(message: &Message, names: &MessageNames, diagnostics: &mut D
         found.extend(methods.claim_all(&binding_methods(name), claim(What::Binding, &binding.name.name)));
     }
     for (view, names) in message.views.iter().zip(&names.views) {
-        let span = match &view.access {
-            Access::Once { getter } => getter.name.span,
-            Access::Slots(slots) => slots.item.span,
+        let spans = match &view.access {
+            Access::Once { getter } => [getter.name.span; 2],
+            Access::Slots(slots) => [slots.item.span, slots.items.name.span],
         };
-        let by = Claim { span: Some(span), ..claim(What::View, &view.name) };
-        found.extend(methods.claim_all(&view_methods(names), by));
+        for (names, span) in [slot_methods(names), iterators(names)].iter().zip(spans) {
+            let by = Claim { span: Some(span), ..claim(What::View, &view.name) };
+            found.extend(methods.claim_all(names, by));
+        }
         of_view(view, names, &mut found);
     }
     diagnostics.extend(found.iter().filter_map(collision::diagnostic));
@@ -49,12 +51,25 @@ pub(super) fn binding_methods(name: &str) -> [String; 2] {
 
 /// The methods that a view gives to its message, also those that nobody else sees.
 pub(super) fn view_methods(names: &ViewNames) -> Vec<String> {
+    [iterators(names), slot_methods(names)].concat()
+}
+
+/// Those for one slot, or for a view that has none.
+fn slot_methods(names: &ViewNames) -> Vec<String> {
     match &names.access {
         AccessNames::Once { getter } => vec![getter.clone(), setter(getter)],
-        AccessNames::Slots { getter, items, .. } => {
+        AccessNames::Slots { getter, .. } => {
             let prefixed = ["set_", "push_", "store_"].map(|prefix| format!("{prefix}{getter}"));
-            [items.clone()].into_iter().chain(prefixed).chain([getter.clone()]).collect()
+            prefixed.into_iter().chain([getter.clone()]).collect()
         }
+    }
+}
+
+/// Those for all slots.
+fn iterators(names: &ViewNames) -> Vec<String> {
+    match &names.access {
+        AccessNames::Once { .. } => Vec::new(),
+        AccessNames::Slots { items, .. } => vec![items.clone()],
     }
 }
 

@@ -8,7 +8,7 @@ use super::folder::Listed;
 use super::link::Home;
 use super::named::NamedAccess;
 use crate::internal::Internal;
-use crate::rust::{Alias, Cell, Child, Content, Docs, Export, File, Paragraph, Use};
+use crate::rust::{Alias, Cell, Child, ChildAccess, Content, Docs, Export, File, Paragraph, Use};
 
 /// How deep one of these modules lies below its folder.
 const MODULE: usize = 1;
@@ -35,15 +35,15 @@ struct Listing<'d> {
 /// What several dialects share has no flat names: those are their own.
 pub(super) fn root<'d>(maker: &Maker<'_, 'd>) -> Result<File<'d>, Internal> {
     let folder = maker.folder;
-    let child = |ident: &str, public, expect| Child { ident: ident.to_owned(), public, expect };
-    let mut children: Vec<Child> = folder.roots.iter().map(|root| child(root, true, false)).collect();
+    let child = |ident: &str, access, expect| Child { ident: ident.to_owned(), access, expect };
+    let mut children: Vec<Child> = folder.roots.iter().map(|root| child(root, ChildAccess::Public, false)).collect();
     let mut exports = Vec::new();
     if let Some(dialect) = folder.dialect.filter(|_| !folder.messages.is_empty()) {
         let mut expect = false;
         for listed in &folder.messages {
             expect |= maker.items.is_deprecated(&maker.items.message_at(listed.item)?.model.origin);
         }
-        children.push(child("dialect", false, expect));
+        children.push(child("dialect", ChildAccess::Private, expect));
         exports.push(plain(Use::Names("dialect".to_owned(), vec![dialect.type_name.to_owned()])));
     }
     let parts = [
@@ -52,7 +52,7 @@ pub(super) fn root<'d>(maker: &Maker<'_, 'd>) -> Result<File<'d>, Internal> {
         ("views", folder.views.is_empty()),
     ];
     for (module, _) in parts.iter().filter(|(_, is_empty)| !is_empty) {
-        children.push(child(module, true, false));
+        children.push(child(module, ChildAccess::Public, false));
         exports.extend(folder.dialect.map(|_| plain(Use::All((*module).to_owned()))));
     }
     let docs = match (folder.home, folder.dialect) {
@@ -131,7 +131,7 @@ pub(super) fn views<'d>(maker: &Maker<'_, 'd>, files: &mut Vec<File<'d>>) -> Res
         let from = if home == maker.folder.home {
             let made = maker.view(item)?;
             files.push(made.file);
-            children.push(Child { ident: module.clone(), public: false, expect: made.expect });
+            children.push(Child { ident: module.clone(), access: ChildAccess::Private, expect: made.expect });
             module.clone()
         } else {
             maker.items.way(MODULE, home)? + "views"
@@ -158,7 +158,8 @@ fn declare<'d>(maker: &Maker<'_, 'd>, module: &str, mut listings: Vec<Listing<'d
     let mut others: BTreeMap<(String, bool), Vec<String>> = BTreeMap::new();
     for Listing { name: _, module: file, ident, home, expect, deprecated, alias } in listings {
         if home == maker.folder.home {
-            children.push(Child { ident: file.to_owned(), public: false, expect });
+            let access = if alias.is_some() { ChildAccess::Hidden } else { ChildAccess::Private };
+            children.push(Child { ident: file.to_owned(), access, expect });
             match alias {
                 Some(alias) => aliases.push(alias),
                 None => {

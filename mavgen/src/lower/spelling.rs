@@ -10,8 +10,23 @@ use crate::ir::Label;
 const RESERVED_TYPES: [&str; 9] = ["Self", "Option", "Some", "None", "Result", "Ok", "Err", "Into", "Iterator"];
 
 /// Methods that every message has, and names that readers and lints take for something else: no getter can be called so.
-pub(crate) const MESSAGE_METHODS: [&str; 10] =
-    ["clone", "cmp", "decode", "default", "info", "len", "new", "payload", "to", "write"];
+pub(crate) const MESSAGE_METHODS: [&str; 15] = [
+    "clone",
+    "clone_from",
+    "cmp",
+    "decode",
+    "default",
+    "eq",
+    "info",
+    "into",
+    "len",
+    "ne",
+    "new",
+    "payload",
+    "to",
+    "try_into",
+    "write",
+];
 
 /// Methods that every view has, and names that readers and lints take for something else: no bits can be called so.
 pub(crate) const VIEW_METHODS: [&str; 16] = [

@@ -47,9 +47,20 @@ pub(crate) enum Use {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Child {
     pub(crate) ident: String,
-    pub(crate) public: bool,
+    pub(crate) access: ChildAccess,
     /// Whether it names what is deprecated.
     pub(crate) expect: bool,
+}
+
+/// Who sees a module.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum ChildAccess {
+    /// `mod`.
+    Private,
+    /// `#[doc(hidden)] pub mod`: what is in it has no other name than an alias, which does not make a type public for lints.
+    Hidden,
+    /// `pub mod`.
+    Public,
 }
 
 /// The name by which a deprecated message is used: `#[deprecated(…)] pub type HilControls = hil_controls::HilControls;`.

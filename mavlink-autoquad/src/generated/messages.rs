@@ -282,7 +282,8 @@ mod command_ack;
 mod command_cancel;
 mod command_int;
 mod command_long;
-mod component_information;
+#[doc(hidden)]
+pub mod component_information;
 mod component_information_basic;
 mod component_metadata;
 mod control_system_state;
@@ -369,10 +370,12 @@ mod mission_ack;
 mod mission_clear_all;
 mod mission_count;
 mod mission_current;
-mod mission_item;
+#[doc(hidden)]
+pub mod mission_item;
 mod mission_item_int;
 mod mission_item_reached;
-mod mission_request;
+#[doc(hidden)]
+pub mod mission_request;
 mod mission_request_int;
 mod mission_request_list;
 mod mission_request_partial_list;
@@ -414,7 +417,8 @@ mod play_tune_v2;
 mod position_target_global_int;
 mod position_target_local_ned;
 mod power_status;
-mod protocol_version;
+#[doc(hidden)]
+pub mod protocol_version;
 mod radio_status;
 mod raw_imu;
 mod raw_pressure;
@@ -459,8 +463,10 @@ mod terrain_report;
 mod terrain_request;
 mod timesync;
 mod time_estimate_to_target;
-mod trajectory_representation_bezier;
-mod trajectory_representation_waypoints;
+#[doc(hidden)]
+pub mod trajectory_representation_bezier;
+#[doc(hidden)]
+pub mod trajectory_representation_waypoints;
 mod tunnel;
 mod uavcan_node_info;
 mod uavcan_node_status;

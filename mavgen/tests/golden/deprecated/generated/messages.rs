@@ -9,7 +9,8 @@
 #[expect(deprecated, reason = "what is deprecated is still on the wire")]
 mod drive;
 #[expect(deprecated, reason = "what is deprecated is still on the wire")]
-mod old_drive;
+#[doc(hidden)]
+pub mod old_drive;
 
 pub use drive::Drive;
 
