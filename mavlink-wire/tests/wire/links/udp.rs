@@ -75,18 +75,18 @@ fn frames_that_are_cut_into_datagrams_are_whole_again() {
     let (mut station, address) = endpoint(255);
     // Two bridges cut without looking, and each knows nothing of the other.
     let bridges: [UdpSocket; 2] = std::array::from_fn(|_| socket());
-    let bytes = stream(Sender::v2(1, 1), 0..60);
+    let bytes = stream(Sender::v2(1, 1), 0..24);
     for chunk in bytes.chunks(13) {
         for bridge in &bridges {
             bridge.send_to(chunk, address).unwrap();
         }
     }
     let mut received = [vec![], vec![]];
-    for _ in 0..120 {
+    for _ in 0..48 {
         let (frame, from) = station.receive().unwrap();
         received[usize::from(from == bridges[1].local_addr().unwrap())].push(read(&frame));
     }
-    assert_eq!(received, [sent(0..60), sent(0..60)]);
+    assert_eq!(received, [sent(0..24), sent(0..24)]);
     assert_eq!((station.statistics().bad_checksums, station.statistics().skipped_bytes), (0, 0));
 }
 
@@ -117,13 +117,14 @@ fn one_call_does_bounded_work() {
     let (mut station, address) = endpoint(255);
     station.socket().set_nonblocking(true).unwrap();
     let stranger = socket();
-    // The receive buffer of a socket takes more than one call's share.
+    // More than one call's share, as far as the receive buffer of the socket takes it.
     for _ in 0..200 {
         stranger.send_to(&[0; 1000], address).unwrap();
     }
     assert_eq!(station.receive().unwrap_err().kind(), ErrorKind::WouldBlock);
     let first = station.statistics().skipped_bytes;
     assert!((1..=66_000).contains(&first), "{first}");
+    stranger.send_to(&[0; 1000], address).unwrap();
     assert_eq!(station.receive().unwrap_err().kind(), ErrorKind::WouldBlock);
     assert!(station.statistics().skipped_bytes > first, "it goes on where it was");
 }
