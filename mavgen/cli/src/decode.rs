@@ -96,8 +96,14 @@ impl Decode {
             Err(error) => Err(Failure::Usage(format!("standard output: {error}"))),
         };
         let mut listens = print(printer.head())?;
-        while listens && let Some(received) = stream.next().map_err(refused)? {
-            listens = print(printer.lines(&received)?)?;
+        while listens {
+            match stream.next() {
+                Ok(Some(received)) => listens = print(printer.lines(&received)?)?,
+                Ok(None) => break,
+                // Much of it was no frame; there may be more.
+                Err(error) if error.kind() == ErrorKind::WouldBlock => {}
+                Err(error) => return Err(refused(error)),
+            }
         }
         stream.tally().lines(printer.tables.table()).iter().for_each(|line| report.note(line));
         if let (Style::Folder(folder), Some(out)) = (printer.style, &self.out) {

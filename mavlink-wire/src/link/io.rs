@@ -37,7 +37,8 @@
 //! the next time, so that no frame is torn. [`Interrupted`](std::io::ErrorKind::Interrupted) is tried again at once.
 //!
 //! A timeout is that of the link, for the next byte. While bytes come that make no frame, as at a wrong baud rate, a reader
-//! goes on reading.
+//! goes on reading, but no further than 64 KiB: then it says [`WouldBlock`](std::io::ErrorKind::WouldBlock), so that its caller
+//! can look at the clock.
 
 mod reader;
 mod writer;

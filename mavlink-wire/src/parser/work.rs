@@ -21,7 +21,7 @@ mod counted {
 
     use super::super::Parser;
     use super::streams;
-    use crate::{MessageInfo, Table};
+    use crate::{MessageInfo, Table, tlog};
 
     thread_local! {
         static WORK: Cell<u64> = const { Cell::new(0) };
@@ -66,6 +66,16 @@ mod counted {
     #[test]
     fn the_work_for_a_byte_is_bounded() {
         assert!(worst(streams::streams((0, 9, 50))) < BOUND);
+    }
+
+    #[test]
+    fn so_is_that_for_a_byte_of_a_log() {
+        for (name, stream) in streams::streams((0, 9, 50)) {
+            WORK.set(0);
+            let _ = tlog::entries(&stream, &TABLE).count();
+            let work = WORK.get() as f64 / stream.len() as f64;
+            assert!(work < BOUND, "{name}: {work}");
+        }
     }
 
     #[test]

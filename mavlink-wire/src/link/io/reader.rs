@@ -9,6 +9,9 @@ use crate::{Frame, Statistics, Table};
 /// Bytes that are read at once.
 const CHUNK: usize = 4096;
 
+/// Bytes without a frame after which a call returns.
+const ENOUGH: usize = 65_536;
+
 /// Reads frames from `R`, which needs no buffer of its own: 4096 bytes are read at once.
 #[derive(Debug)]
 pub struct FrameReader<'t, R> {
@@ -26,10 +29,13 @@ impl<'t, R: Read> FrameReader<'t, R> {
     /// The next frame. `None` at the end, when what waited for more bytes was searched as well; a file that has grown since
     /// can be read on.
     ///
+    /// One call does bounded work: after 64 KiB without a frame it says [`ErrorKind::WouldBlock`], "nothing yet", whatever `R`
+    /// is.
+    ///
     /// # Errors
     ///
-    /// What `R` says, except for [`ErrorKind::Interrupted`]. Nothing is lost: read again if it was a timeout, or
-    /// [`ErrorKind::WouldBlock`].
+    /// [`ErrorKind::WouldBlock`] or a timeout: nothing is lost, call it again. Else what `R` says, except for
+    /// [`ErrorKind::Interrupted`].
     pub fn receive(&mut self) -> Result<Option<Frame<'_>>> {
         self.receive_reporting_bad_checksums(not_told)
     }
@@ -41,6 +47,7 @@ impl<'t, R: Read> FrameReader<'t, R> {
     ///
     /// As [`receive`](Self::receive).
     pub fn receive_reporting_bad_checksums(&mut self, mut bad_checksum: impl FnMut(u32)) -> Result<Option<Frame<'_>>> {
+        let mut read = 0;
         loop {
             if let Some(found) = self.incoming.find(&mut bad_checksum) {
                 return Ok(Some(self.incoming.frame(&found)));
@@ -48,8 +55,14 @@ impl<'t, R: Read> FrameReader<'t, R> {
             if self.incoming.take_end() {
                 return Ok(None);
             }
+            if read >= ENOUGH {
+                return Err(ErrorKind::WouldBlock.into());
+            }
             match self.inner.read(self.incoming.space()) {
-                Ok(count) => self.incoming.fill(count, count == 0),
+                Ok(count) => {
+                    self.incoming.fill(count, count == 0);
+                    read += count;
+                }
                 Err(error) if error.kind() == ErrorKind::Interrupted => {}
                 Err(error) => return Err(error),
             }

@@ -3,7 +3,9 @@
 use memchr::memchr2;
 
 use super::{DAY_US, Entry, TIME};
+use crate::frame::Candidate;
 use crate::header::{Header, STX_V1, STX_V2};
+use crate::parser::prefixes::Prefixes;
 use crate::{Frame, FrameError, Table};
 
 /// Times that are plausible without one before: the years 2000 to 2099.
@@ -13,6 +15,7 @@ const CENTURY_US: core::ops::Range<u64> = 946_684_800_000_000..4_102_444_800_000
 #[derive(Clone, Debug)]
 pub(super) struct Scan<'t> {
     table: &'t Table<'t>,
+    prefixes: Prefixes,
     /// Of the entry before; once there is one, all have one.
     time_us: Option<u64>,
     /// Bytes skipped since the entry before, and before it.
@@ -38,7 +41,7 @@ struct Unbelievable;
 
 impl<'t> Scan<'t> {
     pub(super) const fn new(table: &'t Table<'t>) -> Self {
-        Self { table, time_us: None, skipped: 0, skipped_before: 0, damaged: 0 }
+        Self { table, prefixes: Prefixes::NEW, time_us: None, skipped: 0, skipped_before: 0, damaged: 0 }
     }
 
     pub(super) fn skipped_bytes(&self) -> u64 {
@@ -51,7 +54,12 @@ impl<'t> Scan<'t> {
         let Some((time, rest)) = bytes.split_first_chunk::<TIME>() else {
             return if at_end { self.pass(bytes.len()) } else { Sight::Unfinished };
         };
-        match Frame::parse(rest, self.table) {
+        let parsed = Candidate::read(rest, self.table).and_then(|candidate| {
+            let facts = candidate.verify(rest, |end| self.prefixes.checksum(bytes, TIME + 1, TIME + end))?;
+            let frame = rest.get(..candidate.header.frame_length()).unwrap_or_default();
+            Ok(Frame::with_facts(frame, candidate.header, facts))
+        });
+        match parsed {
             Ok(frame) => match self.time_of(&frame, u64::from_be_bytes(*time)) {
                 Ok(time_us) => Sight::Entry(self.take(frame, time_us)),
                 Err(Unbelievable) => self.pass(1),
@@ -85,6 +93,7 @@ impl<'t> Scan<'t> {
     }
 
     fn take<'b>(&mut self, frame: Frame<'b>, time_us: Option<u64>) -> Entry<'b> {
+        self.prefixes.advance(TIME + frame.bytes().len());
         let skipped = core::mem::take(&mut self.skipped);
         self.skipped_before += skipped;
         self.damaged = 0;
@@ -93,6 +102,7 @@ impl<'t> Scan<'t> {
     }
 
     fn pass<'b>(&mut self, passed: usize) -> Sight<'b> {
+        self.prefixes.advance(passed);
         self.skipped += passed as u64;
         self.damaged = self.damaged.saturating_sub(passed);
         Sight::Nothing { passed }

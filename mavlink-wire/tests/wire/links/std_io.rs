@@ -48,6 +48,20 @@ fn messages_cross_a_tcp_stream_both_ways() {
     echo.join().unwrap();
 }
 
+/// A wrong baud rate, and no end of it.
+#[test]
+fn a_call_returns_after_64_kib_without_a_frame() {
+    use std::io::Read;
+    let (noise, frame) = (std::io::repeat(0xFE), stream(Sender::v2(1, 1), 0..1));
+    let mut reader = FrameReader::new(noise.take(200_000).chain(&frame[..]), Small::TABLE);
+    for call in 1..=3 {
+        assert_eq!(reader.receive().map_err(|error| error.kind()), Err(ErrorKind::WouldBlock));
+        let left = reader.get_ref().get_ref().0.limit();
+        assert_eq!(left, 200_000 - call * 65_536);
+    }
+    assert_eq!(all(&mut reader), sent(0..1));
+}
+
 #[test]
 fn a_link_that_does_not_block_tears_no_frame() {
     let (near, far) = connected();
