@@ -31,7 +31,7 @@ pub fn checksum(bytes: &[u8]) -> u16 {
     let (Some(first), Some(last)) = (bytes.first_chunk::<8>(), bytes.last_chunk::<8>()) else {
         return extend(INITIAL, bytes, 0..bytes.len());
     };
-    work::count(bytes.len());
+    work::count(bytes.len() / 4);
     let length = (bytes.len() - 1) % 16 + 1;
     let short = match bytes.first_chunk::<16>() {
         Some(block) => u128::from_le_bytes(*block) << (128 - 8 * length),

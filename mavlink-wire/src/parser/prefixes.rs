@@ -17,8 +17,15 @@ const REGISTERS: usize = (MAX_FRAME / STRIDE + 1).next_power_of_two();
 /// Bytes that they reach.
 const REACH: usize = STRIDE * REGISTERS;
 
-/// Whether a first candidate is told from others.
-const IS_FIRST_APART: bool = cfg!(feature = "fast-crc");
+/// Whether a checksum may be calculated by itself, in blocks: that is faster than registers where candidates are few. Where
+/// flash counts more than time, all get theirs by registers.
+const BY_ITSELF: bool = cfg!(feature = "fast-crc");
+
+/// Bytes that may be walked over in that way for each byte of the stream: they take as long as one by registers.
+const CREDIT: usize = 8;
+
+/// The most of them that are saved up: for some candidates in a row.
+const MOST_CREDIT: usize = if BY_ITSELF { 4 * MAX_FRAME } else { 0 };
 
 /// Checksums of ranges of a stream, from a place that moves on.
 // Small fields lie in front: that makes the code smaller which reaches for them.
@@ -29,36 +36,30 @@ pub(crate) struct Prefixes {
     place: usize,
     /// Where the last register is, if it is at most `REACH` further.
     walked: usize,
-    /// Where the candidates end that were looked at, if it is at most `REACH` further. One that starts before is not the
-    /// first there.
-    contested: usize,
+    /// Bytes that may be walked over for checksums by themselves.
+    credit: usize,
     /// A ring. The first one of a walk may be any: only differences count.
     registers: [u16; REGISTERS],
 }
 
 impl Prefixes {
-    pub(crate) const NEW: Self = Self { place: 0, walked: 0, contested: 0, registers: [0; REGISTERS] };
+    pub(crate) const NEW: Self = Self { place: 0, walked: 0, credit: MOST_CREDIT, registers: [0; REGISTERS] };
 
-    /// The checksum of `bytes[start..end]`, where `bytes` begin at the present place. A first candidate, and so each frame of
-    /// a good stream, has no need of registers; where flash counts more than time, it gets its checksum like all others.
+    /// The checksum of `bytes[start..end]`, where `bytes` begin at the present place.
     #[inline]
     pub(crate) fn checksum(&mut self, bytes: &[u8], start: usize, end: usize) -> u16 {
-        if IS_FIRST_APART {
-            let is_first = !self.is_contested();
-            if is_first || self.contested.wrapping_sub(self.place) < end {
-                self.contested = self.place.wrapping_add(end);
-            }
-            if is_first {
-                return crc::checksum(bytes.get(start..end).unwrap_or_default());
-            }
+        if BY_ITSELF && let Some(credit) = self.credit.checked_sub(end) {
+            self.credit = credit;
+            crc::checksum(bytes.get(start..end).unwrap_or_default())
+        } else {
+            self.combined(bytes, start, end)
         }
-        self.combined(bytes, start, end)
     }
 
-    /// Whether the present place belongs to a candidate that was looked at.
+    /// Whether there are many candidates around the present place.
     #[inline]
     pub(crate) fn is_contested(&self) -> bool {
-        (1..=REACH).contains(&self.contested.wrapping_sub(self.place))
+        self.credit < MAX_FRAME
     }
 
     /// Where the present place is in the stream.
@@ -70,6 +71,9 @@ impl Prefixes {
     #[inline]
     pub(crate) fn advance(&mut self, count: usize) {
         self.place = self.place.wrapping_add(count);
+        if BY_ITSELF {
+            self.credit = self.credit.saturating_add(count.saturating_mul(CREDIT)).min(MOST_CREDIT);
+        }
     }
 
     /// The checksum by the registers in the range, and a walk to the first and from the last of them.

@@ -80,7 +80,7 @@ impl<'t> Search<'t> {
         (self.skipped, self.damaged) = (false, 0);
     }
 
-    /// Whether the next bytes are those of frames that were none.
+    /// Whether many frames seem to start around here.
     pub(super) fn is_contested(&self) -> bool {
         self.prefixes.is_contested()
     }
