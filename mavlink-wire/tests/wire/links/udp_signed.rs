@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use mavlink_wire::signing::{Key, Setup, Signer, SigningError, Verifier};
 use mavlink_wire::udp::Endpoint;
-use mavlink_wire::{Dialect, EncodeError, Frame, Sender, Timestamp};
+use mavlink_wire::{Dialect, EncodeError, Frame, MessageInfo, Sender, Table, Timestamp};
 
 use super::{message, read, sent, stream};
 use crate::small::Small;
@@ -53,6 +53,20 @@ fn with_a_verifier_only_a_signed_frame_makes_a_peer() {
     assert_eq!(received, [(sent(0..1)[0].1, peer), (sent(1..2)[0].1, peer)]);
     assert_eq!((station.peers().collect::<Vec<_>>(), station.refused_frames()), (vec![peer], 4));
     assert_eq!(station.verifier().unwrap().streams().len(), 1);
+}
+
+#[test]
+fn what_is_allowed_without_a_signature_makes_no_peer() {
+    static RADIO_STATUS: MessageInfo = MessageInfo::new(109, "RADIO_STATUS", 185, 9);
+    static TABLE: Table<'static> = Table::of(&[&RADIO_STATUS]);
+    let mut station =
+        Endpoint::new(socket(), &TABLE, Sender::v2(255, 190)).with_verifier(Verifier::new(Some(Key::new(KEY))));
+    let bytes = crate::streams::pieces::with_checksum(vec![0xFE, 9, 0, 51, 68, 109, 1, 2, 3, 4, 5, 6, 7, 8, 9], 185);
+    let radio = socket();
+    radio.send_to(&bytes, station.socket().local_addr().unwrap()).unwrap();
+    let (frame, from) = station.receive().unwrap();
+    assert!(frame.message_id() == 109 && frame.is_verified() && from == radio.local_addr().unwrap());
+    assert_eq!((station.peers().len(), station.refused_frames()), (0, 0));
 }
 
 #[test]
