@@ -85,7 +85,8 @@ impl Builder {
     /// Adds another dialect to the same tree: each has its own module, its own type over all messages and its own table.
     ///
     /// Messages of one definition are one type, and enums of one name, width and kind are one type with the constants of
-    /// all, so that code over them works for every dialect. What differs under one name is a type in each module.
+    /// all, so that code over them works for every dialect. What differs under one name is a type in each module: a message
+    /// with another field, an enum in which an entry has another value (M800).
     ///
     /// ```no_run
     /// // `mavlink_wire::include_dialect!("dialects")` gives the modules dialects::acme and dialects::ardupilotmega.

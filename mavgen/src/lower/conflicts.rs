@@ -3,7 +3,7 @@
 
 use super::imports::ITEM;
 use super::items::Items;
-use super::link::Home;
+use super::link::Placement;
 use crate::internal::Internal;
 use crate::ir::EnumId;
 
@@ -30,15 +30,18 @@ impl Items<'_> {
     /// The lines about an enum; none if no other dialect has another of its name.
     pub(super) fn conflicts_of_enum(self, id: EnumId) -> Result<Vec<String>, Internal> {
         let Some(union) = self.union else { return Ok(Vec::new()) };
-        let name = &self.enum_at(id)?.model.name;
+        let own = self.enum_at(id)?.model;
         let mut lines = Vec::new();
         for (index, root) in union.roots.iter().enumerate() {
             for &other in root.enums.iter().filter(|&&other| other != id) {
                 let (ident, other) = (self.enum_type(other)?.ident, self.enum_at(other)?.model);
-                if other.name.text == name.text {
+                if other.name.text == own.name.text {
                     let link = self.link(index, "enums", ident)?;
                     let kind = if other.bitmask { "flags in a" } else { "numbers of type" };
-                    lines.push(format!("In `{}` it is {kind} `{}`: {link}.", root.name, other.repr.name()));
+                    lines.push(match (other.bitmask, other.repr) == (own.bitmask, own.repr) {
+                        true => format!("In `{}` an entry has another value: {link}.", root.name),
+                        false => format!("In `{}` it is {kind} `{}`: {link}.", root.name, other.repr.name()),
+                    });
                 }
             }
         }
@@ -47,7 +50,7 @@ impl Items<'_> {
 
     /// ``[`acme::Sprayer`](super::super::acme::messages::Sprayer)``
     fn link(self, root: usize, module: &str, ident: &str) -> Result<String, Internal> {
-        let (shown, way) = (self.root_module(root)?, self.way(ITEM, Home::Root(root))?);
+        let (shown, way) = (self.root_module(root)?, self.way(ITEM, Placement::Root(root))?);
         Ok(format!("[`{shown}::{ident}`]({way}{module}::{ident})"))
     }
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::folder::Folder;
 use super::items::Items;
-use super::link::Home;
+use super::link::Placement;
 use super::message::alias;
 use crate::internal::Internal;
 use crate::ir::{EnumId, FileIndex};
@@ -123,9 +123,9 @@ impl<'d> Maker<'_, 'd> {
     /// The header of the folder's root module; that of the tree also says what it was made of.
     pub(super) fn root_header(&self) -> Result<String, Internal> {
         let head = self.header(&BTreeSet::new())?;
-        Ok(match self.folder.home {
-            Home::Shared => format!("{head}\n{ROOT_MARK}{}, {}", env!("CARGO_PKG_VERSION"), self.options.sources),
-            Home::Root(_) => head,
+        Ok(match self.folder.placement {
+            Placement::Shared => format!("{head}\n{ROOT_MARK}{}, {}", env!("CARGO_PKG_VERSION"), self.options.sources),
+            Placement::Root(_) => head,
         })
     }
 

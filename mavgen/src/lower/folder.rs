@@ -9,14 +9,14 @@
 //!
 //! The modules of a dialect export all that it has. What is declared there is what another dialect has something else for.
 
-use super::link::{Home, Root, Union};
+use super::link::{Placement, Root, Union};
 use crate::internal::Internal;
 use crate::ir::{Dialect, EnumId};
 
 /// A module with the modules `messages`, `enums` and `views`, as far as it has something for them.
 pub(super) struct Folder<'d> {
     /// What is declared here.
-    pub(super) home: Home,
+    pub(super) placement: Placement,
     /// The dialect whose module it is; `None` for what several share.
     pub(super) dialect: Option<Titled<'d>>,
     /// `mod.rs`, or `acme.rs`.
@@ -46,12 +46,12 @@ pub(super) struct Titled<'d> {
 #[derive(Clone, Copy)]
 pub(super) struct Listed<T> {
     pub(super) item: T,
-    pub(super) home: Home,
+    pub(super) placement: Placement,
 }
 
 impl<T> Listed<T> {
     fn shared(item: T) -> Self {
-        Self { item, home: Home::Shared }
+        Self { item, placement: Placement::Shared }
     }
 }
 
@@ -61,7 +61,7 @@ impl<'d> Folder<'d> {
         let messages = dialect.messages.iter().enumerate();
         let views = messages.flat_map(|(at, message)| (0..message.views.len()).map(move |view| (at, view)));
         Self {
-            home: Home::Shared,
+            placement: Placement::Shared,
             dialect: Some(Titled { name: &dialect.name, type_name }),
             file: "mod.rs".to_owned(),
             prefix: String::new(),
@@ -75,14 +75,14 @@ impl<'d> Folder<'d> {
 
     /// What several dialects share, then the folder of each.
     pub(super) fn of_several(union: &'d Union) -> Result<Vec<Self>, Internal> {
-        let is_shared = |home: &Home| *home == Home::Shared;
+        let is_shared = |placement: &Placement| *placement == Placement::Shared;
         let tops = union.roots.iter().map(|root| top_file(union, root)).collect::<Result<Vec<_>, _>>()?;
-        let enums = union.enum_homes.iter().enumerate().filter(|(_, home)| is_shared(home));
-        let messages = union.message_homes.iter().enumerate().filter(|(_, at)| is_shared(&at.home));
+        let enums = union.enum_placements.iter().enumerate().filter(|(_, placement)| is_shared(placement));
+        let messages = union.message_placements.iter().enumerate().filter(|(_, at)| is_shared(&at.placement));
         let mut messages: Vec<usize> = messages.map(|(at, _)| at).collect();
         messages.sort_by_key(|at| union.all.messages.get(*at).map(|message| message.id));
         let mut folders = vec![Self {
-            home: Home::Shared,
+            placement: Placement::Shared,
             dialect: None,
             file: "mod.rs".to_owned(),
             prefix: String::new(),
@@ -90,7 +90,7 @@ impl<'d> Folder<'d> {
             roots: union.roots.iter().map(|root| root.module.as_str()).collect(),
             messages: messages.into_iter().map(Listed::shared).collect(),
             enums: enums.map(|(at, _)| Listed::shared(EnumId(at))).collect(),
-            views: views(union).filter(|(listed, _)| is_shared(&listed.home)).map(|(listed, _)| listed).collect(),
+            views: views(union).filter(|(listed, _)| is_shared(&listed.placement)).map(|(listed, _)| listed).collect(),
         }];
         for (at, root) in union.roots.iter().enumerate() {
             folders.push(Self::of_root(union, at, root)?);
@@ -101,15 +101,17 @@ impl<'d> Folder<'d> {
     fn of_root(union: &'d Union, at: usize, root: &'d Root) -> Result<Self, Internal> {
         let module = &root.module;
         let enums = root.enums.iter().map(|&item| {
-            let home = union.enum_homes.get(item.0).ok_or_else(|| Internal::new("an enum is declared nowhere"))?;
-            Ok(Listed { item, home: *home })
+            let placement =
+                union.enum_placements.get(item.0).ok_or_else(|| Internal::new("an enum is declared nowhere"))?;
+            Ok(Listed { item, placement: *placement })
         });
         let messages = root.messages.iter().map(|&item| {
-            let at = union.message_homes.get(item).ok_or_else(|| Internal::new("a message is declared nowhere"))?;
-            Ok(Listed { item, home: at.home })
+            let at =
+                union.message_placements.get(item).ok_or_else(|| Internal::new("a message is declared nowhere"))?;
+            Ok(Listed { item, placement: at.placement })
         });
         Ok(Self {
-            home: Home::Root(at),
+            placement: Placement::Root(at),
             dialect: Some(Titled { name: &root.name, type_name: &root.type_name }),
             file: format!("{module}.rs"),
             prefix: format!("{module}/"),
@@ -124,9 +126,9 @@ impl<'d> Folder<'d> {
 
 /// All views, each with the dialects that know it.
 fn views(union: &Union) -> impl Iterator<Item = (Listed<(usize, usize)>, &[usize])> {
-    union.message_homes.iter().enumerate().flat_map(|(message, homes)| {
-        let views = homes.views.iter().enumerate();
-        views.map(move |(view, at)| (Listed { item: (message, view), home: at.home }, at.roots.as_slice()))
+    union.message_placements.iter().enumerate().flat_map(|(message, placements)| {
+        let views = placements.views.iter().enumerate();
+        views.map(move |(view, at)| (Listed { item: (message, view), placement: at.placement }, at.roots.as_slice()))
     })
 }
 

@@ -6,7 +6,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::items::Items;
-use super::link::Home;
+use super::link::Placement;
 use crate::internal::Internal;
 use crate::ir::EnumId;
 use crate::rust::{Mentions, Use};
@@ -16,11 +16,11 @@ pub(super) const ITEM: usize = 2;
 
 impl<'d> Items<'d> {
     /// The way from a file that stands `depth` modules below its folder to the folder `to`: `super::super::acme::`.
-    pub(super) fn way(self, depth: usize, to: Home) -> Result<String, Internal> {
-        let out = depth + usize::from(self.home != to && self.home != Home::Shared);
+    pub(super) fn way(self, depth: usize, to: Placement) -> Result<String, Internal> {
+        let out = depth + usize::from(self.placement != to && self.placement != Placement::Shared);
         let into = match to {
-            Home::Root(root) if self.home != to => format!("{}::", self.root_module(root)?),
-            Home::Root(_) | Home::Shared => String::new(),
+            Placement::Root(root) if self.placement != to => format!("{}::", self.root_module(root)?),
+            Placement::Root(_) | Placement::Shared => String::new(),
         };
         Ok("super::".repeat(out) + &into)
     }
@@ -32,9 +32,13 @@ impl<'d> Items<'d> {
     }
 
     /// Where an enum is declared.
-    fn enum_home(self, id: EnumId) -> Result<Home, Internal> {
-        let Some(union) = self.union else { return Ok(Home::Shared) };
-        union.enum_homes.get(id.0).copied().ok_or_else(|| Internal::new(format!("enum {} is declared nowhere", id.0)))
+    fn enum_home(self, id: EnumId) -> Result<Placement, Internal> {
+        let Some(union) = self.union else { return Ok(Placement::Shared) };
+        union
+            .enum_placements
+            .get(id.0)
+            .copied()
+            .ok_or_else(|| Internal::new(format!("enum {} is declared nowhere", id.0)))
     }
 
     /// The way from the file of an item to the folder of an enum.
@@ -55,11 +59,11 @@ impl<'d> Items<'d> {
 
     /// `use super::super::messages::Heartbeat;`, for the file of a view.
     pub(super) fn use_message(self, at: usize) -> Result<Use, Internal> {
-        let home = match self.union {
-            Some(union) => union.message_homes.get(at).map(|at| at.home),
-            None => Some(Home::Shared),
+        let placement = match self.union {
+            Some(union) => union.message_placements.get(at).map(|at| at.placement),
+            None => Some(Placement::Shared),
         };
-        let home = home.ok_or_else(|| Internal::new(format!("message {at} is declared nowhere")))?;
-        Ok(Use::Names(self.way(ITEM, home)? + "messages", vec![self.message_at(at)?.ty().to_owned()]))
+        let placement = placement.ok_or_else(|| Internal::new(format!("message {at} is declared nowhere")))?;
+        Ok(Use::Names(self.way(ITEM, placement)? + "messages", vec![self.message_at(at)?.ty().to_owned()]))
     }
 }

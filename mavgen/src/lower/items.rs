@@ -1,6 +1,6 @@
 //! What all items are made of.
 
-use super::link::{Home, Union};
+use super::link::{Placement, Union};
 use super::names::Names;
 use crate::internal::Internal;
 use crate::ir::{Dialect, FileIndex, Lifecycle, Origin};
@@ -15,7 +15,7 @@ pub(crate) struct Items<'d> {
     /// The dialects, if there are several.
     pub(super) union: Option<&'d Union>,
     /// The folder of the file that is being made.
-    pub(super) home: Home,
+    pub(super) placement: Placement,
     /// Whether `<deprecated>` becomes `#[deprecated]`.
     pub(super) deprecated: bool,
 }
@@ -23,7 +23,7 @@ pub(crate) struct Items<'d> {
 impl<'d> Items<'d> {
     /// Those of one dialect.
     pub(crate) fn of(dialect: &'d Dialect, names: &'d Names, deprecated: bool) -> Self {
-        Self { dialect, names, union: None, home: Home::Shared, deprecated }
+        Self { dialect, names, union: None, placement: Placement::Shared, deprecated }
     }
 
     /// The name of a file.

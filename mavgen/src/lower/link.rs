@@ -26,19 +26,19 @@ use enums::Enums;
 use files::Files;
 use messages::Messages;
 
-pub(crate) use placement::{Home, MessageHome};
+pub(crate) use placement::{MessagePlacement, Placement};
 
 /// Several dialects, linked.
 #[derive(Clone, Debug)]
 pub(crate) struct Union {
-    /// Every type once, of whatever dialect. Names and ids are not unique here: [`Home`] says which types stand apart.
+    /// Every type once, of whatever dialect. Names and ids are not unique here: [`Placement`] says which types stand apart.
     pub(crate) all: Dialect,
     /// What everything in [`Union::all`] is called.
     pub(crate) names: Names,
     /// Where the enums of [`Union::all`] are declared, in their order.
-    pub(crate) enum_homes: Vec<Home>,
+    pub(crate) enum_placements: Vec<Placement>,
     /// Where the messages of [`Union::all`] are declared, in their order.
-    pub(crate) message_homes: Vec<MessageHome>,
+    pub(crate) message_placements: Vec<MessagePlacement>,
     /// The dialects, in the order in which they were named.
     pub(crate) roots: Vec<Root>,
 }
@@ -104,8 +104,8 @@ pub(crate) fn link(tree: &str, parts: Vec<Part>, diagnostics: &mut Diagnostics) 
         let module = spelling::root_module_name(&dialect.name, tree);
         roots.push(Root { name: dialect.name, module, type_name: names.dialect, file, enums, messages });
     }
-    let enum_homes = placement::of_enums(&enums.list);
-    let message_homes = placement::of_messages(&messages.list);
+    let enum_placements = placement::of_enums(&enums.list);
+    let message_placements = placement::of_messages(&messages.list);
     let (all_enums, enum_names) = enums.list.into_iter().map(|class| (class.item, class.names)).unzip();
     let (all_messages, message_names) =
         messages.list.into_iter().map(|class| (class.item.message, class.names)).unzip();
@@ -113,5 +113,5 @@ pub(crate) fn link(tree: &str, parts: Vec<Part>, diagnostics: &mut Diagnostics) 
     let all =
         Dialect { name: tree.to_owned(), version: 0, files: files.list, enums: all_enums, messages: all_messages };
     let names = Names { dialect, messages: message_names, enums: enum_names };
-    Ok(Union { all, names, enum_homes, message_homes, roots })
+    Ok(Union { all, names, enum_placements, message_placements, roots })
 }

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::docs;
 use super::files::Maker;
 use super::folder::Listed;
-use super::link::Home;
+use super::link::Placement;
 use super::named::NamedAccess;
 use crate::internal::Internal;
 use crate::rust::{Alias, Cell, Child, ChildAccess, Content, Docs, Export, File, Paragraph, Use};
@@ -21,7 +21,7 @@ struct Listing<'d> {
     module: &'d str,
     ident: &'d str,
     /// The folder of the file.
-    home: Home,
+    placement: Placement,
     /// Whether the file names something deprecated.
     expect: bool,
     /// Whether its type is deprecated.
@@ -55,8 +55,8 @@ pub(super) fn root<'d>(maker: &Maker<'_, 'd>) -> Result<File<'d>, Internal> {
         children.push(child(module, ChildAccess::Public, false));
         exports.extend(folder.dialect.map(|_| plain(Use::All((*module).to_owned()))));
     }
-    let docs = match (folder.home, folder.dialect) {
-        (Home::Root(_), Some(dialect)) => {
+    let docs = match (folder.placement, folder.dialect) {
+        (Placement::Root(_), Some(dialect)) => {
             Docs::line(about(dialect.name, !folder.messages.is_empty(), dialect.type_name))
         }
         _ => Docs::default(),
@@ -76,20 +76,20 @@ fn about(name: &str, has_messages: bool, type_name: &str) -> String {
 /// `messages.rs`, with a table of contents by id; the files of the messages go to `files`.
 pub(super) fn messages<'d>(maker: &Maker<'_, 'd>, files: &mut Vec<File<'d>>) -> Result<File<'d>, Internal> {
     let (mut rows, mut listings) = (Vec::new(), Vec::new());
-    for &Listed { item, home } in &maker.folder.messages {
+    for &Listed { item, placement } in &maker.folder.messages {
         let message = maker.items.message_at(item)?;
         let origin = &message.model.origin;
         let (id, link) = (message.model.id.to_string(), docs::link(message.ty()));
         rows.push(vec![Cell::Plain(id), Cell::Plain(link), Cell::FirstSentence(&origin.description)]);
         let (mut expect, mut alias) = (false, None);
-        if home == maker.folder.home {
+        if placement == maker.folder.placement {
             let made = maker.message(item)?;
             (expect, alias) = (made.expect, made.alias);
             files.push(made.file);
         }
         let (name, module) = (&message.model.name.text, &message.names.module);
         let deprecated = maker.items.is_deprecated(origin);
-        listings.push(Listing { name, module, ident: message.ty(), home, expect, deprecated, alias });
+        listings.push(Listing { name, module, ident: message.ty(), placement, expect, deprecated, alias });
     }
     let title = match maker.folder.dialect {
         Some(_) => "The messages of the dialect, one type each.",
@@ -102,17 +102,17 @@ pub(super) fn messages<'d>(maker: &Maker<'_, 'd>, files: &mut Vec<File<'d>>) -> 
 /// `enums.rs`, with a table of contents; the files of the enums go to `files`.
 pub(super) fn enums<'d>(maker: &Maker<'_, 'd>, files: &mut Vec<File<'d>>) -> Result<File<'d>, Internal> {
     let (mut rows, mut listings) = (Vec::new(), Vec::new());
-    for &Listed { item, home } in &maker.folder.enums {
+    for &Listed { item, placement } in &maker.folder.enums {
         let one = maker.items.enum_at(item)?;
         let (model, ident) = (one.model, one.names.ty.as_str());
         let (entries, link) = (model.entries.len().to_string(), docs::link(ident));
         rows.push(vec![Cell::Plain(entries), Cell::Plain(link), Cell::FirstSentence(&model.origin.description)]);
-        if home == maker.folder.home {
+        if placement == maker.folder.placement {
             files.push(maker.enum_(item)?.file);
         }
         let deprecated = maker.items.is_deprecated(&model.origin);
         let (name, module) = (&model.name.text, &one.names.module);
-        listings.push(Listing { name, module, ident, home, expect: deprecated, deprecated, alias: None });
+        listings.push(Listing { name, module, ident, placement, expect: deprecated, deprecated, alias: None });
     }
     let title = match maker.folder.dialect {
         Some(_) => "The enums and flags of the dialect.",
@@ -125,16 +125,16 @@ pub(super) fn enums<'d>(maker: &Maker<'_, 'd>, files: &mut Vec<File<'d>>) -> Res
 /// `views.rs`: the views, and the slots that messages give them in; their files go to `files`.
 pub(super) fn views<'d>(maker: &Maker<'_, 'd>, files: &mut Vec<File<'d>>) -> Result<File<'d>, Internal> {
     let (mut children, mut exports) = (Vec::new(), Vec::new());
-    for &Listed { item, home } in &maker.folder.views {
+    for &Listed { item, placement } in &maker.folder.views {
         let view = maker.items.message_at(item.0)?.view(item.1)?;
         let module = &view.names.module;
-        let from = if home == maker.folder.home {
+        let from = if placement == maker.folder.placement {
             let made = maker.view(item)?;
             files.push(made.file);
             children.push(Child { ident: module.clone(), access: ChildAccess::Private, expect: made.expect });
             module.clone()
         } else {
-            maker.items.way(MODULE, home)? + "views"
+            maker.items.way(MODULE, placement)? + "views"
         };
         let types = match view.access()? {
             NamedAccess::Once(_) => vec![view.ty()],
@@ -156,8 +156,8 @@ fn declare<'d>(maker: &Maker<'_, 'd>, module: &str, mut listings: Vec<Listing<'d
     listings.sort_by_key(|listing| (listing.name, listing.ident));
     let (mut children, mut exports, mut aliases) = (Vec::new(), Vec::new(), Vec::new());
     let mut others: BTreeMap<(String, bool), Vec<String>> = BTreeMap::new();
-    for Listing { name: _, module: file, ident, home, expect, deprecated, alias } in listings {
-        if home == maker.folder.home {
+    for Listing { name: _, module: file, ident, placement, expect, deprecated, alias } in listings {
+        if placement == maker.folder.placement {
             let access = if alias.is_some() { ChildAccess::Hidden } else { ChildAccess::Private };
             children.push(Child { ident: file.to_owned(), access, expect });
             match alias {
@@ -168,7 +168,7 @@ fn declare<'d>(maker: &Maker<'_, 'd>, module: &str, mut listings: Vec<Listing<'d
                 }
             }
         } else {
-            let way = maker.items.way(MODULE, home)? + module;
+            let way = maker.items.way(MODULE, placement)? + module;
             others.entry((way, deprecated)).or_default().push(ident.to_owned());
         }
     }

@@ -25,7 +25,7 @@ pub(crate) fn tree_of_several<'d>(union: &'d Union, options: &'d Options) -> Res
     let items = Items { union: Some(union), ..Items::of(&union.all, &union.names, options.deprecated) };
     let mut files = Vec::new();
     for folder in &Folder::of_several(union)? {
-        files.extend(self::files(&Maker { items: Items { home: folder.home, ..items }, options, folder })?);
+        files.extend(self::files(&Maker { items: Items { placement: folder.placement, ..items }, options, folder })?);
     }
     Ok(files)
 }

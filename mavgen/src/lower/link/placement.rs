@@ -9,7 +9,7 @@ use crate::lower::names::{AccessNames, EnumNames, MessageNames, ViewNames};
 
 /// Where a type is declared. Every dialect that has it exports it, wherever that is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Home {
+pub(crate) enum Placement {
     /// Beside the dialects: no dialect has anything else under its name.
     Shared,
     /// In the module of this dialect, by its place in [`super::Union::roots`]: the first of those that have the type.
@@ -18,33 +18,33 @@ pub(crate) enum Home {
 
 /// Where a message and its views are declared.
 #[derive(Clone, Debug)]
-pub(crate) struct MessageHome {
+pub(crate) struct MessagePlacement {
     /// Of the message.
-    pub(crate) home: Home,
+    pub(crate) placement: Placement,
     /// Of its views, in their order.
-    pub(crate) views: Vec<ViewHome>,
+    pub(crate) views: Vec<ViewPlacement>,
 }
 
 /// Where a view is declared, and who knows it.
 #[derive(Clone, Debug)]
-pub(crate) struct ViewHome {
+pub(crate) struct ViewPlacement {
     /// Of the view.
-    pub(crate) home: Home,
+    pub(crate) placement: Placement,
     /// The dialects whose overlays have it, by their places in [`super::Union::roots`].
     pub(crate) roots: Vec<usize>,
 }
 
 /// Where the enums are declared.
-pub(super) fn of_enums(enums: &[Class<Enum, EnumNames>]) -> Vec<Home> {
+pub(super) fn of_enums(enums: &[Class<Enum, EnumNames>]) -> Vec<Placement> {
     let claims: Vec<_> = enums
         .iter()
         .map(|class| Claim { file: &class.names.module, types: vec![&class.names.ty], roots: &class.roots })
         .collect();
-    homes(&claims)
+    placements(&claims)
 }
 
 /// Where the messages and their views are declared.
-pub(super) fn of_messages(messages: &[Class<Joined, MessageNames>]) -> Vec<MessageHome> {
+pub(super) fn of_messages(messages: &[Class<Joined, MessageNames>]) -> Vec<MessagePlacement> {
     let claims: Vec<_> = messages
         .iter()
         .map(|class| Claim { file: &class.names.module, types: vec![&class.names.ty], roots: &class.roots })
@@ -52,12 +52,14 @@ pub(super) fn of_messages(messages: &[Class<Joined, MessageNames>]) -> Vec<Messa
     let views: Vec<(&ViewNames, &Vec<usize>)> =
         messages.iter().flat_map(|class| class.names.views.iter().zip(&class.item.views)).collect();
     let view_claims: Vec<_> = views.iter().map(|(names, roots)| Claim::of_view(names, roots)).collect();
-    let mut view_homes =
-        homes(&view_claims).into_iter().zip(views).map(|(home, (_, roots))| ViewHome { home, roots: roots.clone() });
-    let each = homes(&claims).into_iter().zip(messages);
-    each.map(|(home, class)| {
-        let views = view_homes.by_ref().take(class.item.message.views.len()).collect();
-        MessageHome { home, views }
+    let mut view_placements = placements(&view_claims)
+        .into_iter()
+        .zip(views)
+        .map(|(placement, (_, roots))| ViewPlacement { placement, roots: roots.clone() });
+    let each = placements(&claims).into_iter().zip(messages);
+    each.map(|(placement, class)| {
+        let views = view_placements.by_ref().take(class.item.message.views.len()).collect();
+        MessagePlacement { placement, views }
     })
     .collect()
 }
@@ -81,7 +83,7 @@ impl<'a> Claim<'a> {
 }
 
 /// A declaration that shares a name with another goes to the first dialect that has it.
-fn homes(claims: &[Claim<'_>]) -> Vec<Home> {
+fn placements(claims: &[Claim<'_>]) -> Vec<Placement> {
     let (mut files, mut types) = (HashMap::<&str, usize>::new(), HashMap::<&str, usize>::new());
     for claim in claims {
         *files.entry(claim.file).or_default() += 1;
@@ -90,9 +92,9 @@ fn homes(claims: &[Claim<'_>]) -> Vec<Home> {
     let alone = |claim: &Claim<'_>| {
         files.get(claim.file) == Some(&1) && claim.types.iter().all(|name| types.get(name) == Some(&1))
     };
-    let home = |claim: &Claim<'_>| match claim.roots.first() {
-        Some(&root) if !alone(claim) => Home::Root(root),
-        _ => Home::Shared,
+    let placement = |claim: &Claim<'_>| match claim.roots.first() {
+        Some(&root) if !alone(claim) => Placement::Root(root),
+        _ => Placement::Shared,
     };
-    claims.iter().map(home).collect()
+    claims.iter().map(placement).collect()
 }

@@ -2,7 +2,8 @@
 
 use std::fs;
 
-use super::{Home, Root, Union};
+use super::{Placement, Root, Union};
+use crate::diag::Code;
 use crate::ir::{EnumId, Lifecycle};
 use crate::{Builder, Failure, Resolved};
 
@@ -38,17 +39,17 @@ fn values(name: &str, attributes: &str, entries: &[(&str, u64)]) -> String {
     format!("<enum name='{name}' {attributes}>{}</enum>", entries.collect::<String>())
 }
 
-/// Names and homes of the messages.
-fn messages(union: &Union) -> Vec<(&str, Home)> {
+/// Names and placements of the messages.
+fn messages(union: &Union) -> Vec<(&str, Placement)> {
     let names = union.all.messages.iter().map(|message| message.name.text.as_str());
-    names.zip(union.message_homes.iter().map(|at| at.home)).collect()
+    names.zip(union.message_placements.iter().map(|at| at.placement)).collect()
 }
 
 #[test]
 fn of_three_definitions_the_equal_ones_are_one_type() {
     let (one, other) = (message(1, "TANK", "type='uint8_t'"), message(1, "TANK", "type='uint16_t'"));
     let union = union(&[("a", &other), ("b", &one), ("c", &one)]);
-    assert_eq!(messages(&union), [("TANK", Home::Root(0)), ("TANK", Home::Root(1))]);
+    assert_eq!(messages(&union), [("TANK", Placement::Root(0)), ("TANK", Placement::Root(1))]);
     let of_roots: Vec<_> = union.roots.iter().map(|root| root.messages.clone()).collect();
     assert_eq!(of_roots, [[0], [1], [1]]);
 }
@@ -60,7 +61,7 @@ fn names_that_are_one_in_rust_are_apart() {
         ("b", &message(1, "FuelTank", "type='uint8_t'")),
         ("c", &message(2, "FUEL", "type='uint8_t'")),
     ]);
-    let apart = [("FUEL_TANK", Home::Root(0)), ("FuelTank", Home::Root(1)), ("FUEL", Home::Shared)];
+    let apart = [("FUEL_TANK", Placement::Root(0)), ("FuelTank", Placement::Root(1)), ("FUEL", Placement::Shared)];
     assert_eq!(messages(&union), apart);
 }
 
@@ -71,7 +72,7 @@ fn width_and_kind_make_an_enum_another() {
         let wrapped = |values: String| format!("<enums>{values}</enums>");
         let union = union(&[("a", &wrapped(a)), ("b", &wrapped(b))]);
         assert_eq!(union.all.enums.len(), types, "{attributes} {entry}");
-        let shared = union.enum_homes.iter().all(|home| *home == Home::Shared);
+        let shared = union.enum_placements.iter().all(|placement| *placement == Placement::Shared);
         assert_eq!(shared, types == 1, "{attributes} {entry}");
         assert_eq!(union.all.enums[0].entries.len(), 3 - types);
     }
@@ -95,8 +96,24 @@ fn an_entry_with_two_values_makes_an_enum_another() {
         assert_eq!((union.all.enums.len(), union.names.enums.len()), (types, types), "{a:?} {b:?}");
         assert_eq!(union.names.enums[0].constants, constants, "{a:?} {b:?}");
         assert_eq!(union.all.enums[0].entries[0].name.text, a[0].0);
-        let apart = union.enum_homes == [Home::Root(0), Home::Root(1)];
+        let apart = union.enum_placements == [Placement::Root(0), Placement::Root(1)];
         assert_eq!(apart, types == 2, "{a:?} {b:?}");
+    }
+}
+
+/// Who bridges two dialects reads at each of the types that there is another.
+#[test]
+fn enums_that_differ_name_each_other() {
+    let wrapped = |value: u64| format!("<enums>{}</enums>", values("E", "", &[("E_A", value)]));
+    let resolved = resolve(&[("a", &wrapped(1)), ("b", &wrapped(2))]).unwrap();
+    assert_eq!(resolved.diagnostics.iter().map(|one| one.code).collect::<Vec<_>>(), [Code::SecondValue]);
+    let files = Builder::new("a.xml").emit(&resolved).unwrap();
+    for (path, line) in [
+        ("a/enums/e.rs", "In `b` an entry has another value: [`b::E`](super::super::super::b::enums::E)."),
+        ("b/enums/e.rs", "In `a` an entry has another value: [`a::E`](super::super::super::a::enums::E)."),
+    ] {
+        let file = files.iter().find(|file| file.path == path).unwrap();
+        assert!(file.text.contains(line), "{}", file.text);
     }
 }
 
@@ -120,7 +137,10 @@ fn a_message_goes_with_its_enums() {
         ) + "<message id='2' name='PLAIN'><field name='a' type='uint8_t'/></message></messages>"
     };
     let union = union(&[("a", &text(1)), ("b", &text(1 << 40))]);
-    assert_eq!(messages(&union), [("TANK", Home::Root(0)), ("PLAIN", Home::Shared), ("TANK", Home::Root(1))]);
+    assert_eq!(
+        messages(&union),
+        [("TANK", Placement::Root(0)), ("PLAIN", Placement::Shared), ("TANK", Placement::Root(1))]
+    );
     let Root { enums, messages, .. } = &union.roots[1];
     assert_eq!((enums.as_slice(), messages.as_slice()), (&[EnumId(1)][..], &[2, 1][..]));
 }
@@ -135,8 +155,8 @@ fn overlays_that_disagree_make_two_types() {
     let union_of =
         |a: &str, b: &str| union(&[("a", &tank), ("b", &tank), ("a.overlay", &bind(a)), ("b.overlay", &bind(b))]);
     let same = union_of("E", "E");
-    assert_eq!((messages(&same), same.all.messages[0].bindings.len()), (vec![("TANK", Home::Shared)], 1));
-    assert_eq!(messages(&union_of("E", "F")), [("TANK", Home::Root(0)), ("TANK", Home::Root(1))]);
+    assert_eq!((messages(&same), same.all.messages[0].bindings.len()), (vec![("TANK", Placement::Shared)], 1));
+    assert_eq!(messages(&union_of("E", "F")), [("TANK", Placement::Root(0)), ("TANK", Placement::Root(1))]);
 }
 
 #[test]
