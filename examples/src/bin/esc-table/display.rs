@@ -36,6 +36,9 @@ impl<W: Write> Display<W> {
         vehicle.heard = heard;
         let update = vehicle.table.update(&telemetry);
         let now_us = vehicle.table.uptime_us();
+        if update == Update::Restarted {
+            vehicle.shown_us = None;
+        }
         // With a batch missing, a cycle is never complete.
         let patience = if update == Update::Complete { SECOND_US } else { 2 * SECOND_US };
         if *vehicle.shown_us.get_or_insert(now_us.saturating_sub(SECOND_US)) + patience > now_us {
