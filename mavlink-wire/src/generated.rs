@@ -5,6 +5,7 @@
 pub use crate::message::dialect::{decode_variant, decode_variant_into};
 pub use crate::message::enums::{debug_entry, fmt_entry, parse};
 pub use crate::message::flags::{fmt_flags, parse_flags};
+pub use crate::message::record::Several;
 pub use crate::message::scale::raw_of;
 pub use crate::message::wire::{Wire, get, put, zero_extended};
 pub use crate::parser::table::{index, index_length};
@@ -26,9 +27,14 @@ pub use crate::glue::defmt;
 #[cfg(feature = "serde")]
 #[doc(hidden)]
 pub mod serde {
+    pub use serde_core::de::{EnumAccess, MapAccess, SeqAccess, Visitor};
     pub use serde_core::{Deserialize, Deserializer, Serialize, Serializer};
 
     pub use crate::glue::serde::dialect::{deserialize_dialect, serialize_dialect};
+    pub use crate::glue::serde::held::{
+        Fields, needed, next_element, next_name, no_variant, number, read_fields, read_once, serialize_variant, skip,
+        unit, variant,
+    };
     pub use crate::glue::serde::message::{deserialize_message, serialize_message};
     pub use crate::glue::serde::value::{deserialize_enum, serialize_enum};
 }

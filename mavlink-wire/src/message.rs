@@ -7,6 +7,7 @@ mod field;
 pub mod flags;
 pub(crate) mod float;
 mod info;
+pub(crate) mod record;
 pub(crate) mod scale;
 pub(crate) mod wire;
 

@@ -1,9 +1,10 @@
 //! Messages in the log of a small device: what is sent over the wire contains what the message says.
 
 use mavlink_autoquad::autoquad::{
-    AqEscTelemetry, Autoquad, GpsRawInt, Heartbeat, MavAutopilot, MavModeFlag, MavState, MavType, SetupSigning,
-    Statustext,
+    AqEscTelemetry, Autoquad, Esc, Esc32State, Esc32Status, GpsRawInt, Heartbeat, MavAutopilot, MavModeFlag, MavState,
+    MavType, SetupSigning, Statustext,
 };
+use mavlink_autoquad::esc::{DisarmReason, Update};
 use mavlink_conformance::payload::Fill;
 use mavlink_conformance::random::Random;
 use mavlink_wire::reflect::Reflected;
@@ -104,7 +105,7 @@ fn frames_and_errors_are_logged() {
     let (mut sender, mut buffer) = (Sender::v2(7, 8), [0; MAX_FRAME]);
     let bytes = sender.encode(&AqEscTelemetry { seq: 9, ..AqEscTelemetry::DEFAULT }, &mut buffer).unwrap();
     let frame = Frame::parse(bytes, Autoquad::TABLE).unwrap();
-    let expected = [&[0, 7, 8][..], &152_u32.to_le_bytes(), frame.payload()];
+    let expected = [&[7][..], &[8], &152_u32.to_le_bytes(), frame.payload()];
     assert!(has(&log(&frame), &expected), "{:?}", log(&frame));
     assert!(has(&log(&FrameBuf::from(frame)), &expected));
     assert!(has(&log(&EncodeError::IdTooLarge { message_id: 300 }), &[&300_u32.to_le_bytes()]));
@@ -116,7 +117,7 @@ fn a_key_is_logged_by_no_frame() {
     let (mut sender, mut buffer) = (Sender::v2(255, 190), [0; MAX_FRAME]);
     let frame = Frame::parse(sender.encode(&setup, &mut buffer).unwrap(), Autoquad::TABLE).unwrap();
     for logged in [log(&frame), log(&FrameBuf::from(frame))] {
-        assert!(has(&logged, &[&[0, 255, 190], &256_u32.to_le_bytes()]));
+        assert!(has(&logged, &[&[255], &[190], &256_u32.to_le_bytes()]));
         assert!(!has(&logged, &[&[0xA7; 2]]), "{logged:?}");
     }
 }
@@ -133,4 +134,18 @@ fn what_a_link_tells_of_itself_is_logged() {
     assert!(has(&log(&refused), &[&[0; 4]]));
     assert!(has(&log(&Timestamp::new(77)), &[&77_u64.to_le_bytes()]));
     assert!(has(&log(&parser.statistics()), &[&1_u64.to_le_bytes()]));
+}
+
+#[test]
+fn views_slots_and_reasons_say_what_they_hold() {
+    let status = Esc32Status::from_bits(0, 3).with_state(Esc32State::RUNNING).unwrap().with_rpm(6543).unwrap();
+    let parts =
+        [sent("Esc32Status"), sent("state"), sent("ESC32_STATE_RUNNING"), sent("rpm"), 6543_u16.to_le_bytes().to_vec()];
+    let parts: Vec<&[u8]> = parts.iter().map(Vec::as_slice).collect();
+    assert!(has(&log(&status), &parts), "{:?}", log(&status));
+    let (esc, age) = (sent("Esc"), sent("age_ms"));
+    let all: Vec<&[u8]> = [esc.as_slice(), &age].into_iter().chain(parts).collect();
+    assert!(has(&log(&Esc { id: 1, age_ms: Some(5), status: Some(status) }), &all));
+    assert!(has(&log(&DisarmReason::Undefined(9)), &[&sent("Undefined"), &[9]]));
+    assert!(has(&log(&Update::Restarted), &[&sent("Restarted")]));
 }

@@ -3,11 +3,13 @@
 use std::fmt::Debug;
 
 use mavlink_autoquad::autoquad::{
-    Attitude, Autoquad, BatteryStatus, GpsRawInt, GpsStatus, Heartbeat, MavAutopilot, MavModeFlag, MavState, MavType,
-    NamedValueFloat, ParamSet, Statustext,
+    AqEscTelemetry, Attitude, Autoquad, BatteryStatus, Esc, Esc32State, Esc32Status, GpsRawInt, GpsStatus, Heartbeat,
+    MavAutopilot, MavModeFlag, MavState, MavType, NamedValueFloat, ParamSet, Statustext,
 };
+use mavlink_autoquad::esc::{DisarmReason, EscTable};
 use mavlink_conformance::payload::{Canonical, Fill};
 use mavlink_conformance::random::Random;
+use mavlink_wire::generated::serde::{Deserialize, Serialize};
 use mavlink_wire::{Chars, Dialect, Encode, Frame, MAX_PAYLOAD, Message};
 use proptest::prelude::*;
 use serde_json::{Value, json};
@@ -422,4 +424,48 @@ fn enums_and_flags_survive_alone() {
     assert_eq!(serde_json::to_string(&MavModeFlag::empty()).unwrap(), r#""""#);
     assert_eq!(serde_json::from_str::<MavModeFlag>("0").unwrap(), MavModeFlag::empty());
     assert_eq!(serde_json::to_string(&MavState(200)).unwrap(), "200");
+}
+
+/// Writes a value for people and for programs, and reads it again.
+fn survives<T: Debug + PartialEq + Serialize + for<'de> Deserialize<'de>>(value: &T) -> Value {
+    let text = serde_json::to_string(value).unwrap();
+    assert_eq!(&serde_json::from_str::<T>(&text).unwrap(), value, "{text}");
+    let mut buffer = [0; 64];
+    let bytes = postcard::to_slice(value, &mut buffer).unwrap();
+    assert_eq!(&postcard::from_bytes::<T>(bytes).unwrap(), value, "{bytes:?}");
+    serde_json::from_str(&text).unwrap()
+}
+
+#[test]
+fn views_slots_and_rows_survive() {
+    let status = Esc32Status::from_bits(0, 2).with_state(Esc32State::RUNNING).unwrap().with_rpm(6543).unwrap();
+    let seen = survives(&status);
+    assert_eq!((&seen["bits"], &seen["data_version"]), (&json!(status.bits()), &json!(2)));
+    assert_eq!((&seen["state"], &seen["rpm"]), (&json!("ESC32_STATE_RUNNING"), &json!(6543)));
+    assert_eq!((&seen["errors"], &seen["temperature"]), (&json!(0), &Value::Null));
+    let seen = survives(&Esc { id: 3, age_ms: None, status: Some(status) });
+    assert_eq!((&seen["id"], &seen["age_ms"], &seen["status"]["voltage"]), (&json!(3), &Value::Null, &json!(0.0)));
+    survives(&Esc::default());
+
+    let mut table = EscTable::new();
+    let telemetry = AqEscTelemetry { seq: 1, num_motors: 1, num_in_seq: 1, escid: [1; 4], ..AqEscTelemetry::DEFAULT };
+    assert_eq!(survives(&table.update(&telemetry)), json!("Complete"));
+    assert_eq!(survives(table.get(1).unwrap())["silent"], json!(true));
+    assert_eq!(survives(&table.counts())["cycles"], json!(1));
+    assert_eq!(survives(&DisarmReason::CrossingTimeout), json!("CrossingTimeout"));
+    assert_eq!(survives(&DisarmReason::Undefined(9)), json!({ "Undefined": 9 }));
+}
+
+#[test]
+fn what_is_no_view_or_reason_is_an_error() {
+    for wrong in
+        ["{}", r#"{"bits":1}"#, r#"{"bits":1,"bits":1,"data_version":3}"#, r#"{"bits":-1,"data_version":3}"#, "3"]
+    {
+        assert!(serde_json::from_str::<Esc32Status>(wrong).is_err(), "{wrong}");
+    }
+    let told = r#"{"data_version":3,"rpm":1,"bits":7}"#;
+    assert_eq!(serde_json::from_str::<Esc32Status>(told).unwrap(), Esc32Status::from_bits(7, 3), "the bits decide");
+    for wrong in [r#""Ready""#, r#"{"Startup":1}"#, r#""Undefined""#, r#"{"Undefined":256}"#] {
+        assert!(serde_json::from_str::<DisarmReason>(wrong).is_err(), "{wrong}");
+    }
 }

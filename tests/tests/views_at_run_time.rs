@@ -257,7 +257,7 @@ fn levels(message: &packed::Event) -> Vec<Seen> {
 }
 
 fn all_channels(message: &packed::RadioRcChannels) -> Vec<Seen> {
-    let slot = |slot: packed::Channel| (vec![], slot.status.map(|v| members! { "position" [v.position()]; }));
+    let slot = |slot: packed::Channel| (vec![], Some(members! { "position" [slot.status.position()]; }));
     message.all_channels().map(slot).collect()
 }
 

@@ -67,11 +67,11 @@ impl Side {
 }
 
 impl Name {
-    /// The field, constant or method that it is about: `set_level` is about `level`.
+    /// The field, constant or method that it is about: `set_level` and `with_level` are about `level`.
     fn stem(&self) -> &str {
         match self {
             Self::Field(name) | Self::Constant(name) | Self::Trait(name) => name,
-            Self::Method(name) => name.strip_prefix("set_").unwrap_or(name),
+            Self::Method(name) => beside(name).map_or(name, |(_, stem)| stem),
         }
     }
 
@@ -177,16 +177,26 @@ fn deprecation(item: &str, old: bool, new: bool) -> Option<Change> {
     }
 }
 
+/// What methods beside a getter are called.
+const BESIDE: [&str; 3] = ["set_", "with_", "iter_"];
+
+/// A method that stands beside a getter: its prefix, and the getter.
+pub(super) fn beside(method: &str) -> Option<(&'static str, &str)> {
+    BESIDE.into_iter().find_map(|prefix| Some((prefix, method.strip_prefix(prefix)?)))
+}
+
 /// One change where a field, its getter and its setter share one: that of the first of them.
 fn once(changes: Vec<(Kind, &Name, Change)>) -> Vec<Change> {
     let rank = |name: &Name| match name {
-        Name::Method(method) if method.starts_with("set_") => 2,
-        Name::Method(_) => 1,
+        Name::Method(method) => {
+            let prefix = BESIDE.iter().position(|prefix| method.starts_with(prefix));
+            prefix.map_or(1, |at| at + 2)
+        }
         _ => 0,
     };
-    let mut first: HashMap<(Kind, &str), u8> = HashMap::new();
+    let mut first: HashMap<(Kind, &str), usize> = HashMap::new();
     for (kind, name, _) in &changes {
-        let best = first.entry((*kind, name.stem())).or_insert(u8::MAX);
+        let best = first.entry((*kind, name.stem())).or_insert(usize::MAX);
         *best = rank(name).min(*best);
     }
     let is_first = |kind: Kind, name: &Name| first.get(&(kind, name.stem())) == Some(&rank(name));

@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use super::api::beside;
 use super::pairs::Pairs;
 use super::state::{State, constant, field};
 use super::surface::Name;
@@ -57,8 +58,8 @@ impl<'a> Renamed<'a> {
             Name::Field(field) => Name::Field(now(field).unwrap_or_else(|| field.clone())),
             Name::Constant(constant) => Name::Constant(now(constant).unwrap_or_else(|| constant.clone())),
             Name::Method(method) => {
-                let setter = || method.strip_prefix("set_").and_then(now).map(|field| format!("set_{field}"));
-                Name::Method(now(method).or_else(setter).unwrap_or_else(|| method.clone()))
+                let other = || beside(method).and_then(|(prefix, stem)| Some(format!("{prefix}{}", now(stem)?)));
+                Name::Method(now(method).or_else(other).unwrap_or_else(|| method.clone()))
             }
             Name::Trait(of) => Name::Trait(self.signature(of)),
         }

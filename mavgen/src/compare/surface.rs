@@ -149,7 +149,8 @@ fn signature(sig: &Sig<'_>) -> String {
     let Sig { public: _, is_const, receiver, params, result } = sig;
     let receiver = match receiver {
         Receiver::None => None,
-        Receiver::Value => Some("self".to_owned()),
+        // That a value may be changed inside is nobody's business.
+        Receiver::Value | Receiver::MutValue => Some("self".to_owned()),
         Receiver::Ref => Some("&self".to_owned()),
         Receiver::Mut => Some("&mut self".to_owned()),
     };
@@ -196,9 +197,16 @@ fn ty(of: &Ty<'_>) -> String {
         Ty::Named(name) => (*name).to_owned(),
         Ty::Array(inner, length) => format!("[{}; {length}]", ty(inner)),
         Ty::Option(inner) => format!("Option<{}>", ty(inner)),
-        Ty::Fallible(Error::OutOfRange) => "Result<(), wire::OutOfRange>".to_owned(),
-        Ty::Fallible(Error::View) => "Result<(), wire::ViewError>".to_owned(),
+        Ty::Fallible(error) => format!("Result<(), {}>", error_type(*error)),
+        Ty::Made(error) => format!("Result<Self, {}>", error_type(*error)),
         Ty::Params => "&'static [wire::ParamInfo]".to_owned(),
         Ty::Iterator(item) => format!("impl Iterator<Item = {}> + '_", ty(item)),
+    }
+}
+
+fn error_type(error: Error) -> &'static str {
+    match error {
+        Error::OutOfRange => "wire::OutOfRange",
+        Error::View => "wire::ViewError",
     }
 }

@@ -14,6 +14,7 @@ pub(super) fn method(method: &Method<'_>) -> TokenStream {
     let Sig { public, is_const, receiver, params, result } = sig;
     let (docs, name, body) = (doc::documentation(docs), ident(name), body(kind));
     let inline = inline.then(|| quote!(#[inline]));
+    let must_use = (*receiver == Receiver::MutValue && *result == Ty::Own).then(|| quote!(#[must_use]));
     let public = public.then(|| quote!(pub));
     let is_const = is_const.then(|| quote!(const));
     let receiver = match receiver {
@@ -21,6 +22,7 @@ pub(super) fn method(method: &Method<'_>) -> TokenStream {
         Receiver::Value => Some(quote!(self)),
         Receiver::Ref => Some(quote!(&self)),
         Receiver::Mut => Some(quote!(&mut self)),
+        Receiver::MutValue => Some(quote!(mut self)),
     };
     let params = params.iter().map(|param| {
         let (name, ty) = (ident(param.ident), ty(&param.ty));
@@ -37,6 +39,7 @@ pub(super) fn method(method: &Method<'_>) -> TokenStream {
     quote! {
         #docs
         #inline
+        #must_use
         #public #is_const fn #name(#(#params),*) #result {
             #body
         }
@@ -56,6 +59,7 @@ fn body(kind: &Kind<'_>) -> TokenStream {
         }
         Kind::MemberGet(of) => bits::get(of),
         Kind::MemberSet(of) => bits::set(of),
+        Kind::With { set, indexed, fallible } => with(set, *indexed, *fallible),
         Kind::ScaledGet(scale) => scaled::get(scale),
         Kind::ScaledSet(scale) => scaled::set(scale),
         Kind::ExactGet(scale) => scaled::exact(scale),
@@ -69,10 +73,28 @@ fn body(kind: &Kind<'_>) -> TokenStream {
         Kind::Params => params(),
         Kind::SentinelGet(sentinel) => accessor::get(sentinel),
         Kind::SentinelSet(sentinel) => accessor::set(sentinel),
+        Kind::SentinelIter(sentinel) => accessor::iter(sentinel),
         Kind::EnumGet(convert) => accessor::get_enum(convert),
         Kind::EnumSet(convert) => accessor::set_enum(convert),
         Kind::BindGet(bind) => bind_get(bind),
         Kind::BindSet(bind) => bind_set(bind),
+    }
+}
+
+/// `self.set_rpm(value)`, and then `self`; a `match`, because `?` is for no `const fn`.
+fn with(set: &str, indexed: bool, fallible: bool) -> TokenStream {
+    let (set, index) = (ident(set), indexed.then(|| quote!(index,)));
+    if !fallible {
+        return quote! {
+            self.#set(#index value);
+            self
+        };
+    }
+    quote! {
+        match self.#set(#index value) {
+            Ok(()) => Ok(self),
+            Err(error) => Err(error),
+        }
     }
 }
 

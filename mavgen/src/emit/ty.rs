@@ -33,13 +33,20 @@ pub(super) fn ty(of: &Ty<'_>) -> TokenStream {
             let inner = ty(inner);
             quote!(Option<#inner>)
         }
-        Ty::Fallible(Error::OutOfRange) => quote!(Result<(), wire::OutOfRange>),
-        Ty::Fallible(Error::View) => quote!(Result<(), wire::ViewError>),
+        Ty::Fallible(error) => result(&quote!(()), *error),
+        Ty::Made(error) => result(&quote!(Self), *error),
         Ty::Params => quote!(&'static [wire::ParamInfo]),
         Ty::Iterator(item) => {
             let item = ty(item);
             quote!(impl Iterator<Item = #item> + '_)
         }
+    }
+}
+
+fn result(of: &TokenStream, error: Error) -> TokenStream {
+    match error {
+        Error::OutOfRange => quote!(Result<#of, wire::OutOfRange>),
+        Error::View => quote!(Result<#of, wire::ViewError>),
     }
 }
 

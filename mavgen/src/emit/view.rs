@@ -19,11 +19,13 @@
 //!         ((self.bits >> 29) & 0x7fff) as u16
 //!     }
 //! }
+//!
+//! wire::view!(EscStatus { bits, data_version } [rpm, …]);
 //! ```
 
 mod debug;
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::body::slots;
@@ -31,25 +33,36 @@ use super::doc;
 use super::method::method;
 use super::token::ident;
 use super::ty::int;
-use crate::rust::View;
+use crate::rust::{Docs, View};
 
 /// The items of a view's file, without its imports.
 pub(super) fn view(view: &View<'_>) -> TokenStream {
-    let View { ident: name, docs, storage, switch, methods, debug, slot, message, message_methods } = view;
-    let (docs, debug) = (doc::documentation(docs), debug::debug(name, debug));
+    let View { ident: name, docs, storage, switch, methods, debug: members, slot, message, message_methods } = view;
+    let (docs, debug) = (doc::documentation(docs), debug::debug(name, members));
     let (name, message, storage) = (ident(name), ident(message), int(*storage));
-    let switch = switch.map(|(name, of)| {
-        let (name, of) = (ident(name), int(of));
-        quote!(#name: #of,)
+    let layout = switch.as_ref().map(|(name, _)| ident(name));
+    let carried = layout.as_ref().map(|layout| quote!(, #layout));
+    let members = members.iter().map(|member| {
+        let (name, count) = (ident(member.ident), member.count.map(Literal::u8_unsuffixed));
+        let count = count.map(|count| quote!([#count]));
+        quote!(#name #count)
     });
+    let zero = layout.iter().map(|layout| quote!(#layout: 0));
+    let empty = doc::documentation(&Docs::line("All bits zero."));
+    let switch = switch.as_ref().map(|(_, of)| int(*of)).map(|of| quote!(#layout: #of,));
     let (methods, message_methods) = (methods.iter().map(method), message_methods.iter().map(method));
     let slot = slot.as_ref().map(slots::declaration);
     quote! {
         #docs
         #[derive(Clone, Copy, PartialEq, Eq, Hash)]
         pub struct #name { bits: #storage, #switch }
-        impl #name { #(#methods)* }
+        impl #name {
+            #empty
+            pub const EMPTY: Self = Self { bits: 0 #(, #zero)* };
+            #(#methods)*
+        }
         #debug
+        wire::view!(#name { bits #carried } [#(#members),*]);
         #slot
         impl #message { #(#message_methods)* }
     }

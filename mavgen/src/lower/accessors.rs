@@ -1,6 +1,7 @@
 //! Getters and setters beside the plain fields: for sentinels ("not known"), and for enums in fields of another width.
 
 use super::items::Items;
+use super::methods;
 use super::named::{NamedField, NamedMessage, spelled};
 use crate::internal::Internal;
 use crate::ir::{self, EnumId, Invalid, Scalar, Scope, Values};
@@ -14,7 +15,11 @@ impl<'d> Items<'d> {
             let field = message.field(index)?;
             accessors.extend(match (field.model.values, &field.model.invalid) {
                 (Some(Values::Converted(id)), _) => self.converted(field, id)?,
-                (_, Some(invalid)) => self.optional(field, invalid)?,
+                (_, Some(invalid)) => {
+                    accessors.extend(self.optional(field, invalid)?);
+                    accessors.extend(self.known(field, invalid)?);
+                    continue;
+                }
                 (_, None) => return Err(Internal::new(format!("no accessor suits {}", field.ident))),
             });
         }
@@ -57,6 +62,26 @@ impl<'d> Items<'d> {
         };
         let kinds = [Kind::SentinelGet(sentinel.clone()), Kind::SentinelSet(sentinel)];
         Ok(pair(field.ident, [Sig::getter(value).indexed(indexed), setter], docs, kinds))
+    }
+
+    /// The elements of an array, each of which may be unknown.
+    fn known(self, field: NamedField<'d>, invalid: &Invalid) -> Result<Option<Method<'d>>, Internal> {
+        let extent = match (invalid.scope, field.model.ty.array) {
+            (Scope::Each, Some(_)) => Extent::Each,
+            (Scope::First, Some(_)) => Extent::First,
+            _ => return Ok(None),
+        };
+        let name = field.ident;
+        let sentinel = Sentinel { field: name, unknown: self.unknown(field, invalid)?, extent };
+        let element = self.element(field)?.ty().optional(true);
+        let docs = format!("The elements of `{}`, each `None` where the sender does not know it.", spelled(name));
+        Ok(Some(Method {
+            ident: methods::iterator(name),
+            sig: Sig::getter(Ty::Iterator(Box::new(element))),
+            docs: Docs::line(docs),
+            inline: true,
+            kind: Kind::SentinelIter(sentinel),
+        }))
     }
 
     /// An enum in a field of another width or sign: scalars without, arrays with an index.

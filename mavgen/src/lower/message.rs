@@ -1,7 +1,7 @@
 //! A message: its fields, its methods and its documentation.
 
 use super::items::Items;
-use super::named::{NamedField, NamedMessage};
+use super::named::{NamedAccess, NamedField, NamedMessage, spelled};
 use super::{docs, types};
 use crate::docs::line;
 use crate::internal::Internal;
@@ -17,7 +17,7 @@ impl<'d> Items<'d> {
         Ok(Struct {
             ident: message.ty(),
             alias: docs::alias(&message.model.name.text, message.ty()),
-            docs: self.message_docs(message.model, conflicts)?,
+            docs: self.message_docs(message, conflicts)?,
             deprecated: self.deprecation(&message.model.origin),
             fields: message.fields().map(|field| self.message_field(message, field)).collect::<Result<_, _>>()?,
             methods,
@@ -44,7 +44,8 @@ impl<'d> Items<'d> {
     }
 
     /// The description, the facts of the frame and the wire table.
-    fn message_docs(self, message: &'d Message, conflicts: Vec<String>) -> Result<Docs<'d>, Internal> {
+    fn message_docs(self, named: NamedMessage<'d>, conflicts: Vec<String>) -> Result<Docs<'d>, Internal> {
+        let message = named.model;
         let file = self.file_name(message.origin.file)?;
         let Message { id, name, crc_extra, len_v1, len_v2, .. } = message;
         let length = match (len_v1 == len_v2, *id > 255) {
@@ -57,8 +58,31 @@ impl<'d> Items<'d> {
         let facts = format!("`{}`, message {id} of `{file}`: {length}, CRC_EXTRA {crc_extra}{reach}.", name.text);
         let facts = [facts].into_iter().chain(docs::reference(file, &name.text)).collect();
         let mut paragraphs = docs::description(&message.origin);
-        paragraphs.extend([Paragraph::Lines(facts), Paragraph::Lines(conflicts), wire_table(message)]);
+        let given = self.overlay_methods(named)?;
+        paragraphs.extend([
+            Paragraph::Lines(facts),
+            Paragraph::Lines(conflicts),
+            Paragraph::Lines(given),
+            wire_table(message),
+        ]);
         Ok(Docs(paragraphs))
+    }
+
+    /// What overlays give the message beside its fields.
+    fn overlay_methods(self, message: NamedMessage<'d>) -> Result<Vec<String>, Internal> {
+        let views = (0..message.model.views.len()).map(|at| {
+            let view = message.view(at)?;
+            let getter = match view.access()? {
+                NamedAccess::Once(getter) => getter,
+                NamedAccess::Slots(slots) => slots.items,
+            };
+            Ok(format!("- [`Self::{getter}()`]: packed bits, as `{}`.", view.ty()))
+        });
+        let bindings = message.bindings().map(|(binding, getter)| {
+            let (field, bound) = (message.field(binding.field)?.ident, self.enum_type(binding.values)?);
+            Ok(format!("- [`Self::{getter}()`]: `{}`, as [`{}`].", spelled(field), bound.ident))
+        });
+        views.chain(bindings).collect()
     }
 
     /// The description; then units, range, enum, sentinel, whether MAVLink 1 has it and whether it is a secret.

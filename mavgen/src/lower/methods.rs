@@ -4,7 +4,7 @@ use super::names::{AccessNames, MessageNames, ViewNames};
 use super::namespace::{Claim, Collision, Namespace, Scope, What};
 use super::{collision, spelling};
 use crate::diag::Diagnostics;
-use crate::ir::{Access, Field, FieldIndex, Label, Meaning, Member, Message, Name, Scalar, Values, View};
+use crate::ir::{self, Access, Field, FieldIndex, Label, Meaning, Member, Message, Name, Scalar, Values, View};
 
 /// Checks the methods of a message and of its views, and decides which fields have a getter and a setter.
 pub(super) fn check(message: &Message, names: &MessageNames, diagnostics: &mut Diagnostics) -> Vec<FieldIndex> {
@@ -13,7 +13,7 @@ pub(super) fn check(message: &Message, names: &MessageNames, diagnostics: &mut D
     let mut accessors = Vec::new();
     for (index, (field, name)) in message.fields.iter().zip(&names.fields).enumerate() {
         if has_accessors(field) {
-            match methods.claim_all(&[name.clone(), setter(name)], claim(What::Accessors, &field.name)) {
+            match methods.claim_all(&accessor_names(field, name), claim(What::Accessors, &field.name)) {
                 None => accessors.push(FieldIndex(index)),
                 Some(collision) => found.push(collision),
             }
@@ -42,6 +42,19 @@ pub(super) fn check(message: &Message, names: &MessageNames, diagnostics: &mut D
 fn has_accessors(field: &Field) -> bool {
     let text = field.ty.scalar == Scalar::Char && field.ty.array.is_some();
     matches!(field.values, Some(Values::Converted(_))) || field.invalid.is_some() && !text
+}
+
+/// The methods of a field that has some.
+fn accessor_names(field: &Field, name: &str) -> Vec<String> {
+    let each = field.invalid.as_ref().is_some_and(|invalid| invalid.scope != ir::Scope::Whole);
+    let several = field.ty.array.is_some() && each && !matches!(field.values, Some(Values::Converted(_)));
+    let iterator = several.then(|| iterator(name));
+    [name.to_owned(), setter(name)].into_iter().chain(iterator).collect()
+}
+
+/// The iterator over the elements of a field.
+pub(super) fn iterator(name: &str) -> String {
+    format!("iter_{name}")
 }
 
 /// The methods that a binding gives to its message.
@@ -95,10 +108,11 @@ fn of_view<'a>(view: &'a View, names: &ViewNames, found: &mut Vec<Collision<'a>>
 
 /// The methods of bits.
 fn member_methods(member: &Member, name: &str) -> Vec<String> {
-    let Meaning::Scaled(scaled) = &member.meaning else { return vec![name.to_owned(), setter(name)] };
+    let with = format!("with_{name}");
+    let Meaning::Scaled(scaled) = &member.meaning else { return vec![name.to_owned(), setter(name), with] };
     let raw = spelling::beside(name, "raw");
     let exact = scaled.exact.as_ref().map(|exact| spelling::beside(name, &exact.suffix()));
-    let setters = [setter(name), setter(&raw)];
+    let setters = [setter(name), setter(&raw), with];
     [name.to_owned(), raw].into_iter().chain(exact).chain(setters).collect()
 }
 

@@ -58,7 +58,8 @@ impl<'d> Mentions<'d> {
             | Ty::Own
             | Ty::Named(_)
             | Ty::Fallible(_)
-            | Ty::Params => {}
+            | Ty::Params
+            | Ty::Made(_) => {}
         }
     }
 
@@ -82,9 +83,9 @@ impl<'d> Mentions<'d> {
                 bind.when.iter().for_each(|test| self.test(test));
             }
             Kind::BindSet(bind) => self.named(bind.bound),
-            Kind::SentinelGet(Sentinel { unknown, .. }) | Kind::SentinelSet(Sentinel { unknown, .. }) => {
-                self.unknown(*unknown)
-            }
+            Kind::SentinelGet(Sentinel { unknown, .. })
+            | Kind::SentinelSet(Sentinel { unknown, .. })
+            | Kind::SentinelIter(Sentinel { unknown, .. }) => self.unknown(*unknown),
             Kind::EnumGet(convert) => {
                 self.named(convert.to);
                 convert.unknown.into_iter().for_each(|unknown| self.unknown(unknown));
@@ -96,7 +97,7 @@ impl<'d> Mentions<'d> {
             | Kind::SwitchGet(_)
             | Kind::Slots { .. }
             | Kind::SlotSet { .. } => {}
-            Kind::ScaledGet(_) | Kind::ScaledSet(_) | Kind::ExactGet(_) => {}
+            Kind::With { .. } | Kind::ScaledGet(_) | Kind::ScaledSet(_) | Kind::ExactGet(_) => {}
         }
     }
 

@@ -35,6 +35,8 @@ pub(crate) enum Receiver {
     Ref,
     /// `&mut self`
     Mut,
+    /// `mut self`
+    MutValue,
 }
 
 /// `index: usize`
@@ -57,6 +59,8 @@ pub(crate) enum Kind<'d> {
     MemberGet(BitField<'d>),
     /// Of a view: sets some of its bits.
     MemberSet(BitField<'d>),
+    /// Of a view: itself, after this setter.
+    With { set: String, indexed: bool, fallible: bool },
     /// Of a view: the value that a raw number stands for.
     ScaledGet(Scale<'d>),
     /// Of a view: sets the raw number that stands for a value.
@@ -83,6 +87,8 @@ pub(crate) enum Kind<'d> {
     SentinelGet(Sentinel<'d>),
     /// Of a message: sets a field that may be unknown.
     SentinelSet(Sentinel<'d>),
+    /// Of a message: the elements of a field, each of which may be unknown.
+    SentinelIter(Sentinel<'d>),
     /// Of a message: a field as an enum of another width or sign.
     EnumGet(Convert<'d>),
     /// Of a message: sets a field from an enum of another width or sign.
@@ -108,6 +114,15 @@ impl<'d> Sig<'d> {
     /// Of a type that is copied: `pub const fn …(self) -> T`
     pub(crate) fn const_getter(result: Ty<'d>) -> Self {
         Self { is_const: true, receiver: Receiver::Value, ..Self::getter(result) }
+    }
+
+    /// Of a setter of a type that is copied: `pub const fn …(mut self, value: T) -> Self`
+    pub(crate) fn with(&self) -> Self {
+        let result = match self.result {
+            Ty::Fallible(error) => Ty::Made(error),
+            _ => Ty::Own,
+        };
+        Self { receiver: Receiver::MutValue, result, ..self.clone() }
     }
 
     /// With `index: usize` as the first parameter, if there are several.

@@ -119,11 +119,22 @@ pub(crate) enum Ty<'d> {
     Fallible(Error),
     /// `&'static [wire::ParamInfo]`
     Params,
+    /// `Result<Self, E>`
+    Made(Error),
     /// `impl Iterator<Item = T> + '_`
     Iterator(Box<Self>),
 }
 
 impl Ty<'_> {
+    /// Whether it is `Eq`: no float.
+    pub(crate) fn is_eq(&self) -> bool {
+        match self {
+            Self::F32 | Self::F64 => false,
+            Self::Array(inner, _) | Self::Option(inner) => inner.is_eq(),
+            _ => true,
+        }
+    }
+
     /// `Option<T>` where there may be none, else `T`.
     pub(crate) fn optional(self, optional: bool) -> Self {
         if optional { Self::Option(Box::new(self)) } else { self }

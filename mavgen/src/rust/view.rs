@@ -231,6 +231,16 @@ impl<'d> BitField<'d> {
         }
     }
 
+    /// Whether every value of their type fits, and there always are such bits.
+    pub(crate) fn always_sets(&self) -> bool {
+        let fits = match self.holds {
+            Holds::Flag => true,
+            Holds::Number => self.raw.bits() == self.width,
+            Holds::Enum(one) => one.int.bits() == self.width,
+        };
+        fits && !self.is_optional()
+    }
+
     /// Whether there may be no such bits: some layouts lack them, or an index is past the last.
     pub(crate) fn is_optional(&self) -> bool {
         self.repeat.is_some() || self.present.is_some()

@@ -3,6 +3,7 @@
 use core::fmt;
 
 use crate::autoquad::{Esc32DisarmV2, Esc32DisarmV3, Esc32State, Esc32Status, EscFailureFlags};
+use crate::wire;
 
 /// Why an ESC32 disarmed: one type for the numbers of both firmware versions, which differ.
 ///
@@ -33,6 +34,12 @@ pub enum DisarmReason {
     /// A number without a meaning.
     Undefined(u8),
 }
+
+wire::variants!(
+    DisarmReason {
+        None, Startup, BadDetects, CrossingTimeout, PwmTimeout, LowVoltage, CliUser, BinaryUser, CanUser
+    } Undefined(u8)
+);
 
 impl DisarmReason {
     /// The reason of a controller that is disarmed; `None` in any other state, where the bits mean nothing.

@@ -2,6 +2,7 @@
 
 use super::clock::{Report, UptimeClock, true_age_ms};
 use crate::autoquad::{AqEscTelemetry, Esc, Esc32Status};
+use crate::wire;
 
 /// Controllers that one vehicle can have: motor ports 1 to 16.
 pub const MAX_ESCS: usize = 16;
@@ -34,7 +35,7 @@ pub struct EscTable {
 }
 
 /// One controller.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct EscRow {
     /// Motor port, 1 to 16.
     pub id: u8,
@@ -61,7 +62,7 @@ struct Cycle {
 }
 
 /// What an [`EscTable`] did with a message.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Update {
     /// Rows are new, and other batches of the cycle are missing.
@@ -81,7 +82,7 @@ pub enum Update {
 }
 
 /// What an [`EscTable`] has seen.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Counts {
     /// Complete cycles; after 65535 comes 0.
     pub cycles: u16,
@@ -99,6 +100,10 @@ pub struct Counts {
     /// Messages that contradict themselves, and controllers with a motor port that does not exist.
     pub invalid: u32,
 }
+
+wire::record!(EscRow { id, index, status, received_us, silent, reported_us });
+wire::variants!(Update { Partial, Complete, Repeated, Late, Doubted, Restarted, Invalid });
+wire::record!(Counts { cycles, lost, repeated, late, doubted, restarts, invalid });
 
 impl Default for EscTable {
     fn default() -> Self {

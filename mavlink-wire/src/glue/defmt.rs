@@ -8,6 +8,7 @@ use ::defmt::write;
 pub use ::defmt::{Format, Formatter};
 
 use crate::flags::Contained;
+use crate::message::record::{Several, plain_name};
 use crate::reflect::{Element, Field, Number, Reflected, Value};
 use crate::{Chars, Dialect, Encode, Enum, EnumInfo, Frame, FrameBuf, MAX_PAYLOAD, Message, Repr, Version};
 
@@ -22,6 +23,92 @@ macro_rules! __defmt {
             }
         }
     };
+}
+
+/// Implements the trait for a view: what is in its bits.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __defmt_view {
+    ($name:ident [$($member:ident $([$count:literal])?),*]) => {
+        impl $crate::generated::defmt::Format for $name {
+            fn format(&self, f: $crate::generated::defmt::Formatter<'_>) {
+                let view = self;
+                $crate::generated::defmt::begin(::core::stringify!($name), f);
+                $($crate::generated::defmt::member(
+                    ::core::stringify!($member),
+                    &$crate::__member!(view $member $($count)?),
+                    f,
+                );)*
+                $crate::generated::defmt::end(f);
+            }
+        }
+    };
+}
+
+/// Implements the trait for a struct.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __defmt_record {
+    ($name:ident { $($field:ident),* }) => {
+        impl $crate::generated::defmt::Format for $name {
+            fn format(&self, f: $crate::generated::defmt::Formatter<'_>) {
+                $crate::generated::defmt::begin(::core::stringify!($name), f);
+                $($crate::generated::defmt::member(::core::stringify!($field), &self.$field, f);)*
+                $crate::generated::defmt::end(f);
+            }
+        }
+    };
+}
+
+/// Implements the trait for an enum.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __defmt_variants {
+    ($name:ident { $($variant:ident),* } $($other:ident)?) => {
+        impl $crate::generated::defmt::Format for $name {
+            fn format(&self, f: $crate::generated::defmt::Formatter<'_>) {
+                match self {
+                    $(Self::$variant => $crate::generated::defmt::variant(::core::stringify!($variant), f),)*
+                    $(Self::$other(number) => $crate::generated::defmt::other(::core::stringify!($other), number, f),)?
+                }
+            }
+        }
+    };
+}
+
+/// Begins a struct.
+pub fn begin(name: &str, f: Formatter<'_>) {
+    write!(f, "{=str} {{ ", name);
+}
+
+/// A field of a struct.
+pub fn member<T: Format>(name: &'static str, value: &T, f: Formatter<'_>) {
+    write!(f, "{=str}: {}, ", plain_name(name), value);
+}
+
+/// Ends a struct.
+pub fn end(f: Formatter<'_>) {
+    write!(f, "}}");
+}
+
+/// A variant without a value.
+pub fn variant(name: &str, f: Formatter<'_>) {
+    write!(f, "{=str}", name);
+}
+
+/// A variant with a number.
+pub fn other<T: Format>(name: &str, number: &T, f: Formatter<'_>) {
+    write!(f, "{=str}({})", name, number);
+}
+
+impl<T: Format, F: Fn(usize) -> Option<T>> Format for Several<F> {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "[");
+        for value in self.values() {
+            write!(f, "{}, ", value);
+        }
+        write!(f, "]");
+    }
 }
 
 /// A message.

@@ -1,4 +1,4 @@
-//! What the optional features add to messages, enums, flags and dialects: nothing, where they are off.
+//! What the optional features add to messages, enums, flags, dialects, views and slots: nothing, where they are off.
 //!
 //! Generated code cannot ask for the features of this crate, so its macros call these in any case.
 
@@ -9,10 +9,52 @@ macro_rules! __serde {
     ($($any:tt)*) => {};
 }
 
+#[cfg(not(feature = "serde"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __serde_view {
+    ($($any:tt)*) => {};
+}
+
+#[cfg(not(feature = "serde"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __serde_record {
+    ($($any:tt)*) => {};
+}
+
+#[cfg(not(feature = "serde"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __serde_variants {
+    ($($any:tt)*) => {};
+}
+
 #[cfg(not(feature = "defmt"))]
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __defmt {
+    ($($any:tt)*) => {};
+}
+
+#[cfg(not(feature = "defmt"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __defmt_view {
+    ($($any:tt)*) => {};
+}
+
+#[cfg(not(feature = "defmt"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __defmt_record {
+    ($($any:tt)*) => {};
+}
+
+#[cfg(not(feature = "defmt"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __defmt_variants {
     ($($any:tt)*) => {};
 }
 

@@ -51,6 +51,7 @@ mod early;
 mod facts;
 mod field;
 mod float;
+pub(crate) mod held;
 pub(crate) mod message;
 mod named;
 mod record;

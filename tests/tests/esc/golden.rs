@@ -31,14 +31,14 @@ fn made() -> AqEscTelemetry {
     one.set_voltage(15.12).unwrap();
     one.set_current(8.73).unwrap();
     one.set_rpm(6543).unwrap();
-    one.set_duty_raw(128).unwrap();
+    one.set_duty_raw(128);
     one.set_errors(17).unwrap();
     let mut two = Esc32Status::from_bits(0, 30);
     two.set_state(Esc32State::RUNNING).unwrap();
     two.set_voltage(15.10).unwrap();
     two.set_current(9.01).unwrap();
     two.set_rpm(6601).unwrap();
-    two.set_duty_raw(131).unwrap();
+    two.set_duty_raw(131);
     two.set_temperature(25.0).unwrap();
     let mut three = Esc32Status::from_bits(0, 31);
     three.set_voltage(15.09).unwrap();

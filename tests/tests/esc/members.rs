@@ -30,7 +30,7 @@ fn members() -> [Member<Esc32Status>; 9] {
         "voltage" at 3 width 12: |v| Some(v.voltage_raw()), Esc32Status::set_voltage_raw;
         "current" at 15 width 14: |v| Some(v.current_raw()), Esc32Status::set_current_raw;
         "rpm" at 29 width 15: |v| Some(v.rpm()), Esc32Status::set_rpm;
-        "duty" at 44 width 8: |v| Some(v.duty_raw().into()), |v, x| v.set_duty_raw(byte(x)?);
+        "duty" at 44 width 8: |v| Some(v.duty_raw().into()), |v, x| byte(x).map(|raw| v.set_duty_raw(raw));
         "errors" at 52 width 9: |v| v.errors(), Esc32Status::set_errors;
         "temperature" at 52 width 9: |v| v.temperature_raw(), Esc32Status::set_temperature_raw;
         "disarm_v2" at 61 width 3: |v| Some(v.disarm_v2()?.0.into()), |v, x| v.set_disarm_v2(Esc32DisarmV2(byte(x)?));
@@ -44,7 +44,7 @@ fn unpacked_members() -> [Member<Esc32StatusUnpacked>; 6] {
         "voltage" at 3 width 12: |v| Some(v.voltage_raw()), Esc32StatusUnpacked::set_voltage_raw;
         "current" at 15 width 14: |v| Some(v.current_raw()), Esc32StatusUnpacked::set_current_raw;
         "rpm" at 32 width 15: |v| Some(v.rpm()), Esc32StatusUnpacked::set_rpm;
-        "duty" at 47 width 8: |v| Some(v.duty_raw().into()), |v, x| v.set_duty_raw(byte(x)?);
+        "duty" at 47 width 8: |v| Some(v.duty_raw().into()), |v, x| byte(x).map(|raw| v.set_duty_raw(raw));
         "errors" at 55 width 9: |v| Some(v.errors()), Esc32StatusUnpacked::set_errors;
     }
 }

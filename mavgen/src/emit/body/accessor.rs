@@ -40,6 +40,15 @@ pub(in crate::emit) fn get(sentinel: &Sentinel<'_>) -> TokenStream {
     }
 }
 
+/// The elements, each if it is known.
+pub(in crate::emit) fn iter(sentinel: &Sentinel<'_>) -> TokenStream {
+    let (field, known) = (ident(sentinel.field), is_known(sentinel.unknown));
+    match sentinel.extent {
+        Extent::First => quote!(self.#field.iter().enumerate().map(|(index, &v)| (index != 0 || #known).then_some(v))),
+        _ => quote!(self.#field.iter().map(|&v| (#known).then_some(v))),
+    }
+}
+
 /// Puts the value, or what says that it is not known, into the field.
 pub(in crate::emit) fn set(sentinel: &Sentinel<'_>) -> TokenStream {
     let (field, unknown) = (ident(sentinel.field), unknown_value(sentinel.unknown));

@@ -71,11 +71,12 @@ fn as_int<'d>(bits: &BitField<'d>) -> Option<AsInt<'d>> {
 
 fn store(bits: &BitField<'_>) -> TokenStream {
     let at = At::of(bits);
+    let done = (!bits.always_sets()).then(|| quote!(Ok(())));
     let Some(as_int) = as_int(bits) else {
         let bit = at.left(&quote!(1));
         return quote! {
             self.bits = if value { self.bits | #bit } else { self.bits & !#bit };
-            Ok(())
+            #done
         };
     };
     let number = number_in(as_int, &quote!(value));
@@ -83,7 +84,7 @@ fn store(bits: &BitField<'_>) -> TokenStream {
         let bits = write(bits, &at, &number, as_int.int);
         return quote! {
             self.bits = #bits;
-            Ok(())
+            #done
         };
     }
     let (range, bits) = (raw_range(bits), write(bits, &at, &quote!(raw), as_int.int));

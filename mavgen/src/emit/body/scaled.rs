@@ -33,9 +33,13 @@ pub(in crate::emit) fn set(scale: &Scale<'_>) -> TokenStream {
     let range = if scale.bits.raw == Int::of_bits(64, false) { quote!(0..=i64::MAX) } else { raw_range(&scale.bits) };
     let ty = int(scale.bits.raw);
     let number = if scale.bits.raw == Int::of_bits(64, true) { quote!(raw) } else { quote!(raw as #ty) };
+    let set = match scale.bits.always_sets() {
+        true => quote!({ self.#setter(#index #number); Ok(()) }),
+        false => quote!(self.#setter(#index #number),),
+    };
     quote! {
         match wire::generated::raw_of(value, #factor, #bias, #divisor) {
-            Some(raw @ #range) => self.#setter(#index #number),
+            Some(raw @ #range) => #set
             _ => Err(wire::ViewError::OutOfRange),
         }
     }

@@ -28,10 +28,13 @@ pub(in crate::emit) fn declaration(slot: &SlotType<'_>) -> TokenStream {
         let (docs, name, of) = (doc::documentation(docs), ident(name), ty(of));
         quote!(#docs pub #name: #of,)
     });
+    let names = slot.fields.iter().map(|field| ident(field.ident));
+    let eq = slot.fields.iter().all(|field| field.ty.is_eq()).then(|| quote!(, Eq, Hash));
     quote! {
         #docs
-        #[derive(Clone, Copy, Debug, PartialEq)]
+        #[derive(Clone, Copy, Debug, Default, PartialEq #eq)]
         pub struct #name { #(#fields)* }
+        wire::record!(#name { #(#names),* });
     }
 }
 
@@ -54,7 +57,7 @@ pub(in crate::emit) fn get(slot: &Slot<'_>) -> TokenStream {
     });
     let (name, bits, view) = (ident(name), joined(source), view_of_bits(source));
     let status = match source.when.as_slice() {
-        [] => quote!(Some(#view)),
+        [] => view,
         when => {
             let all = all_hold(when);
             quote!(if #all { Some(#view) } else { None })
@@ -120,7 +123,7 @@ fn used(count: Count<'_>) -> TokenStream {
 /// The assignments that put a slot into the arrays.
 pub(in crate::emit) fn store(slot: &Slot<'_>) -> TokenStream {
     let Slot { source, keys, blank, .. } = slot;
-    let view = ident(source.view);
+    let (view, optional) = (ident(source.view), !source.when.is_empty());
     let (blank, mark) = match blank {
         Stored::Words(value) => (Literal::u128_unsuffixed(*value), None),
         // A field has to say so, whatever the key and the switch have put into it.
@@ -133,10 +136,12 @@ pub(in crate::emit) fn store(slot: &Slot<'_>) -> TokenStream {
     let words = source.words.iter().map(|word| store_word(source, word));
     let switch = source.switch.as_ref().map(|Switch { place, as_int, get }| {
         let get = ident(get);
-        assign(place, &value_of(*as_int, &quote!(slot.status.map_or(0, #view::#get))))
+        let number = if optional { quote!(slot.status.map_or(0, #view::#get)) } else { quote!(slot.status.#get()) };
+        assign(place, &value_of(*as_int, &number))
     });
+    let bits = if optional { quote!(slot.status.map_or(#blank, #view::bits)) } else { quote!(slot.status.bits()) };
     quote! {
-        let bits = slot.status.map_or(#blank, #view::bits);
+        let bits = #bits;
         #(#keys)*
         #(#words)*
         #switch

@@ -10,6 +10,9 @@ use crate::rust::{
     BitField, Docs, Error, Holds, Int, Kind, Method, Paragraph, Present, Receiver, Scale, Selector, Sig, Ty,
 };
 
+/// What a setter says that may fail.
+const DOES_NOT_FIT: &str = " An error if the value does not fit.";
+
 /// Numbers below this are exact in `f32`.
 const EXACT_IN_F32: i128 = 1 << 24;
 
@@ -20,14 +23,23 @@ impl<'d> Items<'d> {
         view: NamedView<'d>,
         (member, name): (&'d Member, &str),
     ) -> Result<Vec<Method<'d>>, Internal> {
-        let docs = [member_docs(name, member), setter_docs(name)];
-        let bits = |holds| bits(view, member, holds);
-        Ok(match &member.meaning {
-            Meaning::Flag => accessors(name, bits(Holds::Flag)?, docs),
-            Meaning::Values(id) => accessors(name, bits(Holds::Enum(self.enum_type(*id)?))?, docs),
-            Meaning::Number { .. } => accessors(name, bits(Holds::Number)?, docs),
-            Meaning::Scaled(scaled) => scaled_accessors(name, bits(Holds::Number)?, scaled, docs),
-        })
+        let holds = match &member.meaning {
+            Meaning::Flag => Holds::Flag,
+            Meaning::Values(id) => Holds::Enum(self.enum_type(*id)?),
+            Meaning::Number { .. } | Meaning::Scaled(_) => Holds::Number,
+        };
+        let bits = bits(view, member, holds)?;
+        let (docs, indexed) = (member_docs(name, member), bits.repeat.is_some());
+        let mut methods = match &member.meaning {
+            Meaning::Scaled(scaled) => scaled_accessors(name, bits, scaled, [docs, setter_docs(name, true)]),
+            _ => {
+                let set_docs = setter_docs(name, !bits.always_sets());
+                accessors(name, bits, [docs, set_docs])
+            }
+        };
+        let set = methods.get(1).ok_or_else(|| Internal::new(format!("{name} has no setter")))?;
+        methods.insert(2, with(name, set, indexed));
+        Ok(methods)
     }
 }
 
@@ -67,15 +79,27 @@ fn accessors<'d>(name: &str, bits: BitField<'d>, [get_docs, set_docs]: [Docs<'d>
         inline: true,
         kind: Kind::MemberGet(bits.clone()),
     };
-    let setter = Sig { is_const: true, ..Sig::setter("value", bits.ty()) };
+    let setter = Sig { is_const: true, ..Sig::setter("value", bits.ty()) }.indexed(several);
     let set = Method {
         ident: format!("set_{name}"),
-        sig: setter.indexed(several).fallible(Error::View),
+        sig: if bits.always_sets() { setter } else { setter.fallible(Error::View) },
         docs: set_docs,
         inline: true,
         kind: Kind::MemberSet(bits),
     };
     vec![get, set]
+}
+
+/// The builder's way to call a setter: `with_rpm`.
+fn with<'d>(name: &str, set: &Method<'d>, indexed: bool) -> Method<'d> {
+    let fallible = matches!(set.sig.result, Ty::Fallible(_));
+    Method {
+        ident: format!("with_{name}"),
+        sig: set.sig.with(),
+        docs: Docs::line(format!("With this [`Self::{name}`].{}", if fallible { DOES_NOT_FIT } else { "" })),
+        inline: true,
+        kind: Kind::With { set: set.ident.clone(), indexed, fallible },
+    }
 }
 
 /// Of a scaled number: as a float, exactly in a smaller unit, and raw.
@@ -141,6 +165,6 @@ fn member_docs<'d>(name: &str, member: &'d Member) -> Docs<'d> {
     Docs(vec![Paragraph::Prose(&member.description, sentences)])
 }
 
-fn setter_docs<'d>(name: &str) -> Docs<'d> {
-    Docs::line(format!("Sets [`Self::{name}`]. An error if the value does not fit."))
+fn setter_docs<'d>(name: &str, fallible: bool) -> Docs<'d> {
+    Docs::line(format!("Sets [`Self::{name}`].{}", if fallible { DOES_NOT_FIT } else { "" }))
 }

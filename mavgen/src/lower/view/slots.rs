@@ -36,10 +36,14 @@ impl<'d> Items<'d> {
             Ok(SlotField { ident, ty: ty.optional(key.invalid.is_some()), docs: key_docs(key, ident) })
         };
         let mut fields = slots.keys().map(field).collect::<Result<Vec<_>, Internal>>()?;
+        let optional = view.model.condition.is_some() || !view.model.invalid.is_empty();
         fields.push(SlotField {
             ident: "status",
-            ty: Ty::Named(view.ty()).optional(true),
-            docs: Docs::line("What the bits say; `None` where they say nothing."),
+            ty: Ty::Named(view.ty()).optional(optional),
+            docs: Docs::line(match optional {
+                true => "What the bits say; `None` where they say nothing.",
+                false => "What the bits say.",
+            }),
         });
         let docs = Docs::line(format!("One slot of [`{}::{}`].", message.ty(), slots.items));
         Ok(SlotType { ident: slots.item, docs, fields })
@@ -120,7 +124,10 @@ fn key_docs<'d>(key: &'d ir::Key, ident: &str) -> Docs<'d> {
 /// `escs()` and `esc(index)`
 fn reading<'d>(view: NamedView<'d>, slots: NamedSlots<'d>, slot: &Slot<'d>) -> Vec<Method<'d>> {
     let ty = Ty::Named(slot.ident);
-    let in_use = Paragraph::line("Every slot that is in use, also those whose bits say nothing.");
+    let in_use = Paragraph::line(match slot.source.when.as_slice() {
+        [] => "Every slot that is in use.",
+        _ => "Every slot that is in use, also those whose bits say nothing.",
+    });
     let items = Method {
         ident: slots.items.to_owned(),
         sig: Sig::getter(Ty::Iterator(Box::new(ty.clone()))),

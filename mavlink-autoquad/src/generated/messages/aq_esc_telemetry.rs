@@ -17,6 +17,9 @@ use wire::generated::{get, put};
 ///
 /// `AQ_ESC_TELEMETRY`, message 152 of `autoquad.xml`: 55 bytes, CRC_EXTRA 115.
 ///
+/// - [`Self::escs()`]: packed bits, as `Esc32Status`.
+/// - [`Self::legacy_escs()`]: packed bits, as `Esc32StatusUnpacked`.
+///
 /// | offset | field          | type |
 /// |-------:|----------------|---|
 /// |      0 | `time_boot_ms` | `uint32_t` |

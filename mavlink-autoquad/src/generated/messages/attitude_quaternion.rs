@@ -62,6 +62,12 @@ impl AttitudeQuaternion {
         *element = value.unwrap_or(0.0);
         Ok(())
     }
+
+    /// The elements of `repr_offset_q`, each `None` where the sender does not know it.
+    #[inline]
+    pub fn iter_repr_offset_q(&self) -> impl Iterator<Item = Option<f32>> + '_ {
+        self.repr_offset_q.iter().map(|&v| (v != 0.0).then_some(v))
+    }
 }
 
 impl wire::Message for AttitudeQuaternion {

@@ -94,6 +94,12 @@ impl BatteryStatus {
         Ok(())
     }
 
+    /// The elements of `voltages`, each `None` where the sender does not know it.
+    #[inline]
+    pub fn iter_voltages(&self) -> impl Iterator<Item = Option<u16>> + '_ {
+        self.voltages.iter().map(|&v| (v != 65535).then_some(v))
+    }
+
     /// `current_battery`, or `None` where the sender does not know it.
     #[inline]
     pub fn current_battery(&self) -> Option<i16> {
@@ -170,6 +176,12 @@ impl BatteryStatus {
         let element = self.voltages_ext.get_mut(index).ok_or(wire::OutOfRange)?;
         *element = value.unwrap_or(0);
         Ok(())
+    }
+
+    /// The elements of `voltages_ext`, each `None` where the sender does not know it.
+    #[inline]
+    pub fn iter_voltages_ext(&self) -> impl Iterator<Item = Option<u16>> + '_ {
+        self.voltages_ext.iter().map(|&v| (v != 0).then_some(v))
     }
 }
 

@@ -109,6 +109,12 @@ impl DistanceSensor {
         Ok(())
     }
 
+    /// The elements of `quaternion`, each `None` where the sender does not know it.
+    #[inline]
+    pub fn iter_quaternion(&self) -> impl Iterator<Item = Option<f32>> + '_ {
+        self.quaternion.iter().map(|&v| (v != 0.0).then_some(v))
+    }
+
     /// `signal_quality`, or `None` where the sender does not know it.
     #[inline]
     pub fn signal_quality(&self) -> Option<u8> {

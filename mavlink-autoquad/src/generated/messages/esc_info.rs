@@ -65,6 +65,12 @@ impl EscInfo {
         *element = value.unwrap_or(32767);
         Ok(())
     }
+
+    /// The elements of `temperature`, each `None` where the sender does not know it.
+    #[inline]
+    pub fn iter_temperature(&self) -> impl Iterator<Item = Option<i16>> + '_ {
+        self.temperature.iter().map(|&v| (v != 32767).then_some(v))
+    }
 }
 
 impl wire::Message for EscInfo {

@@ -67,6 +67,12 @@ impl FollowTarget {
         Ok(())
     }
 
+    /// The elements of `vel`, each `None` where the sender does not know it.
+    #[inline]
+    pub fn iter_vel(&self) -> impl Iterator<Item = Option<f32>> + '_ {
+        self.vel.iter().map(|&v| (v != 0.0).then_some(v))
+    }
+
     /// Element `index` of `acc`, or `None` where the sender does not know it, or there is no such element.
     #[inline]
     pub fn acc(&self, index: usize) -> Option<f32> {
@@ -83,6 +89,12 @@ impl FollowTarget {
         let element = self.acc.get_mut(index).ok_or(wire::OutOfRange)?;
         *element = value.unwrap_or(0.0);
         Ok(())
+    }
+
+    /// The elements of `acc`, each `None` where the sender does not know it.
+    #[inline]
+    pub fn iter_acc(&self) -> impl Iterator<Item = Option<f32>> + '_ {
+        self.acc.iter().map(|&v| (v != 0.0).then_some(v))
     }
 
     /// Element `index` of `attitude_q`, or `None` where the sender does not know it, or there is no such element.
@@ -103,6 +115,12 @@ impl FollowTarget {
         Ok(())
     }
 
+    /// The elements of `attitude_q`, each `None` where the sender does not know it.
+    #[inline]
+    pub fn iter_attitude_q(&self) -> impl Iterator<Item = Option<f32>> + '_ {
+        self.attitude_q.iter().map(|&v| (v != 0.0).then_some(v))
+    }
+
     /// Element `index` of `rates`, or `None` where the sender does not know it, or there is no such element.
     #[inline]
     pub fn rates(&self, index: usize) -> Option<f32> {
@@ -119,6 +137,12 @@ impl FollowTarget {
         let element = self.rates.get_mut(index).ok_or(wire::OutOfRange)?;
         *element = value.unwrap_or(0.0);
         Ok(())
+    }
+
+    /// The elements of `rates`, each `None` where the sender does not know it.
+    #[inline]
+    pub fn iter_rates(&self) -> impl Iterator<Item = Option<f32>> + '_ {
+        self.rates.iter().map(|&v| (v != 0.0).then_some(v))
     }
 }
 

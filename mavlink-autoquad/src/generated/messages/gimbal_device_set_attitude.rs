@@ -57,6 +57,12 @@ impl GimbalDeviceSetAttitude {
         Ok(())
     }
 
+    /// The elements of `q`, each `None` where the sender does not know it.
+    #[inline]
+    pub fn iter_q(&self) -> impl Iterator<Item = Option<f32>> + '_ {
+        self.q.iter().map(|&v| (!v.is_nan()).then_some(v))
+    }
+
     /// `angular_velocity_x`, or `None` where the sender does not know it.
     #[inline]
     pub fn angular_velocity_x(&self) -> Option<f32> {

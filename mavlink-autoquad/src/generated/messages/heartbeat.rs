@@ -12,6 +12,8 @@ use wire::generated::{get, put};
 /// `HEARTBEAT`, message 0 of `minimal.xml`: 9 bytes, CRC_EXTRA 50.
 /// See the [message reference](https://mavlink.io/en/messages/minimal.html#HEARTBEAT).
 ///
+/// - [`Self::nav_status()`]: `custom_mode`, as [`AutoquadNavStatus`].
+///
 /// | offset | field             | type |
 /// |-------:|-------------------|---|
 /// |      0 | `custom_mode`     | `uint32_t` |

@@ -68,6 +68,12 @@ impl HomePosition {
         *element = value.unwrap_or(f32::NAN);
         Ok(())
     }
+
+    /// The elements of `q`, each `None` where the sender does not know it.
+    #[inline]
+    pub fn iter_q(&self) -> impl Iterator<Item = Option<f32>> + '_ {
+        self.q.iter().map(|&v| (!v.is_nan()).then_some(v))
+    }
 }
 
 impl wire::Message for HomePosition {

@@ -66,6 +66,12 @@ impl ObstacleDistance {
         *element = value.unwrap_or(65535);
         Ok(())
     }
+
+    /// The elements of `distances`, each `None` where the sender does not know it.
+    #[inline]
+    pub fn iter_distances(&self) -> impl Iterator<Item = Option<u16>> + '_ {
+        self.distances.iter().map(|&v| (v != 65535).then_some(v))
+    }
 }
 
 impl wire::Message for ObstacleDistance {

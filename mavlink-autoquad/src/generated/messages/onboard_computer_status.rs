@@ -103,6 +103,12 @@ impl OnboardComputerStatus {
         Ok(())
     }
 
+    /// The elements of `cpu_cores`, each `None` where the sender does not know it.
+    #[inline]
+    pub fn iter_cpu_cores(&self) -> impl Iterator<Item = Option<u8>> + '_ {
+        self.cpu_cores.iter().map(|&v| (v != 255).then_some(v))
+    }
+
     /// Element `index` of `cpu_combined`, or `None` where the sender does not know it, or there is no such element.
     #[inline]
     pub fn cpu_combined(&self, index: usize) -> Option<u8> {
@@ -119,6 +125,12 @@ impl OnboardComputerStatus {
         let element = self.cpu_combined.get_mut(index).ok_or(wire::OutOfRange)?;
         *element = value.unwrap_or(255);
         Ok(())
+    }
+
+    /// The elements of `cpu_combined`, each `None` where the sender does not know it.
+    #[inline]
+    pub fn iter_cpu_combined(&self) -> impl Iterator<Item = Option<u8>> + '_ {
+        self.cpu_combined.iter().map(|&v| (v != 255).then_some(v))
     }
 
     /// Element `index` of `gpu_cores`, or `None` where the sender does not know it, or there is no such element.
@@ -139,6 +151,12 @@ impl OnboardComputerStatus {
         Ok(())
     }
 
+    /// The elements of `gpu_cores`, each `None` where the sender does not know it.
+    #[inline]
+    pub fn iter_gpu_cores(&self) -> impl Iterator<Item = Option<u8>> + '_ {
+        self.gpu_cores.iter().map(|&v| (v != 255).then_some(v))
+    }
+
     /// Element `index` of `gpu_combined`, or `None` where the sender does not know it, or there is no such element.
     #[inline]
     pub fn gpu_combined(&self, index: usize) -> Option<u8> {
@@ -155,6 +173,12 @@ impl OnboardComputerStatus {
         let element = self.gpu_combined.get_mut(index).ok_or(wire::OutOfRange)?;
         *element = value.unwrap_or(255);
         Ok(())
+    }
+
+    /// The elements of `gpu_combined`, each `None` where the sender does not know it.
+    #[inline]
+    pub fn iter_gpu_combined(&self) -> impl Iterator<Item = Option<u8>> + '_ {
+        self.gpu_combined.iter().map(|&v| (v != 255).then_some(v))
     }
 
     /// `temperature_board`, or `None` where the sender does not know it.
@@ -187,6 +211,12 @@ impl OnboardComputerStatus {
         Ok(())
     }
 
+    /// The elements of `temperature_core`, each `None` where the sender does not know it.
+    #[inline]
+    pub fn iter_temperature_core(&self) -> impl Iterator<Item = Option<i8>> + '_ {
+        self.temperature_core.iter().map(|&v| (v != 127).then_some(v))
+    }
+
     /// Element `index` of `fan_speed`, or `None` where the sender does not know it, or there is no such element.
     #[inline]
     pub fn fan_speed(&self, index: usize) -> Option<i16> {
@@ -203,6 +233,12 @@ impl OnboardComputerStatus {
         let element = self.fan_speed.get_mut(index).ok_or(wire::OutOfRange)?;
         *element = value.unwrap_or(32767);
         Ok(())
+    }
+
+    /// The elements of `fan_speed`, each `None` where the sender does not know it.
+    #[inline]
+    pub fn iter_fan_speed(&self) -> impl Iterator<Item = Option<i16>> + '_ {
+        self.fan_speed.iter().map(|&v| (v != 32767).then_some(v))
     }
 
     /// `ram_usage`, or `None` where the sender does not know it.
@@ -247,6 +283,12 @@ impl OnboardComputerStatus {
         Ok(())
     }
 
+    /// The elements of `storage_type`, each `None` where the sender does not know it.
+    #[inline]
+    pub fn iter_storage_type(&self) -> impl Iterator<Item = Option<u32>> + '_ {
+        self.storage_type.iter().map(|&v| (v != 4294967295).then_some(v))
+    }
+
     /// Element `index` of `storage_usage`, or `None` where the sender does not know it, or there is no such element.
     #[inline]
     pub fn storage_usage(&self, index: usize) -> Option<u32> {
@@ -263,6 +305,12 @@ impl OnboardComputerStatus {
         let element = self.storage_usage.get_mut(index).ok_or(wire::OutOfRange)?;
         *element = value.unwrap_or(4294967295);
         Ok(())
+    }
+
+    /// The elements of `storage_usage`, each `None` where the sender does not know it.
+    #[inline]
+    pub fn iter_storage_usage(&self) -> impl Iterator<Item = Option<u32>> + '_ {
+        self.storage_usage.iter().map(|&v| (v != 4294967295).then_some(v))
     }
 
     /// Element `index` of `storage_total`, or `None` where the sender does not know it, or there is no such element.
@@ -283,6 +331,12 @@ impl OnboardComputerStatus {
         Ok(())
     }
 
+    /// The elements of `storage_total`, each `None` where the sender does not know it.
+    #[inline]
+    pub fn iter_storage_total(&self) -> impl Iterator<Item = Option<u32>> + '_ {
+        self.storage_total.iter().map(|&v| (v != 4294967295).then_some(v))
+    }
+
     /// Element `index` of `link_tx_rate`, or `None` where the sender does not know it, or there is no such element.
     #[inline]
     pub fn link_tx_rate(&self, index: usize) -> Option<u32> {
@@ -299,6 +353,12 @@ impl OnboardComputerStatus {
         let element = self.link_tx_rate.get_mut(index).ok_or(wire::OutOfRange)?;
         *element = value.unwrap_or(4294967295);
         Ok(())
+    }
+
+    /// The elements of `link_tx_rate`, each `None` where the sender does not know it.
+    #[inline]
+    pub fn iter_link_tx_rate(&self) -> impl Iterator<Item = Option<u32>> + '_ {
+        self.link_tx_rate.iter().map(|&v| (v != 4294967295).then_some(v))
     }
 
     /// Element `index` of `link_rx_rate`, or `None` where the sender does not know it, or there is no such element.
@@ -319,6 +379,12 @@ impl OnboardComputerStatus {
         Ok(())
     }
 
+    /// The elements of `link_rx_rate`, each `None` where the sender does not know it.
+    #[inline]
+    pub fn iter_link_rx_rate(&self) -> impl Iterator<Item = Option<u32>> + '_ {
+        self.link_rx_rate.iter().map(|&v| (v != 4294967295).then_some(v))
+    }
+
     /// Element `index` of `link_tx_max`, or `None` where the sender does not know it, or there is no such element.
     #[inline]
     pub fn link_tx_max(&self, index: usize) -> Option<u32> {
@@ -337,6 +403,12 @@ impl OnboardComputerStatus {
         Ok(())
     }
 
+    /// The elements of `link_tx_max`, each `None` where the sender does not know it.
+    #[inline]
+    pub fn iter_link_tx_max(&self) -> impl Iterator<Item = Option<u32>> + '_ {
+        self.link_tx_max.iter().map(|&v| (v != 4294967295).then_some(v))
+    }
+
     /// Element `index` of `link_rx_max`, or `None` where the sender does not know it, or there is no such element.
     #[inline]
     pub fn link_rx_max(&self, index: usize) -> Option<u32> {
@@ -353,6 +425,12 @@ impl OnboardComputerStatus {
         let element = self.link_rx_max.get_mut(index).ok_or(wire::OutOfRange)?;
         *element = value.unwrap_or(4294967295);
         Ok(())
+    }
+
+    /// The elements of `link_rx_max`, each `None` where the sender does not know it.
+    #[inline]
+    pub fn iter_link_rx_max(&self) -> impl Iterator<Item = Option<u32>> + '_ {
+        self.link_rx_max.iter().map(|&v| (v != 4294967295).then_some(v))
     }
 }
 

@@ -59,6 +59,12 @@ impl TrajectoryRepresentationBezier {
         Ok(())
     }
 
+    /// The elements of `pos_x`, each `None` where the sender does not know it.
+    #[inline]
+    pub fn iter_pos_x(&self) -> impl Iterator<Item = Option<f32>> + '_ {
+        self.pos_x.iter().map(|&v| (!v.is_nan()).then_some(v))
+    }
+
     /// Element `index` of `pos_y`, or `None` where the sender does not know it, or there is no such element.
     #[inline]
     pub fn pos_y(&self, index: usize) -> Option<f32> {
@@ -75,6 +81,12 @@ impl TrajectoryRepresentationBezier {
         let element = self.pos_y.get_mut(index).ok_or(wire::OutOfRange)?;
         *element = value.unwrap_or(f32::NAN);
         Ok(())
+    }
+
+    /// The elements of `pos_y`, each `None` where the sender does not know it.
+    #[inline]
+    pub fn iter_pos_y(&self) -> impl Iterator<Item = Option<f32>> + '_ {
+        self.pos_y.iter().map(|&v| (!v.is_nan()).then_some(v))
     }
 
     /// Element `index` of `pos_z`, or `None` where the sender does not know it, or there is no such element.
@@ -95,6 +107,12 @@ impl TrajectoryRepresentationBezier {
         Ok(())
     }
 
+    /// The elements of `pos_z`, each `None` where the sender does not know it.
+    #[inline]
+    pub fn iter_pos_z(&self) -> impl Iterator<Item = Option<f32>> + '_ {
+        self.pos_z.iter().map(|&v| (!v.is_nan()).then_some(v))
+    }
+
     /// Element `index` of `delta`, or `None` where the sender does not know it, or there is no such element.
     #[inline]
     pub fn delta(&self, index: usize) -> Option<f32> {
@@ -113,6 +131,12 @@ impl TrajectoryRepresentationBezier {
         Ok(())
     }
 
+    /// The elements of `delta`, each `None` where the sender does not know it.
+    #[inline]
+    pub fn iter_delta(&self) -> impl Iterator<Item = Option<f32>> + '_ {
+        self.delta.iter().map(|&v| (!v.is_nan()).then_some(v))
+    }
+
     /// Element `index` of `pos_yaw`, or `None` where the sender does not know it, or there is no such element.
     #[inline]
     pub fn pos_yaw(&self, index: usize) -> Option<f32> {
@@ -129,6 +153,12 @@ impl TrajectoryRepresentationBezier {
         let element = self.pos_yaw.get_mut(index).ok_or(wire::OutOfRange)?;
         *element = value.unwrap_or(f32::NAN);
         Ok(())
+    }
+
+    /// The elements of `pos_yaw`, each `None` where the sender does not know it.
+    #[inline]
+    pub fn iter_pos_yaw(&self) -> impl Iterator<Item = Option<f32>> + '_ {
+        self.pos_yaw.iter().map(|&v| (!v.is_nan()).then_some(v))
     }
 }
 

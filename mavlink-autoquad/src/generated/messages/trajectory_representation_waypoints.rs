@@ -80,6 +80,12 @@ impl TrajectoryRepresentationWaypoints {
         Ok(())
     }
 
+    /// The elements of `pos_x`, each `None` where the sender does not know it.
+    #[inline]
+    pub fn iter_pos_x(&self) -> impl Iterator<Item = Option<f32>> + '_ {
+        self.pos_x.iter().map(|&v| (!v.is_nan()).then_some(v))
+    }
+
     /// Element `index` of `pos_y`, or `None` where the sender does not know it, or there is no such element.
     #[inline]
     pub fn pos_y(&self, index: usize) -> Option<f32> {
@@ -96,6 +102,12 @@ impl TrajectoryRepresentationWaypoints {
         let element = self.pos_y.get_mut(index).ok_or(wire::OutOfRange)?;
         *element = value.unwrap_or(f32::NAN);
         Ok(())
+    }
+
+    /// The elements of `pos_y`, each `None` where the sender does not know it.
+    #[inline]
+    pub fn iter_pos_y(&self) -> impl Iterator<Item = Option<f32>> + '_ {
+        self.pos_y.iter().map(|&v| (!v.is_nan()).then_some(v))
     }
 
     /// Element `index` of `pos_z`, or `None` where the sender does not know it, or there is no such element.
@@ -116,6 +128,12 @@ impl TrajectoryRepresentationWaypoints {
         Ok(())
     }
 
+    /// The elements of `pos_z`, each `None` where the sender does not know it.
+    #[inline]
+    pub fn iter_pos_z(&self) -> impl Iterator<Item = Option<f32>> + '_ {
+        self.pos_z.iter().map(|&v| (!v.is_nan()).then_some(v))
+    }
+
     /// Element `index` of `vel_x`, or `None` where the sender does not know it, or there is no such element.
     #[inline]
     pub fn vel_x(&self, index: usize) -> Option<f32> {
@@ -132,6 +150,12 @@ impl TrajectoryRepresentationWaypoints {
         let element = self.vel_x.get_mut(index).ok_or(wire::OutOfRange)?;
         *element = value.unwrap_or(f32::NAN);
         Ok(())
+    }
+
+    /// The elements of `vel_x`, each `None` where the sender does not know it.
+    #[inline]
+    pub fn iter_vel_x(&self) -> impl Iterator<Item = Option<f32>> + '_ {
+        self.vel_x.iter().map(|&v| (!v.is_nan()).then_some(v))
     }
 
     /// Element `index` of `vel_y`, or `None` where the sender does not know it, or there is no such element.
@@ -152,6 +176,12 @@ impl TrajectoryRepresentationWaypoints {
         Ok(())
     }
 
+    /// The elements of `vel_y`, each `None` where the sender does not know it.
+    #[inline]
+    pub fn iter_vel_y(&self) -> impl Iterator<Item = Option<f32>> + '_ {
+        self.vel_y.iter().map(|&v| (!v.is_nan()).then_some(v))
+    }
+
     /// Element `index` of `vel_z`, or `None` where the sender does not know it, or there is no such element.
     #[inline]
     pub fn vel_z(&self, index: usize) -> Option<f32> {
@@ -168,6 +198,12 @@ impl TrajectoryRepresentationWaypoints {
         let element = self.vel_z.get_mut(index).ok_or(wire::OutOfRange)?;
         *element = value.unwrap_or(f32::NAN);
         Ok(())
+    }
+
+    /// The elements of `vel_z`, each `None` where the sender does not know it.
+    #[inline]
+    pub fn iter_vel_z(&self) -> impl Iterator<Item = Option<f32>> + '_ {
+        self.vel_z.iter().map(|&v| (!v.is_nan()).then_some(v))
     }
 
     /// Element `index` of `acc_x`, or `None` where the sender does not know it, or there is no such element.
@@ -188,6 +224,12 @@ impl TrajectoryRepresentationWaypoints {
         Ok(())
     }
 
+    /// The elements of `acc_x`, each `None` where the sender does not know it.
+    #[inline]
+    pub fn iter_acc_x(&self) -> impl Iterator<Item = Option<f32>> + '_ {
+        self.acc_x.iter().map(|&v| (!v.is_nan()).then_some(v))
+    }
+
     /// Element `index` of `acc_y`, or `None` where the sender does not know it, or there is no such element.
     #[inline]
     pub fn acc_y(&self, index: usize) -> Option<f32> {
@@ -204,6 +246,12 @@ impl TrajectoryRepresentationWaypoints {
         let element = self.acc_y.get_mut(index).ok_or(wire::OutOfRange)?;
         *element = value.unwrap_or(f32::NAN);
         Ok(())
+    }
+
+    /// The elements of `acc_y`, each `None` where the sender does not know it.
+    #[inline]
+    pub fn iter_acc_y(&self) -> impl Iterator<Item = Option<f32>> + '_ {
+        self.acc_y.iter().map(|&v| (!v.is_nan()).then_some(v))
     }
 
     /// Element `index` of `acc_z`, or `None` where the sender does not know it, or there is no such element.
@@ -224,6 +272,12 @@ impl TrajectoryRepresentationWaypoints {
         Ok(())
     }
 
+    /// The elements of `acc_z`, each `None` where the sender does not know it.
+    #[inline]
+    pub fn iter_acc_z(&self) -> impl Iterator<Item = Option<f32>> + '_ {
+        self.acc_z.iter().map(|&v| (!v.is_nan()).then_some(v))
+    }
+
     /// Element `index` of `pos_yaw`, or `None` where the sender does not know it, or there is no such element.
     #[inline]
     pub fn pos_yaw(&self, index: usize) -> Option<f32> {
@@ -240,6 +294,12 @@ impl TrajectoryRepresentationWaypoints {
         let element = self.pos_yaw.get_mut(index).ok_or(wire::OutOfRange)?;
         *element = value.unwrap_or(f32::NAN);
         Ok(())
+    }
+
+    /// The elements of `pos_yaw`, each `None` where the sender does not know it.
+    #[inline]
+    pub fn iter_pos_yaw(&self) -> impl Iterator<Item = Option<f32>> + '_ {
+        self.pos_yaw.iter().map(|&v| (!v.is_nan()).then_some(v))
     }
 
     /// Element `index` of `vel_yaw`, or `None` where the sender does not know it, or there is no such element.
@@ -260,6 +320,12 @@ impl TrajectoryRepresentationWaypoints {
         Ok(())
     }
 
+    /// The elements of `vel_yaw`, each `None` where the sender does not know it.
+    #[inline]
+    pub fn iter_vel_yaw(&self) -> impl Iterator<Item = Option<f32>> + '_ {
+        self.vel_yaw.iter().map(|&v| (!v.is_nan()).then_some(v))
+    }
+
     /// Element `index` of `command`, or `None` where the sender does not know it, or there is no such element.
     #[inline]
     pub fn command(&self, index: usize) -> Option<MavCmd> {
@@ -276,6 +342,12 @@ impl TrajectoryRepresentationWaypoints {
         let element = self.command.get_mut(index).ok_or(wire::OutOfRange)?;
         *element = value.unwrap_or(MavCmd(65535));
         Ok(())
+    }
+
+    /// The elements of `command`, each `None` where the sender does not know it.
+    #[inline]
+    pub fn iter_command(&self) -> impl Iterator<Item = Option<MavCmd>> + '_ {
+        self.command.iter().map(|&v| (v != MavCmd(65535)).then_some(v))
     }
 }
 

@@ -27,6 +27,9 @@ pub struct Esc32Status {
 }
 
 impl Esc32Status {
+    /// All bits zero.
+    pub const EMPTY: Self = Self { bits: 0, data_version: 0 };
+
     /// The view of these bits.
     pub const fn from_bits(bits: u64, data_version: u8) -> Self {
         Self { bits, data_version }
@@ -60,6 +63,18 @@ impl Esc32Status {
         }
     }
 
+    /// With this [`Self::state`]. An error if the value does not fit.
+    #[inline]
+    pub const fn with_state(
+        mut self,
+        value: Esc32State,
+    ) -> Result<Self, wire::ViewError> {
+        match self.set_state(value) {
+            Ok(()) => Ok(self),
+            Err(error) => Err(error),
+        }
+    }
+
     /// Supply voltage. It wraps above 40.95 V. In V.
     #[inline]
     pub fn voltage(self) -> f32 {
@@ -72,6 +87,15 @@ impl Esc32Status {
         match wire::generated::raw_of(value, 1, 0, 100) {
             Some(raw @ 0..=0xfff) => self.set_voltage_raw(raw as u16),
             _ => Err(wire::ViewError::OutOfRange),
+        }
+    }
+
+    /// With this [`Self::voltage`]. An error if the value does not fit.
+    #[inline]
+    pub fn with_voltage(mut self, value: f32) -> Result<Self, wire::ViewError> {
+        match self.set_voltage(value) {
+            Ok(()) => Ok(self),
+            Err(error) => Err(error),
         }
     }
 
@@ -111,6 +135,15 @@ impl Esc32Status {
         match wire::generated::raw_of(value, 1, 0, 100) {
             Some(raw @ 0..=0x3fff) => self.set_current_raw(raw as u16),
             _ => Err(wire::ViewError::OutOfRange),
+        }
+    }
+
+    /// With this [`Self::current`]. An error if the value does not fit.
+    #[inline]
+    pub fn with_current(mut self, value: f32) -> Result<Self, wire::ViewError> {
+        match self.set_current(value) {
+            Ok(()) => Ok(self),
+            Err(error) => Err(error),
         }
     }
 
@@ -156,6 +189,15 @@ impl Esc32Status {
         }
     }
 
+    /// With this [`Self::rpm`]. An error if the value does not fit.
+    #[inline]
+    pub const fn with_rpm(mut self, value: u16) -> Result<Self, wire::ViewError> {
+        match self.set_rpm(value) {
+            Ok(()) => Ok(self),
+            Err(error) => Err(error),
+        }
+    }
+
     /// Duty cycle. Not to be trusted: firmware of version 2 from June 2014 on sends only 0, 1 or 2 of
     /// 255\. In %.
     #[inline]
@@ -167,8 +209,20 @@ impl Esc32Status {
     #[inline]
     pub fn set_duty(&mut self, value: f32) -> Result<(), wire::ViewError> {
         match wire::generated::raw_of(value, 20, 0, 51) {
-            Some(raw @ 0..=0xff) => self.set_duty_raw(raw as u8),
+            Some(raw @ 0..=0xff) => {
+                self.set_duty_raw(raw as u8);
+                Ok(())
+            }
             _ => Err(wire::ViewError::OutOfRange),
+        }
+    }
+
+    /// With this [`Self::duty`]. An error if the value does not fit.
+    #[inline]
+    pub fn with_duty(mut self, value: f32) -> Result<Self, wire::ViewError> {
+        match self.set_duty(value) {
+            Ok(()) => Ok(self),
+            Err(error) => Err(error),
         }
     }
 
@@ -180,9 +234,8 @@ impl Esc32Status {
 
     /// Sets the raw number behind [`Self::duty`].
     #[inline]
-    pub const fn set_duty_raw(&mut self, value: u8) -> Result<(), wire::ViewError> {
+    pub const fn set_duty_raw(&mut self, value: u8) {
         self.bits = (self.bits & !(0xff << 44)) | ((value as u64) << 44);
-        Ok(())
     }
 
     /// Temperature. In degC.
@@ -197,6 +250,15 @@ impl Esc32Status {
         match wire::generated::raw_of(value, 1, -128, 4) {
             Some(raw @ 0..=0x1ff) => self.set_temperature_raw(raw as u16),
             _ => Err(wire::ViewError::OutOfRange),
+        }
+    }
+
+    /// With this [`Self::temperature`]. An error if the value does not fit.
+    #[inline]
+    pub fn with_temperature(mut self, value: f32) -> Result<Self, wire::ViewError> {
+        match self.set_temperature(value) {
+            Ok(()) => Ok(self),
+            Err(error) => Err(error),
         }
     }
 
@@ -265,6 +327,18 @@ impl Esc32Status {
         }
     }
 
+    /// With this [`Self::disarm_v3`]. An error if the value does not fit.
+    #[inline]
+    pub const fn with_disarm_v3(
+        mut self,
+        value: Esc32DisarmV3,
+    ) -> Result<Self, wire::ViewError> {
+        match self.set_disarm_v3(value) {
+            Ok(()) => Ok(self),
+            Err(error) => Err(error),
+        }
+    }
+
     /// Bad detections since the start, modulo 512.
     #[inline]
     pub const fn errors(self) -> Option<u16> {
@@ -287,6 +361,15 @@ impl Esc32Status {
                 Ok(())
             }
             _ => Err(wire::ViewError::OutOfRange),
+        }
+    }
+
+    /// With this [`Self::errors`]. An error if the value does not fit.
+    #[inline]
+    pub const fn with_errors(mut self, value: u16) -> Result<Self, wire::ViewError> {
+        match self.set_errors(value) {
+            Ok(()) => Ok(self),
+            Err(error) => Err(error),
         }
     }
 
@@ -315,6 +398,18 @@ impl Esc32Status {
                 Ok(())
             }
             _ => Err(wire::ViewError::OutOfRange),
+        }
+    }
+
+    /// With this [`Self::disarm_v2`]. An error if the value does not fit.
+    #[inline]
+    pub const fn with_disarm_v2(
+        mut self,
+        value: Esc32DisarmV2,
+    ) -> Result<Self, wire::ViewError> {
+        match self.set_disarm_v2(value) {
+            Ok(()) => Ok(self),
+            Err(error) => Err(error),
         }
     }
 }
@@ -348,8 +443,13 @@ impl core::fmt::Debug for Esc32Status {
     }
 }
 
+wire::view!(
+    Esc32Status { bits, data_version } [state, voltage, current, rpm, duty, temperature,
+    disarm_v3, errors, disarm_v2]
+);
+
 /// One slot of [`AqEscTelemetry::escs`].
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Esc {
     /// Motor port, from 1.
     pub id: u8,
@@ -359,6 +459,8 @@ pub struct Esc {
     /// What the bits say; `None` where they say nothing.
     pub status: Option<Esc32Status>,
 }
+
+wire::record!(Esc { id, age_ms, status });
 
 impl AqEscTelemetry {
     /// Status of an ESC32 motor controller. Firmware of version 3 puts a temperature where others count

@@ -24,6 +24,9 @@ pub struct Esc32StatusUnpacked {
 }
 
 impl Esc32StatusUnpacked {
+    /// All bits zero.
+    pub const EMPTY: Self = Self { bits: 0 };
+
     /// The view of these bits.
     pub const fn from_bits(bits: u64) -> Self {
         Self { bits }
@@ -52,6 +55,18 @@ impl Esc32StatusUnpacked {
         }
     }
 
+    /// With this [`Self::state`]. An error if the value does not fit.
+    #[inline]
+    pub const fn with_state(
+        mut self,
+        value: Esc32State,
+    ) -> Result<Self, wire::ViewError> {
+        match self.set_state(value) {
+            Ok(()) => Ok(self),
+            Err(error) => Err(error),
+        }
+    }
+
     /// Supply voltage. It wraps above 40.95 V. In V.
     #[inline]
     pub fn voltage(self) -> f32 {
@@ -64,6 +79,15 @@ impl Esc32StatusUnpacked {
         match wire::generated::raw_of(value, 1, 0, 100) {
             Some(raw @ 0..=0xfff) => self.set_voltage_raw(raw as u16),
             _ => Err(wire::ViewError::OutOfRange),
+        }
+    }
+
+    /// With this [`Self::voltage`]. An error if the value does not fit.
+    #[inline]
+    pub fn with_voltage(mut self, value: f32) -> Result<Self, wire::ViewError> {
+        match self.set_voltage(value) {
+            Ok(()) => Ok(self),
+            Err(error) => Err(error),
         }
     }
 
@@ -103,6 +127,15 @@ impl Esc32StatusUnpacked {
         match wire::generated::raw_of(value, 1, 0, 100) {
             Some(raw @ 0..=0x3fff) => self.set_current_raw(raw as u16),
             _ => Err(wire::ViewError::OutOfRange),
+        }
+    }
+
+    /// With this [`Self::current`]. An error if the value does not fit.
+    #[inline]
+    pub fn with_current(mut self, value: f32) -> Result<Self, wire::ViewError> {
+        match self.set_current(value) {
+            Ok(()) => Ok(self),
+            Err(error) => Err(error),
         }
     }
 
@@ -148,6 +181,15 @@ impl Esc32StatusUnpacked {
         }
     }
 
+    /// With this [`Self::rpm`]. An error if the value does not fit.
+    #[inline]
+    pub const fn with_rpm(mut self, value: u16) -> Result<Self, wire::ViewError> {
+        match self.set_rpm(value) {
+            Ok(()) => Ok(self),
+            Err(error) => Err(error),
+        }
+    }
+
     /// Duty cycle. Not to be trusted: firmware from June 2014 on sends only 0, 1 or 2 of 255. In %.
     #[inline]
     pub fn duty(self) -> f32 {
@@ -158,8 +200,20 @@ impl Esc32StatusUnpacked {
     #[inline]
     pub fn set_duty(&mut self, value: f32) -> Result<(), wire::ViewError> {
         match wire::generated::raw_of(value, 20, 0, 51) {
-            Some(raw @ 0..=0xff) => self.set_duty_raw(raw as u8),
+            Some(raw @ 0..=0xff) => {
+                self.set_duty_raw(raw as u8);
+                Ok(())
+            }
             _ => Err(wire::ViewError::OutOfRange),
+        }
+    }
+
+    /// With this [`Self::duty`]. An error if the value does not fit.
+    #[inline]
+    pub fn with_duty(mut self, value: f32) -> Result<Self, wire::ViewError> {
+        match self.set_duty(value) {
+            Ok(()) => Ok(self),
+            Err(error) => Err(error),
         }
     }
 
@@ -171,9 +225,8 @@ impl Esc32StatusUnpacked {
 
     /// Sets the raw number behind [`Self::duty`].
     #[inline]
-    pub const fn set_duty_raw(&mut self, value: u8) -> Result<(), wire::ViewError> {
+    pub const fn set_duty_raw(&mut self, value: u8) {
         self.bits = (self.bits & !(0xff << 47)) | ((value as u64) << 47);
-        Ok(())
     }
 
     /// Bad detections since the start, modulo 512.
@@ -191,6 +244,15 @@ impl Esc32StatusUnpacked {
                 Ok(())
             }
             _ => Err(wire::ViewError::OutOfRange),
+        }
+    }
+
+    /// With this [`Self::errors`]. An error if the value does not fit.
+    #[inline]
+    pub const fn with_errors(mut self, value: u16) -> Result<Self, wire::ViewError> {
+        match self.set_errors(value) {
+            Ok(()) => Ok(self),
+            Err(error) => Err(error),
         }
     }
 }
@@ -214,8 +276,10 @@ impl core::fmt::Debug for Esc32StatusUnpacked {
     }
 }
 
+wire::view!(Esc32StatusUnpacked { bits } [state, voltage, current, rpm, duty, errors]);
+
 /// One slot of [`AqEscTelemetry::legacy_escs`].
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct LegacyEsc {
     /// Motor port, from 1.
     pub id: u8,
@@ -225,6 +289,8 @@ pub struct LegacyEsc {
     /// What the bits say; `None` where they say nothing.
     pub status: Option<Esc32StatusUnpacked>,
 }
+
+wire::record!(LegacyEsc { id, age_ms, status });
 
 impl AqEscTelemetry {
     /// Status of an ESC32 motor controller with firmware built before 2014-12-09, which did not pack
