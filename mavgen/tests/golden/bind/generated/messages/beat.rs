@@ -6,6 +6,9 @@ use wire::generated::{get, put};
 
 /// `BEAT`, message 311 of `main.xml`: 6 bytes, CRC_EXTRA 32; MAVLink 2 only.
 ///
+/// - [`Self::mode()`]: `custom`, as [`AcmeMode`].
+/// - [`Self::activity()`]: `state`, as [`State`].
+///
 /// | offset | field    | type |
 /// |-------:|----------|---|
 /// |      0 | `custom` | `uint32_t` |

@@ -8,6 +8,9 @@ use wire::generated::{get, put};
 ///
 /// `DRIVE`, message 306 of `main.xml`: 4 bytes, CRC_EXTRA 146; MAVLink 2 only.
 ///
+/// - [`Self::bits_of()`]: packed bits, as `DriveBits`.
+/// - [`Self::bound_mode()`]: `bound`, as [`OldMode`].
+///
 /// | offset | field      | type |
 /// |-------:|------------|---|
 /// |      0 | `mode`     | `uint8_t` |

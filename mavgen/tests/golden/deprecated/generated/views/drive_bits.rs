@@ -16,6 +16,9 @@ pub struct DriveBits {
 }
 
 impl DriveBits {
+    /// All bits zero.
+    pub const EMPTY: Self = Self { bits: 0 };
+
     /// The view of these bits.
     pub const fn from_bits(bits: u8) -> Self {
         Self { bits }
@@ -44,6 +47,15 @@ impl DriveBits {
         }
     }
 
+    /// With this [`Self::old`]. An error if the value does not fit.
+    #[inline]
+    pub const fn with_old(mut self, value: OldMode) -> Result<Self, wire::ViewError> {
+        match self.set_old(value) {
+            Ok(()) => Ok(self),
+            Err(error) => Err(error),
+        }
+    }
+
     /// `current`.
     #[inline]
     pub const fn current(self) -> NewMode {
@@ -61,6 +73,18 @@ impl DriveBits {
             _ => Err(wire::ViewError::OutOfRange),
         }
     }
+
+    /// With this [`Self::current`]. An error if the value does not fit.
+    #[inline]
+    pub const fn with_current(
+        mut self,
+        value: NewMode,
+    ) -> Result<Self, wire::ViewError> {
+        match self.set_current(value) {
+            Ok(()) => Ok(self),
+            Err(error) => Err(error),
+        }
+    }
 }
 
 impl core::fmt::Debug for DriveBits {
@@ -73,6 +97,8 @@ impl core::fmt::Debug for DriveBits {
         shown.finish()
     }
 }
+
+wire::view!(DriveBits { bits } [old, current]);
 
 impl Drive {
     /// The [`DriveBits`] in the fields.

@@ -89,6 +89,12 @@ impl Measured {
         Ok(())
     }
 
+    /// The elements of `each`, each `None` where the sender does not know it.
+    #[inline]
+    pub fn iter_each(&self) -> impl Iterator<Item = Option<i16>> + '_ {
+        self.each.iter().map(|&v| (v != 32767).then_some(v))
+    }
+
     /// `whole`, or `None` where the sender does not know it.
     #[inline]
     pub fn whole(&self) -> Option<[u8; 3]> {
@@ -117,6 +123,15 @@ impl Measured {
         let element = self.first.get_mut(index).ok_or(wire::OutOfRange)?;
         *element = value.unwrap_or(255);
         Ok(())
+    }
+
+    /// The elements of `first`, each `None` where the sender does not know it.
+    #[inline]
+    pub fn iter_first(&self) -> impl Iterator<Item = Option<u8>> + '_ {
+        self.first
+            .iter()
+            .enumerate()
+            .map(|(index, &v)| (index != 0 || v != 255).then_some(v))
     }
 }
 

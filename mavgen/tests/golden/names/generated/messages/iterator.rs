@@ -46,6 +46,12 @@ impl Iterator_ {
         *element = value.unwrap_or(0);
         Ok(())
     }
+
+    /// The elements of `store_item`, each `None` where the sender does not know it.
+    #[inline]
+    pub fn iter_store_item(&self) -> impl Iterator<Item = Option<u8>> + '_ {
+        self.store_item.iter().map(|&v| (v != 0).then_some(v))
+    }
 }
 
 impl wire::Message for Iterator_ {

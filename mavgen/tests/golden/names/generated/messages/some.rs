@@ -5,6 +5,8 @@ use wire::generated::{get, put};
 
 /// `SOME`, message 309 of `main.xml`: 6 bytes, CRC_EXTRA 229; MAVLink 2 only.
 ///
+/// - [`Self::ok()`]: packed bits, as `ViewError`.
+///
 /// | offset | field   | type |
 /// |-------:|---------|---|
 /// |      0 | `words` | `uint32_t` |

@@ -16,6 +16,9 @@ pub struct ViewError {
 }
 
 impl ViewError {
+    /// All bits zero.
+    pub const EMPTY: Self = Self { bits: 0 };
+
     /// The view of these bits.
     pub const fn from_bits(bits: u8) -> Self {
         Self { bits }
@@ -38,6 +41,15 @@ impl ViewError {
         match wire::generated::raw_of(value, 1, 0, 2) {
             Some(raw @ 0..=7) => self.set_fn_raw(raw as u8),
             _ => Err(wire::ViewError::OutOfRange),
+        }
+    }
+
+    /// With this [`Self::fn`]. An error if the value does not fit.
+    #[inline]
+    pub fn with_fn(mut self, value: f32) -> Result<Self, wire::ViewError> {
+        match self.set_fn(value) {
+            Ok(()) => Ok(self),
+            Err(error) => Err(error),
         }
     }
 
@@ -65,11 +77,18 @@ impl ViewError {
         self.bits & (1 << 3) != 0
     }
 
-    /// Sets [`Self::index`]. An error if the value does not fit.
+    /// Sets [`Self::index`].
     #[inline]
-    pub const fn set_index(&mut self, value: bool) -> Result<(), wire::ViewError> {
+    pub const fn set_index(&mut self, value: bool) {
         self.bits = if value { self.bits | (1 << 3) } else { self.bits & !(1 << 3) };
-        Ok(())
+    }
+
+    /// With this [`Self::index`].
+    #[inline]
+    #[must_use]
+    pub const fn with_index(mut self, value: bool) -> Self {
+        self.set_index(value);
+        self
     }
 
     /// `shl`.
@@ -99,6 +118,19 @@ impl ViewError {
             _ => Err(wire::ViewError::OutOfRange),
         }
     }
+
+    /// With this [`Self::shl`]. An error if the value does not fit.
+    #[inline]
+    pub const fn with_shl(
+        mut self,
+        index: usize,
+        value: u8,
+    ) -> Result<Self, wire::ViewError> {
+        match self.set_shl(index, value) {
+            Ok(()) => Ok(self),
+            Err(error) => Err(error),
+        }
+    }
 }
 
 impl core::fmt::Debug for ViewError {
@@ -116,17 +148,21 @@ impl core::fmt::Debug for ViewError {
     }
 }
 
+wire::view!(ViewError { bits } [r#fn, index, shl[2]]);
+
 /// One slot of [`Some_::ok`].
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Result_ {
-    /// What the bits say; `None` where they say nothing.
-    pub status: Option<ViewError>,
+    /// What the bits say.
+    pub status: ViewError,
 }
+
+wire::record!(Result_ { status });
 
 impl Some_ {
     /// The [`ViewError`] in the fields.
     ///
-    /// Every slot that is in use, also those whose bits say nothing.
+    /// Every slot that is in use.
     #[inline]
     pub fn ok(&self) -> impl Iterator<Item = Result_> + '_ {
         (0..2).map_while(|index| self.result(index))
@@ -137,7 +173,7 @@ impl Some_ {
     pub fn result(&self, index: usize) -> Option<Result_> {
         let parts = *self.parts.get(index)?;
         let bits = parts;
-        let status = Some(ViewError::from_bits(bits));
+        let status = ViewError::from_bits(bits);
         Some(Result_ { status })
     }
 
@@ -155,7 +191,7 @@ impl Some_ {
     }
 
     fn store_result(&mut self, index: usize, slot: Result_) -> Option<()> {
-        let bits = slot.status.map_or(0, ViewError::bits);
+        let bits = slot.status.bits();
         *self.parts.get_mut(index)? = bits;
         Some(())
     }

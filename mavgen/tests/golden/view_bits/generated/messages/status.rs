@@ -5,6 +5,9 @@ use wire::generated::{get, put};
 
 /// `STATUS`, message 312 of `main.xml`: 8 bytes, CRC_EXTRA 152; MAVLink 2 only.
 ///
+/// - [`Self::flags()`]: packed bits, as `StatusBits`.
+/// - [`Self::part()`]: packed bits, as `StatusPart`.
+///
 /// | offset | field  | type |
 /// |-------:|--------|---|
 /// |      0 | `low`  | `uint32_t` |

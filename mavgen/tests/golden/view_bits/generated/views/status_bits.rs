@@ -22,6 +22,9 @@ pub struct StatusBits {
 }
 
 impl StatusBits {
+    /// All bits zero.
+    pub const EMPTY: Self = Self { bits: 0 };
+
     /// The view of these bits.
     pub const fn from_bits(bits: u64) -> Self {
         Self { bits }
@@ -38,11 +41,18 @@ impl StatusBits {
         self.bits & 1 != 0
     }
 
-    /// Sets [`Self::armed`]. An error if the value does not fit.
+    /// Sets [`Self::armed`].
     #[inline]
-    pub const fn set_armed(&mut self, value: bool) -> Result<(), wire::ViewError> {
+    pub const fn set_armed(&mut self, value: bool) {
         self.bits = if value { self.bits | 1 } else { self.bits & !1 };
-        Ok(())
+    }
+
+    /// With this [`Self::armed`].
+    #[inline]
+    #[must_use]
+    pub const fn with_armed(mut self, value: bool) -> Self {
+        self.set_armed(value);
+        self
     }
 
     /// An enum.
@@ -60,6 +70,15 @@ impl StatusBits {
                 Ok(())
             }
             _ => Err(wire::ViewError::OutOfRange),
+        }
+    }
+
+    /// With this [`Self::gear`]. An error if the value does not fit.
+    #[inline]
+    pub const fn with_gear(mut self, value: Gear) -> Result<Self, wire::ViewError> {
+        match self.set_gear(value) {
+            Ok(()) => Ok(self),
+            Err(error) => Err(error),
         }
     }
 
@@ -81,6 +100,15 @@ impl StatusBits {
         }
     }
 
+    /// With this [`Self::trim`]. An error if the value does not fit.
+    #[inline]
+    pub const fn with_trim(mut self, value: i8) -> Result<Self, wire::ViewError> {
+        match self.set_trim(value) {
+            Ok(()) => Ok(self),
+            Err(error) => Err(error),
+        }
+    }
+
     /// A number.
     #[inline]
     pub const fn count(self) -> u16 {
@@ -96,6 +124,15 @@ impl StatusBits {
                 Ok(())
             }
             _ => Err(wire::ViewError::OutOfRange),
+        }
+    }
+
+    /// With this [`Self::count`]. An error if the value does not fit.
+    #[inline]
+    pub const fn with_count(mut self, value: u16) -> Result<Self, wire::ViewError> {
+        match self.set_count(value) {
+            Ok(()) => Ok(self),
+            Err(error) => Err(error),
         }
     }
 
@@ -123,6 +160,19 @@ impl StatusBits {
             self.bits & !(1 << (22 + index))
         };
         Ok(())
+    }
+
+    /// With this [`Self::relay`]. An error if the value does not fit.
+    #[inline]
+    pub const fn with_relay(
+        mut self,
+        index: usize,
+        value: bool,
+    ) -> Result<Self, wire::ViewError> {
+        match self.set_relay(index, value) {
+            Ok(()) => Ok(self),
+            Err(error) => Err(error),
+        }
     }
 
     /// Straddles the words.
@@ -156,6 +206,19 @@ impl StatusBits {
             _ => Err(wire::ViewError::OutOfRange),
         }
     }
+
+    /// With this [`Self::pairs`]. An error if the value does not fit.
+    #[inline]
+    pub const fn with_pairs(
+        mut self,
+        index: usize,
+        value: i8,
+    ) -> Result<Self, wire::ViewError> {
+        match self.set_pairs(index, value) {
+            Ok(()) => Ok(self),
+            Err(error) => Err(error),
+        }
+    }
 }
 
 impl core::fmt::Debug for StatusBits {
@@ -180,6 +243,8 @@ impl core::fmt::Debug for StatusBits {
         shown.finish()
     }
 }
+
+wire::view!(StatusBits { bits } [armed, gear, trim, count, relay[4], pairs[3]]);
 
 impl Status {
     /// Everything in 64 bits.

@@ -14,6 +14,9 @@ pub struct StatusPart {
 }
 
 impl StatusPart {
+    /// All bits zero.
+    pub const EMPTY: Self = Self { bits: 0 };
+
     /// The view of these bits.
     pub const fn from_bits(bits: u32) -> Self {
         Self { bits }
@@ -30,11 +33,18 @@ impl StatusPart {
         self.bits & (1 << 31) != 0
     }
 
-    /// Sets [`Self::top`]. An error if the value does not fit.
+    /// Sets [`Self::top`].
     #[inline]
-    pub const fn set_top(&mut self, value: bool) -> Result<(), wire::ViewError> {
+    pub const fn set_top(&mut self, value: bool) {
         self.bits = if value { self.bits | (1 << 31) } else { self.bits & !(1 << 31) };
-        Ok(())
+    }
+
+    /// With this [`Self::top`].
+    #[inline]
+    #[must_use]
+    pub const fn with_top(mut self, value: bool) -> Self {
+        self.set_top(value);
+        self
     }
 }
 
@@ -46,6 +56,8 @@ impl core::fmt::Debug for StatusPart {
         shown.finish()
     }
 }
+
+wire::view!(StatusPart { bits } [top]);
 
 impl Status {
     /// The [`StatusPart`] in the fields.

@@ -5,6 +5,9 @@ use wire::generated::{get, put};
 
 /// `GAUGES`, message 313 of `main.xml`: 31 bytes, CRC_EXTRA 47; MAVLink 2 only.
 ///
+/// - [`Self::joined()`]: packed bits, as `Joined`.
+/// - [`Self::gauges()`]: packed bits, as `Cell`.
+///
 /// | offset | field  | type |
 /// |-------:|--------|---|
 /// |      0 | `word` | `double` |

@@ -5,6 +5,8 @@ use wire::generated::{get, put};
 
 /// `PARAM_VALUE`, message 22 of `main.xml`: 5 bytes, CRC_EXTRA 25.
 ///
+/// - [`Self::int()`]: packed bits, as `IntParam`.
+///
 /// | offset | field         | type |
 /// |-------:|---------------|---|
 /// |      0 | `param_value` | `float` |

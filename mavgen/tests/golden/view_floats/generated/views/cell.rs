@@ -15,6 +15,9 @@ pub struct Cell {
 }
 
 impl Cell {
+    /// All bits zero.
+    pub const EMPTY: Self = Self { bits: 0 };
+
     /// The view of these bits.
     pub const fn from_bits(bits: u32) -> Self {
         Self { bits }
@@ -43,17 +46,33 @@ impl Cell {
         }
     }
 
+    /// With this [`Self::raw`]. An error if the value does not fit.
+    #[inline]
+    pub const fn with_raw(mut self, value: u32) -> Result<Self, wire::ViewError> {
+        match self.set_raw(value) {
+            Ok(()) => Ok(self),
+            Err(error) => Err(error),
+        }
+    }
+
     /// A flag.
     #[inline]
     pub const fn sign(self) -> bool {
         self.bits & (1 << 31) != 0
     }
 
-    /// Sets [`Self::sign`]. An error if the value does not fit.
+    /// Sets [`Self::sign`].
     #[inline]
-    pub const fn set_sign(&mut self, value: bool) -> Result<(), wire::ViewError> {
+    pub const fn set_sign(&mut self, value: bool) {
         self.bits = if value { self.bits | (1 << 31) } else { self.bits & !(1 << 31) };
-        Ok(())
+    }
+
+    /// With this [`Self::sign`].
+    #[inline]
+    #[must_use]
+    pub const fn with_sign(mut self, value: bool) -> Self {
+        self.set_sign(value);
+        self
     }
 }
 
@@ -68,14 +87,18 @@ impl core::fmt::Debug for Cell {
     }
 }
 
+wire::view!(Cell { bits } [raw, sign]);
+
 /// One slot of [`Gauges::gauges`].
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Gauge {
     /// `id`.
     pub id: u8,
     /// What the bits say; `None` where they say nothing.
     pub status: Option<Cell>,
 }
+
+wire::record!(Gauge { id, status });
 
 impl Gauges {
     /// The [`Cell`] in the fields.

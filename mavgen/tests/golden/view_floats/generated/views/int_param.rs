@@ -16,6 +16,9 @@ pub struct IntParam {
 }
 
 impl IntParam {
+    /// All bits zero.
+    pub const EMPTY: Self = Self { bits: 0 };
+
     /// The view of these bits.
     pub const fn from_bits(bits: u32) -> Self {
         Self { bits }
@@ -32,11 +35,18 @@ impl IntParam {
         self.bits as i32
     }
 
-    /// Sets [`Self::value`]. An error if the value does not fit.
+    /// Sets [`Self::value`].
     #[inline]
-    pub const fn set_value(&mut self, value: i32) -> Result<(), wire::ViewError> {
+    pub const fn set_value(&mut self, value: i32) {
         self.bits = value as u32;
-        Ok(())
+    }
+
+    /// With this [`Self::value`].
+    #[inline]
+    #[must_use]
+    pub const fn with_value(mut self, value: i32) -> Self {
+        self.set_value(value);
+        self
     }
 }
 
@@ -48,6 +58,8 @@ impl core::fmt::Debug for IntParam {
         shown.finish()
     }
 }
+
+wire::view!(IntParam { bits } [value]);
 
 impl ParamValue {
     /// An integer in the bits of a float.

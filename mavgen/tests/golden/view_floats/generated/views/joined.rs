@@ -16,6 +16,9 @@ pub struct Joined {
 }
 
 impl Joined {
+    /// All bits zero.
+    pub const EMPTY: Self = Self { bits: 0 };
+
     /// The view of these bits.
     pub const fn from_bits(bits: u128) -> Self {
         Self { bits }
@@ -32,11 +35,18 @@ impl Joined {
         self.bits as u64
     }
 
-    /// Sets [`Self::pair`]. An error if the value does not fit.
+    /// Sets [`Self::pair`].
     #[inline]
-    pub const fn set_pair(&mut self, value: u64) -> Result<(), wire::ViewError> {
+    pub const fn set_pair(&mut self, value: u64) {
         self.bits = (self.bits & !0xffff_ffff_ffff_ffff) | (value as u128);
-        Ok(())
+    }
+
+    /// With this [`Self::pair`].
+    #[inline]
+    #[must_use]
+    pub const fn with_pair(mut self, value: u64) -> Self {
+        self.set_pair(value);
+        self
     }
 
     /// Of the double.
@@ -54,6 +64,15 @@ impl Joined {
                 Ok(())
             }
             _ => Err(wire::ViewError::OutOfRange),
+        }
+    }
+
+    /// With this [`Self::low`]. An error if the value does not fit.
+    #[inline]
+    pub const fn with_low(mut self, value: u8) -> Result<Self, wire::ViewError> {
+        match self.set_low(value) {
+            Ok(()) => Ok(self),
+            Err(error) => Err(error),
         }
     }
 
@@ -75,6 +94,15 @@ impl Joined {
             _ => Err(wire::ViewError::OutOfRange),
         }
     }
+
+    /// With this [`Self::high`]. An error if the value does not fit.
+    #[inline]
+    pub const fn with_high(mut self, value: u64) -> Result<Self, wire::ViewError> {
+        match self.set_high(value) {
+            Ok(()) => Ok(self),
+            Err(error) => Err(error),
+        }
+    }
 }
 
 impl core::fmt::Debug for Joined {
@@ -89,6 +117,8 @@ impl core::fmt::Debug for Joined {
         shown.finish()
     }
 }
+
+wire::view!(Joined { bits } [pair, low, high]);
 
 impl Gauges {
     /// The [`Joined`] in the fields.

@@ -5,6 +5,8 @@ use wire::generated::{get, put};
 
 /// `BATTERY`, message 313 of `main.xml`: 4 bytes, CRC_EXTRA 122; MAVLink 2 only.
 ///
+/// - [`Self::state()`]: packed bits, as `BatteryBits`.
+///
 /// | offset | field  | type |
 /// |-------:|--------|---|
 /// |      0 | `word` | `uint32_t` |

@@ -17,6 +17,9 @@ pub struct BatteryBits {
 }
 
 impl BatteryBits {
+    /// All bits zero.
+    pub const EMPTY: Self = Self { bits: 0 };
+
     /// The view of these bits.
     pub const fn from_bits(bits: u32) -> Self {
         Self { bits }
@@ -39,6 +42,15 @@ impl BatteryBits {
         match wire::generated::raw_of(value, 1, 0, 100) {
             Some(raw @ 0..=0xfff) => self.set_voltage_raw(raw as u16),
             _ => Err(wire::ViewError::OutOfRange),
+        }
+    }
+
+    /// With this [`Self::voltage`]. An error if the value does not fit.
+    #[inline]
+    pub fn with_voltage(mut self, value: f32) -> Result<Self, wire::ViewError> {
+        match self.set_voltage(value) {
+            Ok(()) => Ok(self),
+            Err(error) => Err(error),
         }
     }
 
@@ -78,6 +90,15 @@ impl BatteryBits {
         match wire::generated::raw_of(value, 1, -128, 4) {
             Some(raw @ 0..=0x1ff) => self.set_temperature_raw(raw as u16),
             _ => Err(wire::ViewError::OutOfRange),
+        }
+    }
+
+    /// With this [`Self::temperature`]. An error if the value does not fit.
+    #[inline]
+    pub fn with_temperature(mut self, value: f32) -> Result<Self, wire::ViewError> {
+        match self.set_temperature(value) {
+            Ok(()) => Ok(self),
+            Err(error) => Err(error),
         }
     }
 
@@ -123,6 +144,15 @@ impl BatteryBits {
         }
     }
 
+    /// With this [`Self::climb`]. An error if the value does not fit.
+    #[inline]
+    pub fn with_climb(mut self, value: f32) -> Result<Self, wire::ViewError> {
+        match self.set_climb(value) {
+            Ok(()) => Ok(self),
+            Err(error) => Err(error),
+        }
+    }
+
     /// The raw number behind [`Self::climb`].
     #[inline]
     pub const fn climb_raw(self) -> i8 {
@@ -157,6 +187,19 @@ impl BatteryBits {
         match wire::generated::raw_of(value, 100, 0, 7) {
             Some(raw @ 0..=7) => self.set_share_raw(index, raw as u8),
             _ => Err(wire::ViewError::OutOfRange),
+        }
+    }
+
+    /// With this [`Self::share`]. An error if the value does not fit.
+    #[inline]
+    pub fn with_share(
+        mut self,
+        index: usize,
+        value: f32,
+    ) -> Result<Self, wire::ViewError> {
+        match self.set_share(index, value) {
+            Ok(()) => Ok(self),
+            Err(error) => Err(error),
         }
     }
 
@@ -205,6 +248,8 @@ impl core::fmt::Debug for BatteryBits {
         shown.finish()
     }
 }
+
+wire::view!(BatteryBits { bits } [voltage, temperature, climb, share[2]]);
 
 impl Battery {
     /// The [`BatteryBits`] in the fields.

@@ -6,6 +6,8 @@ use wire::generated::{get, put};
 
 /// `WHEELS`, message 315 of `main.xml`: 29 bytes, CRC_EXTRA 19; MAVLink 2 only.
 ///
+/// - [`Self::all()`]: packed bits, as `WheelStatus`.
+///
 /// | offset | field    | type          | units |
 /// |-------:|----------|---------------|---|
 /// |      0 | `radius` | `float`       |  |

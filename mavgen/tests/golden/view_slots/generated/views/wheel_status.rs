@@ -17,6 +17,9 @@ pub struct WheelStatus {
 }
 
 impl WheelStatus {
+    /// All bits zero.
+    pub const EMPTY: Self = Self { bits: 0 };
+
     /// The view of these bits.
     pub const fn from_bits(bits: u32) -> Self {
         Self { bits }
@@ -33,11 +36,18 @@ impl WheelStatus {
         self.bits & 1 != 0
     }
 
-    /// Sets [`Self::turning`]. An error if the value does not fit.
+    /// Sets [`Self::turning`].
     #[inline]
-    pub const fn set_turning(&mut self, value: bool) -> Result<(), wire::ViewError> {
+    pub const fn set_turning(&mut self, value: bool) {
         self.bits = if value { self.bits | 1 } else { self.bits & !1 };
-        Ok(())
+    }
+
+    /// With this [`Self::turning`].
+    #[inline]
+    #[must_use]
+    pub const fn with_turning(mut self, value: bool) -> Self {
+        self.set_turning(value);
+        self
     }
 
     /// `rpm`. In rpm.
@@ -58,6 +68,15 @@ impl WheelStatus {
         }
     }
 
+    /// With this [`Self::rpm`]. An error if the value does not fit.
+    #[inline]
+    pub const fn with_rpm(mut self, value: u16) -> Result<Self, wire::ViewError> {
+        match self.set_rpm(value) {
+            Ok(()) => Ok(self),
+            Err(error) => Err(error),
+        }
+    }
+
     /// `heat`. In degC.
     #[inline]
     pub fn heat(self) -> f32 {
@@ -68,8 +87,20 @@ impl WheelStatus {
     #[inline]
     pub fn set_heat(&mut self, value: f32) -> Result<(), wire::ViewError> {
         match wire::generated::raw_of(value, 1, -80, 2) {
-            Some(raw @ 0..=0xff) => self.set_heat_raw(raw as u8),
+            Some(raw @ 0..=0xff) => {
+                self.set_heat_raw(raw as u8);
+                Ok(())
+            }
             _ => Err(wire::ViewError::OutOfRange),
+        }
+    }
+
+    /// With this [`Self::heat`]. An error if the value does not fit.
+    #[inline]
+    pub fn with_heat(mut self, value: f32) -> Result<Self, wire::ViewError> {
+        match self.set_heat(value) {
+            Ok(()) => Ok(self),
+            Err(error) => Err(error),
         }
     }
 
@@ -81,9 +112,8 @@ impl WheelStatus {
 
     /// Sets the raw number behind [`Self::heat`].
     #[inline]
-    pub const fn set_heat_raw(&mut self, value: u8) -> Result<(), wire::ViewError> {
+    pub const fn set_heat_raw(&mut self, value: u8) {
         self.bits = (self.bits & !(0xff << 16)) | ((value as u32) << 16);
-        Ok(())
     }
 }
 
@@ -100,8 +130,10 @@ impl core::fmt::Debug for WheelStatus {
     }
 }
 
+wire::view!(WheelStatus { bits } [turning, rpm, heat]);
+
 /// One slot of [`Wheels::all`].
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Wheel {
     /// Who says so. `None` where it is not known.
     pub source: Option<Source>,
@@ -112,6 +144,8 @@ pub struct Wheel {
     /// What the bits say; `None` where they say nothing.
     pub status: Option<WheelStatus>,
 }
+
+wire::record!(Wheel { source, age_ms, radius, status });
 
 impl Wheels {
     /// The [`WheelStatus`] in the fields.

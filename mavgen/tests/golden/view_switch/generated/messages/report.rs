@@ -6,6 +6,9 @@ use wire::generated::{get, put};
 
 /// `REPORT`, message 314 of `main.xml`: 5 bytes, CRC_EXTRA 141; MAVLink 2 only.
 ///
+/// - [`Self::details()`]: packed bits, as `ReportBits`.
+/// - [`Self::other_details()`]: packed bits, as `OtherBits`.
+///
 /// | offset | field    | type |
 /// |-------:|----------|---|
 /// |      0 | `word`   | `uint16_t` |

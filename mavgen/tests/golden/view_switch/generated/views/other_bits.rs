@@ -17,6 +17,9 @@ pub struct OtherBits {
 }
 
 impl OtherBits {
+    /// All bits zero.
+    pub const EMPTY: Self = Self { bits: 0 };
+
     /// The view of these bits.
     pub const fn from_bits(bits: u16) -> Self {
         Self { bits }
@@ -45,6 +48,15 @@ impl OtherBits {
         }
     }
 
+    /// With this [`Self::kind`]. An error if the value does not fit.
+    #[inline]
+    pub const fn with_kind(mut self, value: u8) -> Result<Self, wire::ViewError> {
+        match self.set_kind(value) {
+            Ok(()) => Ok(self),
+            Err(error) => Err(error),
+        }
+    }
+
     /// `near`.
     #[inline]
     pub const fn near(self) -> Option<u16> {
@@ -67,6 +79,15 @@ impl OtherBits {
                 Ok(())
             }
             _ => Err(wire::ViewError::OutOfRange),
+        }
+    }
+
+    /// With this [`Self::near`]. An error if the value does not fit.
+    #[inline]
+    pub const fn with_near(mut self, value: u16) -> Result<Self, wire::ViewError> {
+        match self.set_near(value) {
+            Ok(()) => Ok(self),
+            Err(error) => Err(error),
         }
     }
 
@@ -95,6 +116,15 @@ impl OtherBits {
             _ => Err(wire::ViewError::OutOfRange),
         }
     }
+
+    /// With this [`Self::far`]. An error if the value does not fit.
+    #[inline]
+    pub const fn with_far(mut self, value: i16) -> Result<Self, wire::ViewError> {
+        match self.set_far(value) {
+            Ok(()) => Ok(self),
+            Err(error) => Err(error),
+        }
+    }
 }
 
 impl core::fmt::Debug for OtherBits {
@@ -111,6 +141,8 @@ impl core::fmt::Debug for OtherBits {
         shown.finish()
     }
 }
+
+wire::view!(OtherBits { bits } [kind, near, far]);
 
 impl Report {
     /// The [`OtherBits`] in the fields.

@@ -18,6 +18,9 @@ pub struct ReportBits {
 }
 
 impl ReportBits {
+    /// All bits zero.
+    pub const EMPTY: Self = Self { bits: 0, layout: 0 };
+
     /// The view of these bits.
     pub const fn from_bits(bits: u16, layout: u8) -> Self {
         Self { bits, layout }
@@ -39,11 +42,18 @@ impl ReportBits {
         self.bits as u8
     }
 
-    /// Sets [`Self::speed`]. An error if the value does not fit.
+    /// Sets [`Self::speed`].
     #[inline]
-    pub const fn set_speed(&mut self, value: u8) -> Result<(), wire::ViewError> {
+    pub const fn set_speed(&mut self, value: u8) {
         self.bits = (self.bits & !0xff) | (value as u16);
-        Ok(())
+    }
+
+    /// With this [`Self::speed`].
+    #[inline]
+    #[must_use]
+    pub const fn with_speed(mut self, value: u8) -> Self {
+        self.set_speed(value);
+        self
     }
 
     /// `load`. In %.
@@ -58,6 +68,15 @@ impl ReportBits {
         match wire::generated::raw_of(value, 1, 0, 2) {
             Some(raw @ 0..=0xff) => self.set_load_raw(raw as u8),
             _ => Err(wire::ViewError::OutOfRange),
+        }
+    }
+
+    /// With this [`Self::load`]. An error if the value does not fit.
+    #[inline]
+    pub fn with_load(mut self, value: f32) -> Result<Self, wire::ViewError> {
+        match self.set_load(value) {
+            Ok(()) => Ok(self),
+            Err(error) => Err(error),
         }
     }
 
@@ -105,6 +124,15 @@ impl ReportBits {
             _ => Err(wire::ViewError::OutOfRange),
         }
     }
+
+    /// With this [`Self::error`]. An error if the value does not fit.
+    #[inline]
+    pub const fn with_error(mut self, value: u8) -> Result<Self, wire::ViewError> {
+        match self.set_error(value) {
+            Ok(()) => Ok(self),
+            Err(error) => Err(error),
+        }
+    }
 }
 
 impl core::fmt::Debug for ReportBits {
@@ -121,6 +149,8 @@ impl core::fmt::Debug for ReportBits {
         shown.finish()
     }
 }
+
+wire::view!(ReportBits { bits, layout } [speed, load, error]);
 
 impl Report {
     /// The [`ReportBits`] in the fields.
