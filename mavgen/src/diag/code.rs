@@ -177,7 +177,7 @@ catalogue! {
     726 Slots Error "An attribute or element of a view belongs to slots, and there are none, or is missing where there are.";
     727 Count Error "A count is not a scalar unsigned integer.";
     728 UnsuitableField Error "A field is not of a type that it is used for.";
-    729 Sentinel Error "A value that means nothing is not understood, or does not fit.";
+    729 Sentinel Error "A value that means nothing is not understood, does not fit, or excludes nothing more.";
 
     740 BitsPlace Error "Bits have no width, or lie outside of the words.";
     741 BitsOverlap Error "Bits are in two members of one layout.";

@@ -45,7 +45,7 @@ pub(super) fn resolve<'a>(
     let described =
         Described { file: around.file, span: field.span, description: field.description.as_ref(), lifecycle: None };
     let ranges = [field.min.as_ref(), field.max.as_ref(), field.increment.as_ref()];
-    let limits = limits::resolve(ranges, diagnostics);
+    let limits = limits::resolve(ranges, f64::is_finite, diagnostics);
     let instance = boolean::read(field.instance.as_ref(), Attribute::AnyText("instance"), diagnostics);
     units::check(field.units.as_ref(), diagnostics);
     let ty = field_type::resolve(&field.ty, around.version, diagnostics)?;

@@ -5,9 +5,9 @@ use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::Limits;
 use crate::syntax::Text;
 
-/// Reads `minValue`, `maxValue` and `increment`, in this order.
-pub(super) fn resolve(attributes: [Option<&Text>; 3], diagnostics: &mut Diagnostics) -> Limits {
-    let [min, max, increment] = attributes.map(|text| text.and_then(|text| finite(text, diagnostics)));
+/// Reads `minValue`, `maxValue` and `increment`, in this order: numbers of which `fits` is true.
+pub(super) fn resolve(attributes: [Option<&Text>; 3], fits: fn(f64) -> bool, diagnostics: &mut Diagnostics) -> Limits {
+    let [min, max, increment] = attributes.map(|text| text.and_then(|text| finite(text, fits, diagnostics)));
     if let ([Some(min_text), Some(max_text), _], Some(low), Some(high)) = (attributes, min, max)
         && low > high
     {
@@ -19,11 +19,19 @@ pub(super) fn resolve(attributes: [Option<&Text>; 3], diagnostics: &mut Diagnost
 }
 
 /// A number that is one: a range has no use for NaN, nor for an infinity, which Rust has no literal for.
-fn finite(text: &Text, diagnostics: &mut Diagnostics) -> Option<f64> {
-    let value = number::float(&text.value).filter(|value| value.is_finite());
+fn finite(text: &Text, fits: fn(f64) -> bool, diagnostics: &mut Diagnostics) -> Option<f64> {
+    let value = number::float(&text.value).filter(|value| fits(*value));
     if value.is_none() {
-        let message = format!("`{}` is not a finite number", text.value);
+        let message = format!("`{}` {}", text.value, why_not(text, "is not a finite number"));
         diagnostics.push(Diagnostic::new(Code::DocumentedNumber, text.span, message).label("left out"));
     }
     value
+}
+
+/// What keeps a text from being a number that fits: it is more than what a param is sent as, or `otherwise`.
+pub(super) fn why_not<'w>(text: &Text, otherwise: &'w str) -> &'w str {
+    match number::float(&text.value) {
+        Some(value) if value.is_finite() => "is more than a `float` holds",
+        Some(_) | None => otherwise,
+    }
 }

@@ -70,7 +70,7 @@ fn param(
         label: text::non_empty(element.label.as_ref()),
         units: text::non_empty(element.units.as_ref()),
         values: element.values.as_ref().and_then(|name| values(name, enums, diagnostics)),
-        limits: limits::resolve(ranges, diagnostics),
+        limits: limits::resolve(ranges, is_float, diagnostics),
         default: element.default.as_ref().and_then(|text| default(index, text, diagnostics)),
         reserved: boolean::read(element.reserved.as_ref(), Attribute::AnyText("reserved"), diagnostics),
         origin: described.origin(diagnostics),
@@ -99,11 +99,17 @@ fn index(text: &Text, diagnostics: &mut Diagnostics) -> Option<u8> {
     index
 }
 
+/// Whether a `float` holds it, as commands carry their params.
+fn is_float(value: f64) -> bool {
+    (value as f32).is_finite()
+}
+
 /// A number, or NaN. `COMMAND_INT` and `MISSION_ITEM_INT` carry the params 5 and 6 as integers, which are never NaN.
 fn default(index: u8, text: &Text, diagnostics: &mut Diagnostics) -> Option<f64> {
-    let value = number::float(&text.value).filter(|value| !value.is_infinite());
+    let value = number::float(&text.value).filter(|value| value.is_nan() || is_float(*value));
     if value.is_none() {
-        let message = format!("default `{}` is neither a finite number nor NaN", text.value);
+        let why = limits::why_not(text, "is neither a finite number nor NaN");
+        let message = format!("default `{}` {why}", text.value);
         diagnostics.push(Diagnostic::new(Code::DocumentedNumber, text.span, message).label("left out"));
     }
     if value.is_some_and(f64::is_nan) && INTEGER_PARAMS.contains(&index) {

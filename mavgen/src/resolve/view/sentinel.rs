@@ -3,20 +3,43 @@
 use super::beside::beside;
 use super::words::Words;
 use crate::diag::{Code, Diagnostic, Diagnostics};
-use crate::ir::{Blank, Scalar, Sentinel};
+use crate::ir::{Blank, Condition, Place, Scalar, Sentinel};
 use crate::resolve::invalid::{self, Refusal};
 use crate::resolve::message_scope::{Found, MessageScope};
+use crate::source::Span;
 use crate::syntax::Text;
 use crate::syntax::overlay::{Invalid, View};
 
-/// Resolves all `<invalid>` of a view.
+/// Resolves all `<invalid>` of a view. Each says something new, and none that the view is never there.
 pub(super) fn blanks(
     scope: &MessageScope<'_, '_>,
     element: &View,
     words: &Words,
+    condition: Option<Condition>,
     diagnostics: &mut Diagnostics,
 ) -> Vec<Blank> {
-    element.invalids.iter().filter_map(|invalid| blank(scope, invalid, words, diagnostics)).collect()
+    let mut found: Vec<(Blank, Span)> = Vec::new();
+    let demanded = condition.zip(element.condition.value.as_ref()).map(|(condition, text)| {
+        let place = Place { field: condition.field, element: false };
+        (Blank::Field(place, condition.value.into()), text.span)
+    });
+    for invalid in &element.invalids {
+        let Some(blank) = blank(scope, invalid, words, diagnostics) else { continue };
+        let span = invalid.value.span;
+        let (first, message, label) = match (found.iter().find(|first| first.0 == blank), demanded) {
+            (Some(first), _) => (first.1, "the view is unknown by this value already", "the first time"),
+            (None, Some(demanded)) if demanded.0 == blank => {
+                (demanded.1, "the view is unknown by the value on which it is there", "the condition")
+            }
+            (None, _) => {
+                found.push((blank, span));
+                continue;
+            }
+        };
+        let problem = Diagnostic::new(Code::Sentinel, span, message).related(first, label);
+        diagnostics.push(problem.help("leave it out, or correct it"));
+    }
+    found.into_iter().map(|(blank, _)| blank).collect()
 }
 
 fn blank(
