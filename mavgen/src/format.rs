@@ -1,6 +1,10 @@
 //! Formatting: from tokens to the text of a file.
 //!
 //! prettyplease lays out the code and puts no empty line between items; [`blank_lines`] does.
+//!
+//! rustfmt would break some lines elsewhere (it fills 100 columns, prettyplease 89), and orders modules otherwise. A build script
+//! cannot count on it: it may not be installed, it takes ten times as long, and its layout changes with the toolchain, where
+//! the same definitions have to give the same bytes.
 
 use proc_macro2::TokenStream;
 
