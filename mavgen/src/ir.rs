@@ -26,10 +26,12 @@ pub use partial::{LostMessage, LostView, Partial};
 pub use validate::{Fault, Valid};
 pub use values::{Command, Entry, Enum, Param, Repr};
 pub use view::{
-    Access, Binding, Blank, Condition, Exact, FieldIndex, Key, Meaning, Member, Place, Presence, Repeat, Scaled, Slots,
-    Switch, SwitchOn, View, Word,
+    Access, Binding, Condition, Exact, FieldIndex, Key, Meaning, Member, Place, Presence, Repeat, Scaled, Slots,
+    Switch, SwitchOn, View, ViewSentinel, Word,
 };
 pub(crate) use visit::{enums_of_enum_mut, enums_of_message_mut};
+
+use std::fmt;
 
 use crate::source::Span;
 
@@ -106,6 +108,19 @@ pub struct Successor {
     pub replaced_by: Option<String>,
     /// The text of the element.
     pub description: String,
+}
+
+/// Since when, and what replaces it: ` since 2018-04, replaced by X`; nothing if neither is said.
+impl fmt::Display for Successor {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(since) = &self.since {
+            write!(f, " since {since}")?;
+        }
+        match &self.replaced_by {
+            Some(other) => write!(f, ", replaced by {other}"),
+            None => Ok(()),
+        }
+    }
 }
 
 /// Where an item was written and what is said of it: common to messages, fields, enums, entries and params.

@@ -50,6 +50,7 @@ mod build_script;
 mod builder;
 #[cfg(feature = "compare")]
 pub mod compare;
+mod decimal;
 #[cfg(feature = "decode")]
 pub mod decode;
 pub mod diag;

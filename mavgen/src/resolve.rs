@@ -117,7 +117,7 @@ fn widths(
         let defining_file = defining_file::of(merged, uses, &mut includes);
         let mut asked = Vec::new();
         if defining_file.0 >= loaded.files.len() {
-            let own = enum_uses.iter().filter(|enum_use| enum_use.values == EnumId(index));
+            let own = enum_uses.iter().filter(|enum_use| enum_use.enum_ == EnumId(index));
             asked.extend(own.map(EnumUse::repr));
         }
         Width::of(merged, defining_file, uses, &asked, diagnostics)

@@ -88,7 +88,7 @@ pub struct Param {
     /// `units`.
     pub units: Option<Text>,
     /// `enum`.
-    pub values: Option<Text>,
+    pub enum_: Option<Text>,
     /// `increment`.
     pub increment: Option<Text>,
     /// `minValue`.
@@ -132,7 +132,7 @@ pub struct Field {
     /// `name`.
     pub name: Text,
     /// `enum`.
-    pub values: Option<Text>,
+    pub enum_: Option<Text>,
     /// `display`.
     pub display: Option<Text>,
     /// `units`.

@@ -211,7 +211,7 @@ fn param(dialects: &Dialects<'_>, item: &str, old: Option<&Param>, new: Option<&
     let mut facts = Facts::new(item, Some((&before.origin, &after.origin)));
     facts.compare("label", before.label.as_ref(), after.label.as_ref());
     facts.compare("units", before.units.as_ref(), after.units.as_ref());
-    let name = |dialect: &Dialect, param: &Param| Some(dialect.enum_by_id(param.values?)?.name.text.clone());
+    let name = |dialect: &Dialect, param: &Param| Some(dialect.enum_by_id(param.enum_?)?.name.text.clone());
     facts.compare("enum", name(dialects.old, before), name(dialects.new, after));
     facts.limits(&before.limits, &after.limits);
     facts.compare("default", before.default, after.default);

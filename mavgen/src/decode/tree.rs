@@ -131,7 +131,7 @@ pub(super) fn number(number: Number) -> Node {
 /// What overlays see in the fields.
 fn overlaid(message: &Message, tables: &Tables, payload: &[u8]) -> Vec<Entry> {
     let bound = bindings(message, payload).filter_map(|(binding, value)| {
-        Some(Entry { name: binding.name.shown(), units: None, node: named(tables, binding.values, value?) })
+        Some(Entry { name: binding.name.shown(), units: None, node: named(tables, binding.enum_, value?) })
     });
     let views = views(message, payload).filter_map(|reading| view(tables, &reading));
     bound.chain(views).chain(parameter(message, payload)).collect()

@@ -5,7 +5,7 @@ use mavlink_wire::reflect::Number;
 use super::Bits;
 use super::tables::kind;
 use crate::ir::{
-    Access, Binding, Blank, Condition, EnumId, FieldIndex, Key, Message, Place, Slots, SwitchOn, View, Word,
+    Access, Binding, Condition, EnumId, FieldIndex, Key, Message, Place, Slots, SwitchOn, View, ViewSentinel, Word,
 };
 
 /// A view, read from a payload.
@@ -103,8 +103,8 @@ impl<'d> Source<'d> {
     fn bits(&self, view: &'d View, index: u8) -> Option<Bits<'d>> {
         let bits = self.joined(view, index);
         let blank = view.invalid.iter().any(|blank| match blank {
-            Blank::Words(value) => bits == *value,
-            Blank::Field(place, value) => self.integer(*place, index) == Some(*value),
+            ViewSentinel::Words(value) => bits == *value,
+            ViewSentinel::Field(place, value) => self.integer(*place, index) == Some(*value),
         });
         if blank || view.condition.as_ref().is_some_and(|condition| !self.holds(condition)) {
             return None;

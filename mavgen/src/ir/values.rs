@@ -72,7 +72,7 @@ pub struct Param {
     /// The unit, as the XML spells it.
     pub units: Option<String>,
     /// The enum whose values it carries.
-    pub values: Option<EnumId>,
+    pub enum_: Option<EnumId>,
     /// Documented range and step.
     pub limits: Limits,
     /// `default`: a number or NaN.

@@ -21,7 +21,7 @@ pub struct View {
     /// The view means something only while this holds.
     pub condition: Option<Condition>,
     /// Any match says that the bits mean nothing.
-    pub invalid: Vec<Blank>,
+    pub invalid: Vec<ViewSentinel>,
     /// What selects between layouts, if the layout is not always the same.
     pub switch: Option<Switch>,
     /// The named bits, in the order of the overlay.
@@ -96,7 +96,7 @@ pub struct Key {
 
 /// A value that says that a view means nothing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Blank {
+pub enum ViewSentinel {
     /// A field, or the slot's element of one, has this value.
     Field(Place, i128),
     /// The joined words are this.
@@ -111,7 +111,7 @@ pub struct Condition {
     /// The value.
     pub value: u64,
     /// The enum that the XML names the value in, if the field carries one.
-    pub values: Option<EnumId>,
+    pub enum_: Option<EnumId>,
 }
 
 /// What selects between layouts.
@@ -252,7 +252,7 @@ pub struct Binding {
     /// The integer field; scalar, and as wide as the enum.
     pub field: FieldIndex,
     /// The enum.
-    pub values: EnumId,
+    pub enum_: EnumId,
     /// The getter gives `None` unless this holds.
     pub condition: Option<Condition>,
     /// What the overlay says of it.

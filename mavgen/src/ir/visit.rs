@@ -1,8 +1,8 @@
 //! Every mention of an enum in the model, in one place: whatever gains one is visited here, and the compiler asks for it.
 
 use super::{
-    Access, Binding, Blank, Command, Condition, Entry, Enum, EnumId, Field, Key, Meaning, Member, Message, Param,
-    Scaled, Slots, Switch, SwitchOn, Values, View,
+    Access, Binding, Command, Condition, Entry, Enum, EnumId, Field, Key, Meaning, Member, Message, Param, Scaled,
+    Slots, Switch, SwitchOn, Values, View, ViewSentinel,
 };
 
 /// The visits of messages and of enums, to look at ids or to change them.
@@ -29,8 +29,8 @@ macro_rules! visits {
         }
 
         fn $binding(binding: & $($mut)? Binding, visit: &mut dyn FnMut(& $($mut)? EnumId)) {
-            let Binding { values, condition, name: _, field: _, description: _ } = binding;
-            visit(values);
+            let Binding { enum_, condition, name: _, field: _, description: _ } = binding;
+            visit(enum_);
             $condition(condition, visit);
         }
 
@@ -40,7 +40,7 @@ macro_rules! visits {
             $condition(condition, visit);
             for blank in invalid {
                 match blank {
-                    Blank::Field(_, _) | Blank::Words(_) => {}
+                    ViewSentinel::Field(_, _) | ViewSentinel::Words(_) => {}
                 }
             }
             if let Some(Switch { on, name: _, span: _ }) = switch {
@@ -68,21 +68,21 @@ macro_rules! visits {
         }
 
         fn $condition(condition: & $($mut)? Option<Condition>, visit: &mut dyn FnMut(& $($mut)? EnumId)) {
-            if let Some(Condition { values: Some(id), field: _, value: _ }) = condition {
+            if let Some(Condition { enum_: Some(id), field: _, value: _ }) = condition {
                 visit(id);
             }
         }
 
         /// Visits every enum that the params of an enum of commands name.
-        pub(crate) fn $enum(values: & $($mut)? Enum, visit: &mut dyn FnMut(& $($mut)? EnumId)) {
-            let Enum { entries, name: _, named_in: _, bitmask: _, repr: _, defined_in: _, origin: _ } = values;
+        pub(crate) fn $enum(enum_: & $($mut)? Enum, visit: &mut dyn FnMut(& $($mut)? EnumId)) {
+            let Enum { entries, name: _, named_in: _, bitmask: _, repr: _, defined_in: _, origin: _ } = enum_;
             for Entry { command, name: _, value: _, auto: _, origin: _ } in entries {
                 let Some(Command { params, has_location: _, is_destination: _, mission_only: _ }) = command else { continue };
                 for param in params {
                     let Param {
-                        values, index: _, label: _, units: _, limits: _, default: _, reserved: _, origin: _,
+                        enum_, index: _, label: _, units: _, limits: _, default: _, reserved: _, origin: _,
                     } = param;
-                    if let Some(id) = values {
+                    if let Some(id) = enum_ {
                         visit(id);
                     }
                 }

@@ -19,7 +19,7 @@ impl<'d> Items<'d> {
         (binding, getter): (&'d Binding, &str),
     ) -> Result<[Method<'d>; 2], Internal> {
         let field = message.field(binding.field)?.ident;
-        let bound = self.enum_type(binding.values)?;
+        let bound = self.enum_type(binding.enum_)?;
         let when = binding.condition.as_ref().map(|condition| self.holds(message, condition)).transpose()?;
         let link = format!("[`Self::{field}`](field@Self::{field})");
         let shown = Paragraph::line(format!("{link} as [`{}`].", bound.ident));

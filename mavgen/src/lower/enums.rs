@@ -66,7 +66,7 @@ impl<'d> Items<'d> {
         let commands = firsts.filter_map(|entry| Some((entry.value, entry.command.as_ref()?)));
         let rows = commands.map(|(value, command)| {
             let params = command.params.iter().filter(|param| is_known(param)).map(|param| {
-                let carries = param.values.map(|id| Ok(self.enum_at(id)?.model.name.text.as_str())).transpose()?;
+                let carries = param.enum_.map(|id| Ok(self.enum_at(id)?.model.name.text.as_str())).transpose()?;
                 Ok(ParamInfo { param, carries })
             });
             Ok((value, params.collect::<Result<Vec<_>, Internal>>()?))
@@ -98,7 +98,7 @@ impl<'d> Items<'d> {
         if !facts.is_empty() {
             sentences.push(docs::capitalised(&format!("{}.", facts.join("; "))));
         }
-        let link = param.values.map(|id| {
+        let link = param.enum_.map(|id| {
             let (name, way) = (self.enum_type(id)?.ident, self.way_to_enum(id)?);
             Ok(format!("A [`{name}`]({way}enums::{name})."))
         });
@@ -127,7 +127,7 @@ impl<'d> Items<'d> {
 
 /// Whether there is more than a description.
 fn is_known(param: &Param) -> bool {
-    let Param { index: _, label, units, values, limits, default, reserved, origin: _ } = param;
+    let Param { index: _, label, units, enum_: values, limits, default, reserved, origin: _ } = param;
     let named = label.is_some() || units.is_some() || values.is_some();
     named || *limits != Limits::default() || default.is_some() || *reserved
 }

@@ -79,7 +79,7 @@ impl<'d> Items<'d> {
             Ok(format!("- [`Self::{getter}()`]: packed bits, as `{}`.", view.ty()))
         });
         let bindings = message.bindings().map(|(binding, getter)| {
-            let (field, bound) = (message.field(binding.field)?.ident, self.enum_type(binding.values)?);
+            let (field, bound) = (message.field(binding.field)?.ident, self.enum_type(binding.enum_)?);
             Ok(format!("- [`Self::{getter}()`]: `{}`, as [`{}`].", spelled(field), bound.ident))
         });
         views.chain(bindings).collect()

@@ -52,7 +52,7 @@ fn read_param<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>) -> Result<O
         index: tag.require("index"),
         label: tag.take("label"),
         units: tag.take("units"),
-        values: tag.take("enum"),
+        enum_: tag.take("enum"),
         increment: tag.take("increment"),
         min: tag.take("minValue"),
         max: tag.take("maxValue"),

@@ -33,7 +33,7 @@ fn read_field<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>) -> Result<O
     let mut field = Field {
         ty: tag.require("type"),
         name: tag.require("name"),
-        values: tag.take("enum"),
+        enum_: tag.take("enum"),
         display: tag.take("display"),
         units: tag.take("units"),
         print_format: tag.take("print_format"),

@@ -59,7 +59,7 @@ fn document(elements: &mut Elements<'_, '_>, overlay: &mut Overlay) -> Result<()
 
 fn read_refinement<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>) -> Result<Option<Refinement>, Broken> {
     let refinement = Refinement {
-        values: tag.require("enum"),
+        enum_: tag.require("enum"),
         bitmask: tag.take("bitmask"),
         deprecated: tag.take("deprecated"),
         span: tag.span,
@@ -73,7 +73,7 @@ fn read_note<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>) -> Result<No
     let mut note = Note {
         message: tag.take("message"),
         field: tag.take("field"),
-        values: tag.take("enum"),
+        enum_: tag.take("enum"),
         entry: tag.take("entry"),
         text: None,
         span: tag.span,
@@ -99,7 +99,7 @@ fn read_bind<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>) -> Result<Op
     let mut bind = Bind {
         name: tag.require("name"),
         field: tag.require("field"),
-        values: tag.require("enum"),
+        enum_: tag.require("enum"),
         condition: read_condition(&mut tag),
         description: None,
         span: tag.span,

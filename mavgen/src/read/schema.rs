@@ -1,5 +1,6 @@
 //! The types of pymavlink's schema, `mavschema.xsd`, and what is said where it refuses a text or an order that we take.
 
+use crate::decimal::{is_digits, is_year_and_month};
 use crate::diag::{Code, Diagnostic};
 use crate::source::Span;
 
@@ -40,8 +41,8 @@ impl Type {
             Self::Number => is_number(text),
             Self::Default => text == "NaN" || is_number(text),
             Self::Multiplier => matches!(text, "1E-2" | "2E-3" | "360/255"),
-            Self::Date => is_date(text),
-            Self::OfField => text.split_once('[').is_none_or(|(_, rest)| rest.strip_suffix(']').is_some_and(digits)),
+            Self::Date => text.starts_with("20") && is_year_and_month(text),
+            Self::OfField => text.split_once('[').is_none_or(|(_, rest)| rest.strip_suffix(']').is_some_and(is_digits)),
             Self::Path => text == collapsed,
         }
     }
@@ -61,10 +62,6 @@ impl Type {
             Self::Path => "the path alone, without blanks or line ends around it",
         }
     }
-}
-
-fn digits(text: &str) -> bool {
-    !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit())
 }
 
 /// The four spellings of the schema, each with its most digits.
@@ -89,13 +86,6 @@ fn is_float(text: &str) -> bool {
         .chars()
         .any(|letter| letter.is_alphabetic() && letter != 'e' && letter != 'E');
     if words { matches!(text, "INF" | "-INF" | "NaN") } else { text.parse::<f64>().is_ok() }
-}
-
-fn is_date(text: &str) -> bool {
-    let parts = text.split_once('-').filter(|(year, month)| year.len() == 4 && month.len() == 2);
-    parts.is_some_and(|(year, month)| {
-        year.starts_with("20") && digits(year) && digits(month) && ("01"..="12").contains(&month)
-    })
 }
 
 /// Says that pymavlink's schema refuses a text.

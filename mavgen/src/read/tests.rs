@@ -59,7 +59,7 @@ fn everything_of_a_message() {
 
     let [f, g] = &message.fields[..] else { panic!("two fields") };
     let optional = [
-        &f.values,
+        &f.enum_,
         &f.display,
         &f.units,
         &f.print_format,
@@ -102,7 +102,7 @@ fn everything_of_an_enum() {
     assert_eq!(flags.map(|text| text.as_ref().unwrap().value.as_str()), ["2", "true", "false", "1"]);
     let p = &b.params[0];
     let optional =
-        [&p.label, &p.units, &p.values, &p.increment, &p.min, &p.max, &p.reserved, &p.default, &p.description];
+        [&p.label, &p.units, &p.enum_, &p.increment, &p.min, &p.max, &p.reserved, &p.default, &p.description];
     let values = optional.map(|text| text.as_ref().unwrap().value.as_str());
     assert_eq!(values, ["L", "s", "E", "1", "2", "3", "true", "NaN", "P"]);
     assert_eq!((p.index.value.as_str(), b.params[1].index.value.as_str()), ("1", "2"));

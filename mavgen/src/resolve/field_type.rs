@@ -4,6 +4,7 @@ use std::num::NonZeroU8;
 
 use super::number;
 use super::suggest::suggest;
+use crate::decimal::is_digits;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{FieldType, Scalar};
 use crate::syntax::Text;
@@ -125,7 +126,7 @@ fn meant(text: &str) -> Option<String> {
     match (known.or_else(foreign)?, length) {
         ("char", "") => Some("char[N]".to_owned()),
         (meant, "") => Some(meant.to_owned()),
-        (meant, digits) if digits.bytes().all(|digit| digit.is_ascii_digit()) => Some(format!("{meant}[{digits}]")),
+        (meant, digits) if is_digits(digits) => Some(format!("{meant}[{digits}]")),
         _ => None,
     }
 }

@@ -1,6 +1,7 @@
 //! Stages of life: `<wip>`, `<superseded>` and `<deprecated>`.
 
 use super::text;
+use crate::decimal::is_year_and_month;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{Lifecycle, Origin, Successor};
 use crate::syntax::{self, Stage};
@@ -23,13 +24,7 @@ pub(super) fn resolve(element: &syntax::Lifecycle, diagnostics: &mut Diagnostics
 /// Turns "deprecated" into a paragraph of the description: an overlay says that the item is in use all the same.
 pub(super) fn tell(origin: &mut Origin) {
     let Some(Lifecycle::Deprecated(successor)) = &origin.lifecycle else { return };
-    let mut text = "Deprecated".to_owned();
-    if let Some(since) = &successor.since {
-        text += &format!(" since {since}");
-    }
-    if let Some(other) = &successor.replaced_by {
-        text += &format!(", replaced by {other}");
-    }
+    let text = format!("Deprecated{successor}");
     let why = successor.description.trim();
     origin.append(&if why.is_empty() { format!("{text}.") } else { format!("{text}: {why}") });
     origin.lifecycle = None;
@@ -42,7 +37,7 @@ fn check_date(element: &syntax::Lifecycle, diagnostics: &mut Diagnostics) {
         Stage::Deprecated => "deprecated",
     };
     match &element.since {
-        Some(since) if !is_date(&since.value) => {
+        Some(since) if !is_year_and_month(&since.value) => {
             let message = format!("`{}` is not a date", since.value);
             let problem = Diagnostic::new(Code::Lifecycle, since.span, message);
             diagnostics
@@ -63,30 +58,5 @@ fn check_date(element: &syntax::Lifecycle, diagnostics: &mut Diagnostics) {
                 .label("`replaced_by` is missing; pymavlink refuses it")
                 .help("add `replaced_by=\"…\"`; it may be empty"),
         );
-    }
-}
-
-/// Whether a text is `YYYY-MM`.
-fn is_date(text: &str) -> bool {
-    let all_digits = |part: &str| part.bytes().all(|byte| byte.is_ascii_digit());
-    text.split_once('-').is_some_and(|(year, month)| {
-        year.len() == 4 && all_digits(year) && month.len() == 2 && all_digits(month) && ("01"..="12").contains(&month)
-    })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn dates() {
-        for date in ["2018-04", "2026-12", "2026-01"] {
-            assert!(is_date(date), "{date}");
-        }
-        for date in
-            ["", "2018", "2018-4", "2018-13", "2018-00", "18-04", "2018-04-01", "April 2018", "２018-04", "2018-+4"]
-        {
-            assert!(!is_date(date), "{date}");
-        }
     }
 }

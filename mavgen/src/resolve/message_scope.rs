@@ -67,7 +67,7 @@ impl<'s, 'a: 's> MessageScope<'s, 'a> {
     }
 
     /// The enum of that name; the same goes for it.
-    pub(super) fn values(&self, name: &Text, diagnostics: &mut Diagnostics) -> Option<EnumId> {
+    pub(super) fn enum_(&self, name: &Text, diagnostics: &mut Diagnostics) -> Option<EnumId> {
         let id = self.enums.id(&name.value);
         if id.is_none() && self.enums.complete {
             let message = format!("enum `{}` does not exist", name.value);
@@ -78,21 +78,21 @@ impl<'s, 'a: 's> MessageScope<'s, 'a> {
         id
     }
 
-    /// The enum whose values a field carries, as the definitions say.
-    pub(super) fn values_of(&self, field: &syntax::Field) -> Option<EnumId> {
-        field.values.as_ref().and_then(|name| self.enums.id(&name.value))
+    /// The enum that a field carries, as the definitions say.
+    pub(super) fn enum_of(&self, field: &syntax::Field) -> Option<EnumId> {
+        field.enum_.as_ref().and_then(|name| self.enums.id(&name.value))
     }
 
     /// The value of an entry of an enum.
-    pub(super) fn entry(&self, values: EnumId, name: &str) -> Option<u64> {
-        let mut entries = self.enums.list.get(values.0)?.entries.iter();
+    pub(super) fn entry(&self, enum_: EnumId, name: &str) -> Option<u64> {
+        let mut entries = self.enums.list.get(enum_.0)?.entries.iter();
         let entry = entries.find(|entry| entry.syntax.name.value == name)?;
         u64::try_from(entry.value).ok()
     }
 
     /// The names of the entries of an enum.
-    pub(super) fn entry_names(&self, values: EnumId) -> impl Iterator<Item = &'a str> {
-        let list = self.enums.list.get(values.0).map(|merged| merged.entries.as_slice());
+    pub(super) fn entry_names(&self, enum_: EnumId) -> impl Iterator<Item = &'a str> {
+        let list = self.enums.list.get(enum_.0).map(|merged| merged.entries.as_slice());
         list.unwrap_or_default().iter().map(|entry| entry.syntax.name.value.as_str())
     }
 }

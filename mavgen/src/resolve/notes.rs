@@ -85,7 +85,7 @@ impl<'a> Notes<'a> {
             self.by(file, Subject::Message(&additions.name.value, None));
         }
         for refinement in &overlay.refinements {
-            self.by(file, Subject::Enum(&refinement.values.value, None));
+            self.by(file, Subject::Enum(&refinement.enum_.value, None));
         }
     }
 
@@ -108,8 +108,8 @@ impl<'a> Notes<'a> {
 
 /// What the attributes say.
 fn subject<'n>(note: &'n Note, diagnostics: &mut Diagnostics) -> Option<Subject<&'n Text>> {
-    let Note { message, field, values, entry, .. } = note;
-    let wrong = match (message, field, values, entry) {
+    let Note { message, field, enum_, entry, .. } = note;
+    let wrong = match (message, field, enum_, entry) {
         (Some(message), field, None, None) => return Some(Subject::Message(message, field.as_ref())),
         (None, None, Some(enum_), entry) => return Some(Subject::Enum(enum_, entry.as_ref())),
         (None, None, None, None) => "a note does not say what it is about",

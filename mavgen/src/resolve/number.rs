@@ -2,6 +2,8 @@
 //!
 //! Knows the spelling only; what a number is for, and which range it may have beyond its type, is the caller's business.
 
+use crate::decimal::is_digits;
+
 /// Why a text is no number, worded as the label under it.
 type Refusal = &'static str;
 
@@ -33,7 +35,7 @@ pub(super) fn unsigned(text: &str) -> Result<u64, Refusal> {
 
 /// A number of plain decimal digits, where leading zeros are harmless: ids, lengths, versions, indices.
 pub(super) fn count(text: &str) -> Option<u64> {
-    digits(text.trim(), 10).ok()
+    Some(text.trim()).filter(|text| is_digits(text))?.parse().ok()
 }
 
 /// A decimal number. Zeros alone are zero, as in Python.

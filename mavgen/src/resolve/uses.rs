@@ -68,7 +68,7 @@ pub(super) fn collect<'a>(drafts: &[Draft<'a>], enums: &Enums<'a>, diagnostics: 
 
 /// The `enum` attribute; pymavlink takes an empty one for none.
 pub(super) fn named(field: &syntax::Field) -> Option<&Text> {
-    field.values.as_ref().filter(|name| !name.value.is_empty())
+    field.enum_.as_ref().filter(|name| !name.value.is_empty())
 }
 
 fn unknown(message: &syntax::Message, field: &syntax::Field, name: &Text) -> Diagnostic {

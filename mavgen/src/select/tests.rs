@@ -71,7 +71,7 @@ fn commands_keep_the_enums_of_their_params_and_so_on() {
     let dialect = only(&["COMMAND"]);
     assert_eq!(enums(&dialect), ["PARAM_OF_COMMAND", "MAV_CMD", "OTHER_COMMANDS"]);
     let params = |name| &named(&dialect, name).entries[0].command.as_ref().unwrap().params;
-    let carried = |name, at: usize| dialect.enum_by_id(params(name)[at].values.unwrap()).unwrap().name.text.as_str();
+    let carried = |name, at: usize| dialect.enum_by_id(params(name)[at].enum_.unwrap()).unwrap().name.text.as_str();
     assert_eq!(
         (carried("MAV_CMD", 0), carried("MAV_CMD", 1), carried("OTHER_COMMANDS", 0)),
         ("OTHER_COMMANDS", "MAV_CMD", "PARAM_OF_COMMAND")
@@ -82,7 +82,7 @@ fn commands_keep_the_enums_of_their_params_and_so_on() {
 fn overlays_keep_what_they_say_of_kept_messages() {
     let dialect = only(&["PLAIN"]);
     assert_eq!(enums(&dialect), ["BOUND"]);
-    assert_eq!(dialect.enum_by_id(dialect.messages[0].bindings[0].values).unwrap().name.text, "BOUND");
+    assert_eq!(dialect.enum_by_id(dialect.messages[0].bindings[0].enum_).unwrap().name.text, "BOUND");
     let dialect = only(&["STATEFUL_WIDE"]);
     assert_eq!(enums(&dialect), ["STATE", "PACKED"]);
     let Meaning::Values(id) = dialect.messages[0].views[0].members[0].meaning else { panic!("no enum") };

@@ -47,7 +47,7 @@ pub struct Overlay {
 #[derive(Clone, Debug)]
 pub struct Refinement {
     /// `enum`.
-    pub values: Text,
+    pub enum_: Text,
     /// `bitmask`.
     pub bitmask: Option<Text>,
     /// `deprecated`.
@@ -64,7 +64,7 @@ pub struct Note {
     /// `field`, of the message.
     pub field: Option<Text>,
     /// `enum`.
-    pub values: Option<Text>,
+    pub enum_: Option<Text>,
     /// `entry`, of the enum.
     pub entry: Option<Text>,
     /// The text, trimmed.
@@ -94,7 +94,7 @@ pub struct Bind {
     /// `field`.
     pub field: Text,
     /// `enum`.
-    pub values: Text,
+    pub enum_: Text,
     /// `if` and `is`.
     pub condition: Condition,
     /// The text, trimmed.
@@ -197,7 +197,7 @@ pub struct Bits {
     /// `width`.
     pub width: Text,
     /// `enum`.
-    pub values: Option<Text>,
+    pub enum_: Option<Text>,
     /// `signed`.
     pub signed: Option<Text>,
     /// `scale`.

@@ -2,6 +2,7 @@
 
 use super::line::Piece;
 use super::scalar::Scalar;
+use crate::decimal::is_digits;
 use crate::diag::{Code, Diagnostic};
 
 /// The value of a constant of this type.
@@ -19,7 +20,7 @@ pub(super) fn read(element: &str, value: Piece<'_>) -> Result<i128, Diagnostic> 
         None => i128::MIN..=i128::MAX,
     };
     let digits = text.strip_prefix('-').unwrap_or(text);
-    if digits.is_empty() || !digits.bytes().all(|digit| digit.is_ascii_digit()) {
+    if !is_digits(digits) {
         return bad(
             if text.is_empty() {
                 "a constant without a value".into()

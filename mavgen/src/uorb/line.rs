@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use super::constant;
+use crate::decimal::is_digits;
 use crate::diag::{Code, Diagnostic};
 use crate::source::{FileId, Span, Spanned};
 
@@ -93,9 +94,8 @@ fn element(ty: Piece<'_>) -> Result<(Piece<'_>, Option<Spanned<u16>>), Diagnosti
     if digits.is_empty() || digits.starts_with("<=") {
         return Err(bad("an array without a fixed length"));
     }
-    let is_number = digits.bytes().all(|digit| digit.is_ascii_digit());
     match digits.parse() {
-        Ok(length) if is_number && length > 0 => Ok((element, Some(Spanned::new(length, ty.span())))),
+        Ok(length) if is_digits(digits) && length > 0 => Ok((element, Some(Spanned::new(length, ty.span())))),
         _ => Err(bad(&format!("an array of `{digits}` elements"))),
     }
 }

@@ -97,7 +97,7 @@ impl Part {
         let messages: Vec<_> = messages.filter(|message| self.has_message(message)).collect();
         for (message, field) in messages.iter().flat_map(|one| one.fields.iter().map(move |field| (one, field))) {
             let place = || format!("{}.{}", message.name.value, field.name.value);
-            if let Some(name) = &field.values {
+            if let Some(name) = &field.enum_ {
                 self.keep_enum_named(&name.value, whole, || format!("`{}` names it", place()));
             }
             if let Some(invalid) = &field.invalid {
@@ -111,7 +111,7 @@ impl Part {
         let enums = loaded.files.iter().flat_map(|file| &file.enums);
         let entries: Vec<_> = enums.filter(|values| self.has_enum(values)).flat_map(|values| &values.entries).collect();
         for (entry, param) in entries.iter().flat_map(|one| one.params.iter().map(move |param| (one, param))) {
-            if let Some(name) = &param.values {
+            if let Some(name) = &param.enum_ {
                 self.keep_enum_named(&name.value, whole, || format!("a param of `{}` names it", entry.name.value));
             }
         }

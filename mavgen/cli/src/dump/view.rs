@@ -3,8 +3,8 @@
 use std::ops::RangeInclusive;
 
 use mavgen::ir::{
-    Access, Binding, Blank, Condition, Dialect, EnumId, FieldIndex, Key, Meaning, Member, Message, Place, Presence,
-    Slots, Switch, SwitchOn, View, Word,
+    Access, Binding, Condition, Dialect, EnumId, FieldIndex, Key, Meaning, Member, Message, Place, Presence, Slots,
+    Switch, SwitchOn, View, ViewSentinel, Word,
 };
 use serde_json::{Value, json};
 
@@ -58,10 +58,10 @@ impl Overlaid<'_> {
         json!({ "field": self.field(condition.field), "value": condition.value })
     }
 
-    fn blank_json(&self, blank: &Blank) -> Value {
+    fn blank_json(&self, blank: &ViewSentinel) -> Value {
         match *blank {
-            Blank::Field(place, value) => json!({ "field": self.place(place), "value": number(value) }),
-            Blank::Words(value) => json!({ "field": null, "value": number(value) }),
+            ViewSentinel::Field(place, value) => json!({ "field": self.place(place), "value": number(value) }),
+            ViewSentinel::Words(value) => json!({ "field": null, "value": number(value) }),
         }
     }
 
@@ -108,7 +108,7 @@ impl Overlaid<'_> {
             json!({
                 "name": binding.name.shown(),
                 "field": self.field(binding.field),
-                "enum": self.enum_name(binding.values),
+                "enum": self.enum_name(binding.enum_),
                 "condition": binding.condition.as_ref().map(|condition| self.condition_json(condition)),
             })
         };
@@ -125,7 +125,7 @@ impl Overlaid<'_> {
     }
 
     fn binding_line(&self, binding: &Binding) -> String {
-        let Binding { name, field, values, condition, .. } = binding;
+        let Binding { name, field, enum_: values, condition, .. } = binding;
         let values = self.enum_name(*values).unwrap_or_default();
         format!("binding {name}: {} as {values}{}", self.field(*field), self.condition(condition.as_ref()))
     }
@@ -145,8 +145,8 @@ impl Overlaid<'_> {
             lines.extend(slots.keys.iter().map(|key| self.key_line(key)));
         }
         lines.extend(view.invalid.iter().map(|blank| match blank {
-            Blank::Field(place, value) => format!("  unknown if {} is {value}", self.place(*place)),
-            Blank::Words(value) => format!("  unknown if the bits are {value:#x}"),
+            ViewSentinel::Field(place, value) => format!("  unknown if {} is {value}", self.place(*place)),
+            ViewSentinel::Words(value) => format!("  unknown if the bits are {value:#x}"),
         }));
         lines.extend(view.members.iter().map(|member| self.member_line(view, member)));
     }
@@ -182,7 +182,7 @@ impl Overlaid<'_> {
 
     fn condition(&self, condition: Option<&Condition>) -> String {
         let Some(condition) = condition else { return String::new() };
-        let values = condition.values.and_then(|id| self.dialect.enum_by_id(id));
+        let values = condition.enum_.and_then(|id| self.dialect.enum_by_id(id));
         let entry = values.and_then(|values| values.entries.iter().find(|entry| entry.value == condition.value));
         let value = entry.map_or_else(|| condition.value.to_string(), |entry| entry.name.text.clone());
         format!(", if {} is {value}", self.field(condition.field))

@@ -39,10 +39,10 @@ fn check_command(item: &Item, command: &Command, faults: &mut Faults<'_>) {
     let Command { params, has_location: _, is_destination: _, mission_only: _ } = command;
     faults.unless(params.is_sorted_by(|a, b| a.index < b.index), item, "the indices of its params do not rise");
     for param in params {
-        let Param { index, label: _, units: _, values, limits, default, reserved: _, origin } = param;
+        let Param { index, label: _, units: _, enum_, limits, default, reserved: _, origin } = param;
         let item = Item { path: format!("{}, param {index}", item.path), span: item.span };
         faults.unless((1..=PARAMS).contains(index), &item, "its index is not one from 1 to 7");
-        faults.check_enum(&item, *values);
+        faults.check_enum(&item, *enum_);
         faults.check_limits(&item, *limits);
         faults.unless(default.is_none_or(|value| !value.is_infinite()), &item, "its default is infinite");
         faults.check_origin(&item, origin);

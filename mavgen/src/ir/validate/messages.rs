@@ -102,16 +102,16 @@ fn check_invalid(item: &Item, ty: FieldType, invalid: Invalid, faults: &mut Faul
 }
 
 fn check_binding(item: &Item, message: &Message, binding: &Binding, faults: &mut Faults<'_>) {
-    let Binding { name, field, values, condition, description: _ } = binding;
+    let Binding { name, field, enum_, condition, description: _ } = binding;
     let item = item.part("binding", &name.name);
     faults.check_name(&item, &name.name);
-    faults.check_enum(&item, Some(*values));
+    faults.check_enum(&item, Some(*enum_));
     views::check_condition(&item, message, condition.as_ref(), faults);
     let Some(field) = message.fields.get(field.0) else {
         faults.push(&item, "it names a field that does not exist");
         return;
     };
-    let repr = faults.dialect.enum_by_id(*values).map(|one| one.repr);
+    let repr = faults.dialect.enum_by_id(*enum_).map(|one| one.repr);
     let suits = field.ty.array.is_none() && field.ty.scalar.repr() == repr && field.values.is_none();
     faults.unless(suits, &item, "its field is no scalar as wide as the enum, or carries one");
 }

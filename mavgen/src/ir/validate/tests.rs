@@ -5,8 +5,8 @@ use std::num::NonZeroU8;
 use super::*;
 use crate::diag::Diagnostics;
 use crate::ir::{
-    Access, Blank, Condition, FieldIndex, Invalid, Meaning, Member, Message, Place, Presence, Repeat, Repr, Scalar,
-    Scope, Sentinel, Slots, SwitchOn, Values, View, Word,
+    Access, Condition, FieldIndex, Invalid, Meaning, Member, Message, Place, Presence, Repeat, Repr, Scalar, Scope,
+    Sentinel, Slots, SwitchOn, Values, View, ViewSentinel, Word,
 };
 use crate::read::{Loaded, read, read_overlay};
 use crate::resolve::resolve;
@@ -109,7 +109,7 @@ const ILLEGAL: &[(&str, Change)] = &[
     ("its value does not fit the enum", |d| d.enums[0].entries[1].value = 300),
     ("the indices of its params do not rise", |d| d.enums[1].entries[0].command.as_mut().unwrap().params.reverse()),
     ("its index is not one from 1 to 7", |d| d.enums[1].entries[0].command.as_mut().unwrap().params[1].index = 8),
-    ("it names an enum that does not exist", |d| d.enums[1].entries[0].command.as_mut().unwrap().params[0].values = Some(NO_ENUM)),
+    ("it names an enum that does not exist", |d| d.enums[1].entries[0].command.as_mut().unwrap().params[0].enum_ = Some(NO_ENUM)),
     ("its default is infinite", |d| d.enums[1].entries[0].command.as_mut().unwrap().params[0].default = Some(f64::INFINITY)),
     ("a limit is not finite", |d| d.enums[1].entries[0].command.as_mut().unwrap().params[0].limits.max = Some(f64::NAN)),
     ("the ids of its messages do not rise", |d| d.messages.reverse()),
@@ -137,14 +137,14 @@ const ILLEGAL: &[(&str, Change)] = &[
     ("it cannot have its sentinel", |d| pump(d).fields[2].invalid = Some(Invalid { scope: Scope::Each, sentinel: Sentinel::NotANumber })),
     ("it cannot have its sentinel", |d| pump(d).fields[3].invalid = Some(Invalid { scope: Scope::Each, sentinel: Sentinel::Float(1e300) })),
     ("its name is none", |d| pump(d).bindings[0].name.name.text = "é".to_owned()),
-    ("it names an enum that does not exist", |d| pump(d).bindings[0].values = NO_ENUM),
+    ("it names an enum that does not exist", |d| pump(d).bindings[0].enum_ = NO_ENUM),
     ("it names a field that does not exist", |d| pump(d).bindings[0].field = NONE),
     ("its field is no scalar as wide as the enum", |d| pump(d).bindings[0].field = FieldIndex(2)),
     ("its field is no scalar as wide as the enum", |d| pump(d).bindings[0].field = FieldIndex(0)),
-    ("its condition never holds", |d| pump(d).bindings[0].condition = Some(Condition { field: FieldIndex(9), value: 256, values: None })),
-    ("its condition never holds", |d| pump(d).bindings[0].condition = Some(Condition { field: NONE, value: 0, values: None })),
-    ("its condition never holds", |d| pump(d).bindings[0].condition = Some(Condition { field: FieldIndex(3), value: 0, values: None })),
-    ("it names an enum that does not exist", |d| pump(d).bindings[0].condition = Some(Condition { field: FieldIndex(9), value: 0, values: Some(NO_ENUM) })),
+    ("its condition never holds", |d| pump(d).bindings[0].condition = Some(Condition { field: FieldIndex(9), value: 256, enum_: None })),
+    ("its condition never holds", |d| pump(d).bindings[0].condition = Some(Condition { field: NONE, value: 0, enum_: None })),
+    ("its condition never holds", |d| pump(d).bindings[0].condition = Some(Condition { field: FieldIndex(3), value: 0, enum_: None })),
+    ("it names an enum that does not exist", |d| pump(d).bindings[0].condition = Some(Condition { field: FieldIndex(9), value: 0, enum_: Some(NO_ENUM) })),
     ("a word is of a field that does not exist", |d| in_view(d, "FLOW", |v| v.words[0] = Word::Joined(NONE))),
     ("a word stands twice", |d| in_view(d, "NOZZLE", |v| v.words[1] = v.words[0])),
     ("a word is of a type that is none", |d| in_view(d, "FLOW", |v| v.words[0] = Word::One(Place { field: FieldIndex(10), element: false }))),
@@ -161,8 +161,8 @@ const ILLEGAL: &[(&str, Change)] = &[
     ("it names a field that does not exist", |d| in_slots(d, |s| s.keys[0].place.field = NONE)),
     ("a field cannot have the value of its sentinel", |d| in_slots(d, |s| s.keys[0].invalid = Some(256))),
     ("it names an element of what has none for each slot", |d| in_slots(d, |s| s.keys[0].place.field = FieldIndex(8))),
-    ("a field cannot have the value of its sentinel", |d| in_view(d, "NOZZLE", |v| v.invalid[0] = Blank::Field(Place { field: FieldIndex(3), element: false }, 0))),
-    ("its words cannot have the value of its sentinel", |d| in_view(d, "NOZZLE", |v| v.invalid[1] = Blank::Words(1 << 16))),
+    ("a field cannot have the value of its sentinel", |d| in_view(d, "NOZZLE", |v| v.invalid[0] = ViewSentinel::Field(Place { field: FieldIndex(3), element: false }, 0))),
+    ("its words cannot have the value of its sentinel", |d| in_view(d, "NOZZLE", |v| v.invalid[1] = ViewSentinel::Words(1 << 16))),
     ("its switch looks at a field that is no such unsigned integer", |d| in_view(d, "NOZZLE", |v| v.switch.as_mut().unwrap().on = SwitchOn::Field(Place { field: FieldIndex(9), element: false }, Repr::U16))),
     ("it names a field that does not exist", |d| in_view(d, "NOZZLE", |v| v.switch.as_mut().unwrap().on = SwitchOn::Field(Place { field: NONE, element: false }, Repr::U8))),
     ("its switch looks at bits that are not there", |d| in_view(d, "FLOW", |v| v.switch.as_mut().unwrap().on = SwitchOn::Bits { at: 12, width: 5 })),

@@ -4,7 +4,8 @@ use std::num::NonZeroU8;
 
 use super::{Faults, Item, members};
 use crate::ir::{
-    Access, Blank, Condition, Field, FieldIndex, Key, Message, Place, Scalar, Slots, Switch, SwitchOn, View, Word,
+    Access, Condition, Field, FieldIndex, Key, Message, Place, Scalar, Slots, Switch, SwitchOn, View, ViewSentinel,
+    Word,
 };
 
 /// How many bits a view can have: there is no larger integer.
@@ -138,17 +139,17 @@ fn check_compared(item: &Item, field: &Field, value: i128, faults: &mut Faults<'
 fn check_blank(
     item: &Item,
     message: &Message,
-    blank: Blank,
+    blank: ViewSentinel,
     (width, slots): (u8, Option<NonZeroU8>),
     faults: &mut Faults<'_>,
 ) {
     match blank {
-        Blank::Field(place, value) => {
+        ViewSentinel::Field(place, value) => {
             if let Some(field) = check_place(item, message, place, slots, faults) {
                 check_compared(item, field, value, faults);
             }
         }
-        Blank::Words(value) => {
+        ViewSentinel::Words(value) => {
             faults.unless(
                 value.checked_shr(u32::from(width)).unwrap_or_default() == 0,
                 item,
@@ -160,8 +161,8 @@ fn check_blank(
 
 /// A condition asks a scalar integer for a value that it can have.
 pub(super) fn check_condition(item: &Item, message: &Message, condition: Option<&Condition>, faults: &mut Faults<'_>) {
-    let Some(Condition { field, value, values }) = condition else { return };
-    faults.check_enum(item, *values);
+    let Some(Condition { field, value, enum_ }) = condition else { return };
+    faults.check_enum(item, *enum_);
     let field = message.fields.get(field.0).filter(|field| field.ty.array.is_none());
     let highest = field.and_then(|field| field.ty.scalar.repr()).map(|repr| repr.highest());
     faults.unless(highest.is_some_and(|highest| *value <= highest), item, "its condition never holds");

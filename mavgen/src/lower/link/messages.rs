@@ -112,12 +112,12 @@ fn additions_agree(
 /// The enums that the file of a message names.
 fn imported(message: &Message) -> impl Iterator<Item = EnumId> {
     let fields = message.fields.iter().filter_map(|field| Some(field.values?.id()));
-    fields.chain(message.bindings.iter().map(|binding| binding.values))
+    fields.chain(message.bindings.iter().map(|binding| binding.enum_))
 }
 
 /// Whether two bindings say the same.
 fn same_binding(a: &Binding, b: &Binding) -> bool {
-    (&a.name, a.field, a.values, a.condition) == (&b.name, b.field, b.values, b.condition)
+    (&a.name, a.field, a.enum_, a.condition) == (&b.name, b.field, b.enum_, b.condition)
 }
 
 /// Whether two views of one message are the same element of an overlay, with the same enums.

@@ -6,7 +6,7 @@ use super::source::{element, place};
 use super::{Given, summary};
 use crate::docs::line;
 use crate::internal::Internal;
-use crate::ir::{self, Blank, SwitchOn};
+use crate::ir::{self, SwitchOn, ViewSentinel};
 use crate::rust::{
     Count, Docs, Error, Key, Kind, Method, Paragraph, Sig, Slot, SlotElement, SlotField, SlotType, Stored, Ty,
 };
@@ -72,11 +72,11 @@ impl<'d> Items<'d> {
     /// How a message says that the bits of a slot mean nothing: by words if it can, else by a field.
     fn blank(self, message: NamedMessage<'d>, view: NamedView<'d>) -> Result<Stored<'d>, Internal> {
         let words = view.model.invalid.iter().find_map(|blank| match blank {
-            Blank::Words(value) => Some(*value),
-            Blank::Field(..) => None,
+            ViewSentinel::Words(value) => Some(*value),
+            ViewSentinel::Field(..) => None,
         });
         match (words, view.model.invalid.first()) {
-            (None, Some(Blank::Field(at, value))) => {
+            (None, Some(ViewSentinel::Field(at, value))) => {
                 let literal = self.literal(message.field(at.field)?, *value)?;
                 Ok(Stored::Field(place(message, *at)?, literal))
             }
@@ -96,8 +96,8 @@ fn elements<'d>(
         ir::Word::Joined(_) => None,
     });
     let blanks = view.model.invalid.iter().filter_map(|blank| match blank {
-        Blank::Field(place, _) => Some(*place),
-        Blank::Words(_) => None,
+        ViewSentinel::Field(place, _) => Some(*place),
+        ViewSentinel::Words(_) => None,
     });
     let switch = view.model.switch.iter().filter_map(|switch| match switch.on {
         SwitchOn::Field(place, _) => Some(place),

@@ -4,7 +4,7 @@ use super::super::items::Items;
 use super::super::named::{NamedField, NamedMessage, NamedView};
 use super::super::types::shape;
 use crate::internal::Internal;
-use crate::ir::{self, Blank, Condition, FieldIndex, SwitchOn};
+use crate::ir::{self, Condition, FieldIndex, SwitchOn, ViewSentinel};
 use crate::rust::{Int, Place, Shape, SlotElement, Source, Switch, Test, Word};
 
 /// What templates call their own local variables.
@@ -48,8 +48,8 @@ impl<'d> Items<'d> {
     fn tests(self, message: NamedMessage<'d>, view: NamedView<'d>) -> Result<Vec<Test<'d>>, Internal> {
         let condition = view.model.condition.iter().map(|condition| self.holds(message, condition));
         let blanks = view.model.invalid.iter().map(|blank| match *blank {
-            Blank::Words(value) => Ok(Test::WordsAreNot(value)),
-            Blank::Field(at, value) => {
+            ViewSentinel::Words(value) => Ok(Test::WordsAreNot(value)),
+            ViewSentinel::Field(at, value) => {
                 let literal = self.literal(message.field(at.field)?, value)?;
                 Ok(Test::IsNot(place(message, at)?, literal))
             }

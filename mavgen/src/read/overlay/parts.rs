@@ -20,7 +20,7 @@ fn read_bits<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>) -> Result<Op
         name: tag.require("name"),
         at: tag.require("at"),
         width: tag.require("width"),
-        values: tag.take("enum"),
+        enum_: tag.take("enum"),
         signed: tag.take("signed"),
         scale: tag.take("scale"),
         bias: tag.take("bias"),

@@ -54,10 +54,10 @@ fn everything_beside_views() {
     let refinement = &overlay.refinements[0];
     assert_eq!(values(&sources, [&refinement.bitmask, &refinement.deprecated]), ["true", "false"]);
     let note = &overlay.notes[0];
-    assert_eq!(values(&sources, [&note.message, &note.field, &note.values, &note.entry]), ["M", "f", "E", "E_A"]);
+    assert_eq!(values(&sources, [&note.message, &note.field, &note.enum_, &note.entry]), ["M", "f", "E", "E_A"]);
     assert_eq!(note.text.as_ref().unwrap().value, "Text & text.");
     let bind = &overlay.messages[0].bindings[0];
-    assert_eq!((bind.name.value.as_str(), bind.field.value.as_str(), bind.values.value.as_str()), ("b", "f", "F"));
+    assert_eq!((bind.name.value.as_str(), bind.field.value.as_str(), bind.enum_.value.as_str()), ("b", "f", "F"));
     assert_eq!(values(&sources, [&bind.condition.field, &bind.condition.value]), ["g", "3"]);
     assert_eq!(values(&sources, [&bind.description]), ["Why."]);
 }
@@ -90,8 +90,7 @@ fn everything_of_a_view() {
     };
     let x = bits(first);
     assert_eq!((x.name.value.as_str(), x.at.value.as_str(), x.width.value.as_str()), ("x", "0", "2"));
-    let attributes =
-        [&x.values, &x.signed, &x.scale, &x.bias, &x.units, &x.exact, &x.repeat, &x.stride, &x.description];
+    let attributes = [&x.enum_, &x.signed, &x.scale, &x.bias, &x.units, &x.exact, &x.repeat, &x.stride, &x.description];
     assert_eq!(values(&sources, attributes), ["E", "true", "1/2", "-3", "V", "mV", "4", "5", "X."]);
     assert_eq!((last.at.value.as_str(), last.width.value.as_str()), ("5", "1"));
     assert_eq!((values(&sources, [&switch.field]), switch.bits.is_none()), (["d[i]".to_owned()], true));

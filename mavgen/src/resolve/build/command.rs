@@ -69,7 +69,7 @@ fn param(
         index,
         label: text::non_empty(element.label.as_ref()),
         units: text::non_empty(element.units.as_ref()),
-        values: element.values.as_ref().and_then(|name| values(name, enums, diagnostics)),
+        enum_: element.enum_.as_ref().and_then(|name| values(name, enums, diagnostics)),
         limits: limits::resolve(ranges, is_float, diagnostics),
         default: element.default.as_ref().and_then(|text| default(index, text, diagnostics)),
         reserved: boolean::read(element.reserved.as_ref(), Attribute::AnyText("reserved"), diagnostics),

@@ -22,7 +22,7 @@ pub(in crate::resolve) fn resolve(
         return None;
     };
     let number = number_of(scope, value, found, repr, diagnostics)?;
-    Some(ir::Condition { field: found.index, value: number, values: scope.values_of(found.syntax) })
+    Some(ir::Condition { field: found.index, value: number, enum_: scope.enum_of(found.syntax) })
 }
 
 /// The value: a number, or an entry of the enum that the field carries.
@@ -33,15 +33,15 @@ fn number_of(
     repr: Repr,
     diagnostics: &mut Diagnostics,
 ) -> Option<u64> {
-    let values = scope.values_of(found.syntax);
+    let enum_ = scope.enum_of(found.syntax);
     let number = number::unsigned(&text.value).ok();
-    let number = number.or_else(|| values.and_then(|values| scope.entry(values, &text.value)));
+    let number = number.or_else(|| enum_.and_then(|enum_| scope.entry(enum_, &text.value)));
     match number {
         Some(number) if number <= repr.highest() => return number.into(),
         Some(number) => diagnostics.push(too_large(scope, text, number, found)),
         None if !scope.entries.complete => {}
         None => {
-            let names = values.into_iter().flat_map(|values| scope.entry_names(values));
+            let names = enum_.into_iter().flat_map(|enum_| scope.entry_names(enum_));
             let problem = suggest(not_a_value(scope, text, found), &text.value, names, diagnostics);
             diagnostics.push(problem);
         }
@@ -65,7 +65,7 @@ fn too_large(scope: &MessageScope<'_, '_>, text: &Text, number: u64, found: Foun
 
 fn not_a_value(scope: &MessageScope<'_, '_>, text: &Text, found: Found<'_>) -> Diagnostic {
     let name = &found.syntax.name.value;
-    let (message, place, label) = match &found.syntax.values {
+    let (message, place, label) = match &found.syntax.enum_ {
         Some(values) => {
             let message = format!("`{}` is neither a number nor an entry of `{}`", text.value, values.value);
             (message, values.span, "the enum of the field".to_owned())

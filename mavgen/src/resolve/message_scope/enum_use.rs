@@ -1,4 +1,4 @@
-//! Carriers: the bits and bindings of overlays that carry enums, beside the fields that do.
+//! Uses of enums: the bits and bindings of overlays that carry enums, beside the fields that do.
 
 use super::super::enums::{Enums, Merged, ValuedEntry};
 use super::super::width::Width;
@@ -13,7 +13,7 @@ const NAMED_VALUES: usize = 3;
 /// Bits or a field that an overlay gives an enum to.
 pub(in crate::resolve) struct EnumUse<'a> {
     /// The enum.
-    pub(in crate::resolve) values: EnumId,
+    pub(in crate::resolve) enum_: EnumId,
     /// Where it is named.
     pub(in crate::resolve) name: &'a Text,
     /// What carries it.
@@ -52,7 +52,7 @@ pub(in crate::resolve) fn check(
     diagnostics: &mut Diagnostics,
 ) {
     for enum_use in enum_uses {
-        let index = enum_use.values.0;
+        let index = enum_use.enum_.0;
         let (Some(merged), Some(width)) = (enums.list.get(index), widths.get(index)) else { continue };
         match enum_use.place {
             UsePlace::Bits(bits, place) if width.repr.highest() < mask(bits) => {

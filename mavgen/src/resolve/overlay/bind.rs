@@ -16,23 +16,23 @@ pub(super) fn resolve<'a>(
 ) -> Option<Binding> {
     spelling::check(&element.name, "a binding", diagnostics);
     let condition = condition(scope, &element.condition, diagnostics);
-    let values = scope.values(&element.values, diagnostics);
+    let enum_ = scope.enum_(&element.enum_, diagnostics);
     let found = scope.field(&element.field, diagnostics)?;
     let Some(repr) = found.field.ty.scalar.repr().filter(|_| found.field.ty.array.is_none()) else {
         diagnostics.push(unsuitable(scope, &element.field, found));
         return None;
     };
-    if let Some(own) = &found.syntax.values {
+    if let Some(own) = &found.syntax.enum_ {
         diagnostics.push(carries(scope, element, own));
         return None;
     }
-    let values = values?;
+    let enum_ = enum_?;
     let place = UsePlace::Field(repr, found.syntax.ty.span);
-    enum_uses.push(EnumUse { values, name: &element.values, place });
+    enum_uses.push(EnumUse { enum_, name: &element.enum_, place });
     Some(Binding {
         name: spelling::label(&element.name),
         field: found.index,
-        values,
+        enum_,
         condition,
         description: text::or_empty(element.description.as_ref()),
     })

@@ -20,7 +20,7 @@ pub(in crate::resolve) fn apply<'a>(loaded: &'a Loaded, enums: &mut Enums<'a>, d
     let mut seen = Seen::new();
     for refinement in loaded.overlays.iter().flat_map(|overlay| &overlay.refinements) {
         if refinement.bitmask.is_none() && refinement.deprecated.is_none() {
-            let message = format!("nothing is said of enum `{}`", refinement.values.value);
+            let message = format!("nothing is said of enum `{}`", refinement.enum_.value);
             let problem = Diagnostic::new(Code::Refinement, refinement.span, message);
             diagnostics.push(problem.help("add `bitmask=\"true\"` or `deprecated=\"false\"`"));
         }
@@ -38,7 +38,7 @@ pub(in crate::resolve) fn apply<'a>(loaded: &'a Loaded, enums: &mut Enums<'a>, d
 }
 
 fn find(refinement: &Refinement, enums: &Enums<'_>, diagnostics: &mut Diagnostics) -> Option<EnumId> {
-    let name = &refinement.values;
+    let name = &refinement.enum_;
     let id = enums.id(&name.value);
     if id.is_none() && enums.complete {
         let message = format!("enum `{}` does not exist", name.value);
@@ -56,7 +56,7 @@ fn check_first<'a>(
     seen: &mut Seen<'a>,
     diagnostics: &mut Diagnostics,
 ) {
-    let name = &refinement.values.value;
+    let name = &refinement.enum_.value;
     if let Some(first) = seen.insert((name, attribute), text.span) {
         let message = format!("`{attribute}` of enum `{name}` is refined twice");
         let problem = Diagnostic::new(Code::Refinement, text.span, message).related(first, "the first time");

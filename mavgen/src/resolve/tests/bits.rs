@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::{Outcome, enumeration, message, overlaid};
 use crate::diag::{Code, Diagnostics};
-use crate::ir::{Access, Blank, Dialect, Meaning, Member, Presence, Scaled, SwitchOn, View, Word};
+use crate::ir::{Access, Dialect, Meaning, Member, Presence, Scaled, SwitchOn, View, ViewSentinel, Word};
 use crate::read::load;
 use crate::roots::resolve;
 use crate::source::Sources;
@@ -119,7 +119,9 @@ fn esc32_status() {
         assert_eq!(message.fields[slots.count.unwrap().0].name.text, "num_in_seq");
         let keys: Vec<_> = slots.keys.iter().map(|key| (key.name.shown(), key.units.as_deref(), key.invalid)).collect();
         assert_eq!(keys, [("id".to_owned(), None, None), ("age_ms".to_owned(), Some("ms"), Some(65535))]);
-        let [Blank::Field(place, 65535), Blank::Words(0)] = view.invalid[..] else { panic!("{:?}", view.invalid) };
+        let [ViewSentinel::Field(place, 65535), ViewSentinel::Words(0)] = view.invalid[..] else {
+            panic!("{:?}", view.invalid)
+        };
         assert_eq!((&*message.fields[place.field.0].name.text, place.element), ("status_age", true));
     }
     let switch = status.switch.as_ref().unwrap();
@@ -133,7 +135,7 @@ fn autoquad_binds_its_flags() {
     let dialect = autoquad();
     let message = dialect.messages.iter().find(|message| message.id == 0).unwrap();
     let [binding] = &message.bindings[..] else { panic!("one binding") };
-    let values = dialect.enum_by_id(binding.values).unwrap();
+    let values = dialect.enum_by_id(binding.enum_).unwrap();
     assert_eq!(
         (&*binding.name.shown(), &*values.name.text, values.bitmask),
         ("nav_status", "AUTOQUAD_NAV_STATUS", true)
@@ -175,7 +177,7 @@ fn flight_software_version() {
     let view = only_view(&outcome);
     let expected = ["type 0+8 FIRMWARE_VERSION_TYPE", "patch 8+8", "minor 16+8", "major 24+8"];
     assert_eq!(members(outcome.dialect(), view), expected);
-    assert_eq!((&*getter(view), &view.invalid[..]), ("flight_sw", &[Blank::Words(0)][..]));
+    assert_eq!((&*getter(view), &view.invalid[..]), ("flight_sw", &[ViewSentinel::Words(0)][..]));
 }
 
 /// A switch on other bits, for one autopilot only.

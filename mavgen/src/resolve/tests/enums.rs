@@ -164,7 +164,7 @@ fn commands() {
     assert_eq!(indices, [2, 5]);
     assert!(go.params[0].reserved && go.params[0].default.is_some_and(f64::is_nan));
     assert_eq!((go.params[1].limits.min, go.params[1].limits.max), (Some(-90.0), Some(90.0)));
-    assert!(go.params[1].values.is_some());
+    assert!(go.params[1].enum_.is_some());
     assert!(no.command.as_ref().is_some_and(|command| command.params.is_empty()));
     assert!(outcome.find_enum("E").entries[0].command.is_none());
 }

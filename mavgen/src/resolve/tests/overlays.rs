@@ -95,7 +95,7 @@ fn conditions_name_values_and_numbers() {
         let [binding] = &outcome.dialect().messages[0].bindings[..] else { panic!("one binding") };
         let condition = binding.condition.unwrap();
         assert_eq!((&*binding.name.shown(), binding.field.0, binding.description.as_str()), ("x", 0, "X."));
-        assert_eq!((condition.field.0, condition.value, condition.values.unwrap().0), (1, 12, 1));
+        assert_eq!((condition.field.0, condition.value, condition.enum_.unwrap().0), (1, 12, 1));
     }
 }
 

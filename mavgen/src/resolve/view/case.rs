@@ -56,7 +56,7 @@ const HELP: &str = "write `3`, `3..=9` or `30..`; several are separated by blank
 fn range(scope: &MessageScope<'_, '_>, text: &str, selector: &Selector) -> Result<RangeInclusive<u64>, Refusal> {
     let value = |text: &str| {
         let number = number::unsigned(text).ok();
-        let number = number.or_else(|| selector.values.and_then(|values| scope.entry(values, text)));
+        let number = number.or_else(|| selector.enum_.and_then(|enum_| scope.entry(enum_, text)));
         number.ok_or_else(|| Refusal::Unknown(text.to_owned()))
     };
     let Some((start, end)) = text.split_once("..") else {
@@ -105,7 +105,7 @@ fn refused(
         }
         Refusal::Unknown(value) => {
             let problem = problem(format!("`{value}` is not a value of {}", selector.title)).help(HELP);
-            let names = selector.values.into_iter().flat_map(|values| scope.entry_names(values));
+            let names = selector.enum_.into_iter().flat_map(|enum_| scope.entry_names(enum_));
             suggest(problem.related(selector.span, "what the switch looks at"), &value, names, before)
         }
     }

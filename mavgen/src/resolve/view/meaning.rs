@@ -25,7 +25,7 @@ pub(super) fn resolve<'a>(
         diagnostics.push(problem.help("two's complement needs at least 2 bits"));
         return None;
     }
-    if let Some(name) = &bits.values {
+    if let Some(name) = &bits.enum_ {
         return values(scope, bits, (name, width), enum_uses, diagnostics);
     }
     let units = text::non_empty(bits.units.as_ref());
@@ -72,9 +72,9 @@ fn values<'a>(
         diagnostics.push(too_wide(bits, "an enum has"));
         return None;
     }
-    let values = scope.values(name, diagnostics)?;
-    enum_uses.push(EnumUse { values, name, place: UsePlace::Bits(width, bits.width.span) });
-    Some(Meaning::Values(values))
+    let enum_ = scope.enum_(name, diagnostics)?;
+    enum_uses.push(EnumUse { enum_, name, place: UsePlace::Bits(width, bits.width.span) });
+    Some(Meaning::Values(enum_))
 }
 
 fn too_wide(bits: &Bits, what: &str) -> Diagnostic {

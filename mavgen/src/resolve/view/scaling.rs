@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use crate::decimal::is_digits;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::syntax::Text;
 use crate::syntax::overlay::Bits;
@@ -149,9 +150,8 @@ fn decimal(text: &str) -> Result<Fraction, &'static str> {
     };
     let (negative, magnitude) = mantissa.strip_prefix('-').map_or((false, mantissa), |magnitude| (true, magnitude));
     let (whole, places) = magnitude.split_once('.').unwrap_or((magnitude, ""));
-    let is_number = |digits: &str| digits.bytes().all(|digit| digit.is_ascii_digit());
-    let complete = !whole.is_empty() && (magnitude.len() == whole.len() || !places.is_empty());
-    if !complete || !is_number(whole) || !is_number(places) {
+    let is_whole = magnitude.len() == whole.len();
+    if !is_digits(whole) || !is_whole && !is_digits(places) {
         return Err(NOT_A_NUMBER);
     }
     let digits: i128 = [whole, places].concat().parse::<i64>().map_err(|_| TOO_LARGE)?.into();

@@ -23,7 +23,7 @@ pub(super) struct Selector {
     /// The largest value.
     pub(super) most: u64,
     /// The enum of its values.
-    pub(super) values: Option<EnumId>,
+    pub(super) enum_: Option<EnumId>,
     /// Where it is defined.
     pub(super) span: Span,
     /// Where the switch names it.
@@ -68,7 +68,7 @@ fn on_field(
         title: format!("`{}`", name.value),
         on: SwitchOn::Field(place, repr),
         most: repr.highest(),
-        values: scope.values_of(found.syntax),
+        enum_: scope.enum_of(found.syntax),
         span: ty.span,
         named: text.span,
     })
@@ -85,8 +85,8 @@ fn on_bits(text: &Text, common: &[PlacedBits<'_>], diagnostics: &mut Diagnostics
         diagnostics.push(problem);
         return None;
     };
-    let values = match member.meaning {
-        Meaning::Values(values) => Some(values),
+    let enum_ = match member.meaning {
+        Meaning::Values(enum_) => Some(enum_),
         Meaning::Number { .. } | Meaning::Flag | Meaning::Scaled(_) => None,
     };
     let plain = !matches!(member.meaning, Meaning::Scaled(_)) && !member.signed && member.repeat.is_none();
@@ -101,7 +101,7 @@ fn on_bits(text: &Text, common: &[PlacedBits<'_>], diagnostics: &mut Diagnostics
         title: format!("`{}`", text.value),
         on: SwitchOn::Bits { at: member.at, width: member.width },
         most: u64::MAX >> (64 - u32::from(member.width)),
-        values,
+        enum_,
         span: bits.width.span,
         named: text.span,
     })

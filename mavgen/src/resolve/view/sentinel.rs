@@ -3,7 +3,7 @@
 use super::beside::beside;
 use super::words::Words;
 use crate::diag::{Code, Diagnostic, Diagnostics};
-use crate::ir::{Blank, Condition, Place, Scalar, Sentinel};
+use crate::ir::{Condition, Place, Scalar, Sentinel, ViewSentinel};
 use crate::resolve::invalid::{self, Refusal};
 use crate::resolve::message_scope::{Found, MessageScope};
 use crate::source::Span;
@@ -17,11 +17,11 @@ pub(super) fn blanks(
     words: &Words,
     condition: Option<Condition>,
     diagnostics: &mut Diagnostics,
-) -> Vec<Blank> {
-    let mut found: Vec<(Blank, Span)> = Vec::new();
+) -> Vec<ViewSentinel> {
+    let mut found: Vec<(ViewSentinel, Span)> = Vec::new();
     let demanded = condition.zip(element.condition.value.as_ref()).map(|(condition, text)| {
         let place = Place { field: condition.field, element: false };
-        (Blank::Field(place, condition.value.into()), text.span)
+        (ViewSentinel::Field(place, condition.value.into()), text.span)
     });
     for invalid in &element.invalids {
         let Some(blank) = blank(scope, invalid, words, diagnostics) else { continue };
@@ -47,20 +47,25 @@ fn blank(
     element: &Invalid,
     words: &Words,
     diagnostics: &mut Diagnostics,
-) -> Option<Blank> {
+) -> Option<ViewSentinel> {
     let Some(field) = &element.field else {
         return of_words(scope, &element.value, words, diagnostics);
     };
     let (place, found) = beside(scope, field, words, diagnostics)?;
-    of_field(scope, &element.value, found, diagnostics).map(|value| Blank::Field(place, value))
+    of_field(scope, &element.value, found, diagnostics).map(|value| ViewSentinel::Field(place, value))
 }
 
 /// A value of the joined words.
-fn of_words(scope: &MessageScope<'_, '_>, text: &Text, words: &Words, diagnostics: &mut Diagnostics) -> Option<Blank> {
+fn of_words(
+    scope: &MessageScope<'_, '_>,
+    text: &Text,
+    words: &Words,
+    diagnostics: &mut Diagnostics,
+) -> Option<ViewSentinel> {
     let largest = u128::MAX >> (128 - u32::from(words.width));
     let number = invalid::integer(text.value.trim(), scope.entries);
     let problem = match number.map(u128::try_from) {
-        Some(Ok(number)) if number <= largest => return Some(Blank::Words(number)),
+        Some(Ok(number)) if number <= largest => return Some(ViewSentinel::Words(number)),
         Some(_) => {
             let message = format!("`{}` does not fit the {} bits of the words", text.value, words.width);
             Diagnostic::new(Code::Sentinel, text.span, message).help("leave it out, or correct it")
