@@ -24,6 +24,7 @@
 //! It is behind the feature `decode`, out of a build script's way.
 
 mod bits;
+mod node;
 mod parameter;
 mod ratio;
 mod tables;
@@ -31,8 +32,9 @@ mod tree;
 mod view;
 
 pub use bits::{Bits, Value};
+pub use node::{Entry, Node};
 pub use parameter::parameter_readings;
 pub use ratio::Ratio;
 pub use tables::Tables;
-pub use tree::{Contents, Entry, Node, contents};
+pub use tree::{Contents, contents};
 pub use view::{Content, KeyValue, Reading, Slot, bindings, views};

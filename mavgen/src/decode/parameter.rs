@@ -3,7 +3,7 @@
 use mavlink_wire::Kind;
 use mavlink_wire::reflect::Number;
 
-use super::tree::{Entry, Node, number};
+use super::node::{Entry, Node, number};
 use crate::ir::{Field, Message, Scalar};
 
 /// The field with the value, in PARAM_VALUE, PARAM_SET, PARAM_EXT_VALUE and their like.
