@@ -19,7 +19,6 @@ mod imports;
 mod items;
 pub(crate) mod link;
 mod message;
-mod methods;
 mod modules;
 mod named;
 pub(crate) mod names;

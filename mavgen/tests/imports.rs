@@ -32,7 +32,7 @@ fn read(folder: &Path, prefix: &Module, texts: &mut BTreeMap<Module, String>) {
 
 /// The paths that the `use` declarations of a text name, each as its words, with groups written out.
 fn uses(text: &str) -> Vec<Vec<String>> {
-    let text = text.split("#[cfg(test)]\nmod ").next().unwrap();
+    let text = text.split("#[cfg(test)]\nmod tests {").next().unwrap();
     let mut found = Vec::new();
     let mut rest = text;
     while let Some(at) = rest.find("use ") {

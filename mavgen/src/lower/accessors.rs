@@ -1,8 +1,8 @@
 //! Getters and setters beside the plain fields: for sentinels ("not known"), and for enums in fields of another width.
 
 use super::items::Items;
-use super::methods;
 use super::named::{NamedField, NamedMessage, spelled};
+use super::names::iterator;
 use crate::internal::Internal;
 use crate::ir::{self, EnumId, Invalid, Scalar, Scope, Values};
 use crate::rust::{Convert, Docs, Error, Extent, Kind, Literal, Method, Sentinel, Sig, Ty, Unknown};
@@ -76,7 +76,7 @@ impl<'d> Items<'d> {
         let element = self.element(field)?.ty().optional(true);
         let docs = format!("The elements of `{}`, each `None` where the sender does not know it.", spelled(name));
         Ok(Some(Method {
-            ident: methods::iterator(name),
+            ident: iterator(name),
             sig: Sig::getter(Ty::Iterator(Box::new(element))),
             docs: Docs::line(docs),
             inline: true,

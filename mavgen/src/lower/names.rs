@@ -3,16 +3,19 @@
 //! The spelling is [`super::spelling`]'s; here is what depends on other names.
 
 mod check;
+mod methods;
 #[cfg(test)]
 mod tests;
 
 use std::collections::HashSet;
 
-use super::{methods, spelling};
+use super::spelling;
 use crate::diag::Diagnostics;
 #[cfg(any(feature = "compare", doc))]
 use crate::ir::Dialect;
 use crate::ir::{Access, Enum, FieldIndex, Kept, Message, Partial, Slots, Switch, SwitchOn, View};
+
+pub(super) use methods::{binding_methods, iterator, view_methods};
 
 /// The names of a dialect, in the order of its model. A keyword is not raw here: `type`, not `r#type`.
 #[derive(Clone, Debug, Default)]

@@ -6,8 +6,7 @@ use super::enums::{Enums, Links, join};
 use super::{Class, definition};
 use crate::internal::Internal;
 use crate::ir::{Binding, EnumId, Meaning, Message, View, enums_of_message_mut};
-use crate::lower::methods::{binding_methods, view_methods};
-use crate::lower::names::{MessageNames, ViewNames};
+use crate::lower::names::{MessageNames, ViewNames, binding_methods, view_methods};
 
 /// The messages so far.
 #[derive(Default)]

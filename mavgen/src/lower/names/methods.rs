@@ -1,10 +1,10 @@
 //! Methods: those that a message has for its fields and by overlays, those of a view, and the fields of a slot.
 
-use super::names::{AccessNames, MessageNames, ViewNames};
-use super::namespace::{Claim, Collision, Namespace, Scope, What};
-use super::{collision, spelling};
+use super::{AccessNames, MessageNames, ViewNames};
 use crate::diag::Diagnostics;
 use crate::ir::{self, Access, Field, FieldIndex, Label, Meaning, Member, Message, Name, Scalar, Values, View};
+use crate::lower::namespace::{Claim, Collision, Namespace, Scope, What};
+use crate::lower::{collision, spelling};
 
 /// Checks the methods of a message and of its views, and decides which fields have a getter and a setter.
 pub(super) fn check(message: &Message, names: &MessageNames, diagnostics: &mut Diagnostics) -> Vec<FieldIndex> {
@@ -53,17 +53,17 @@ fn accessor_names(field: &Field, name: &str) -> Vec<String> {
 }
 
 /// The iterator over the elements of a field.
-pub(super) fn iterator(name: &str) -> String {
+pub(in crate::lower) fn iterator(name: &str) -> String {
     format!("iter_{name}")
 }
 
 /// The methods that a binding gives to its message.
-pub(super) fn binding_methods(name: &str) -> [String; 2] {
+pub(in crate::lower) fn binding_methods(name: &str) -> [String; 2] {
     [setter(name), name.to_owned()]
 }
 
 /// The methods that a view gives to its message, also those that nobody else sees.
-pub(super) fn view_methods(names: &ViewNames) -> Vec<String> {
+pub(in crate::lower) fn view_methods(names: &ViewNames) -> Vec<String> {
     [iterators(names), slot_methods(names)].concat()
 }
 
