@@ -1,15 +1,19 @@
-//! PX4's uORB messages, as its logs carry them.
+//! PX4's uORB messages, in the two forms in which they leave a vehicle.
 //!
-//! A [`Topic`] is the Rust struct of a `.msg` file. [`ulog`] reads logs of any era: each log says what its records look like,
-//! and fields are found by name.
+//! A [`Topic`] is the Rust struct of a `.msg` file, and of what it was before. As [`cdr`] it comes through ROS 2's middleware;
+//! as records it stands in a log: [`ulog`] reads logs of any era, since each log says what its records look like, and fields
+//! are found by name.
 
+pub mod cdr;
+mod definition;
 mod field;
 mod kind;
 mod place;
 mod topic;
 pub mod ulog;
 
+pub use definition::{Definition, ZenohKey};
 pub use field::{Element, Field, places};
 pub use kind::{Char, Kind, Value};
 pub use place::Place;
-pub use topic::Topic;
+pub use topic::{Topic, TopicByLength};

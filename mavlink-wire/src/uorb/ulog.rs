@@ -1,4 +1,4 @@
-//! PX4's log files, ULog: typed records of a log that lies in memory, without an allocator.
+//! PX4's log files, ULog: typed records of a log that lies in memory, without an allocator; and logs written, with `std`.
 //!
 //! A memory map serves as well as a file that was read. Format: <https://docs.px4.io/main/en/dev_log/ulog_file_format>.
 
@@ -10,6 +10,8 @@ mod log;
 mod records;
 mod samples;
 mod sections;
+#[cfg(feature = "std")]
+mod writer;
 
 pub use binding::Binding;
 pub use error::LogError;
@@ -17,3 +19,5 @@ pub use fit::Fit;
 pub use log::Log;
 pub use records::{End, Record, Records};
 pub use samples::Samples;
+#[cfg(feature = "std")]
+pub use writer::{DataWriter, Writer};

@@ -3,7 +3,9 @@
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "tests")]
 
 mod binding;
+mod cdr;
 mod damage;
 mod golden;
 mod real;
 mod topic;
+mod written;
