@@ -6,7 +6,7 @@ use mavlink::dialects::common::MavMessage;
 use mavlink::error::{MessageReadError, ParserError};
 use mavlink::{MavHeader, MavlinkReader, MavlinkVersion};
 use mavlink_autoquad::autoquad::Autoquad;
-use mavlink_autoquad::wire::{Dialect, Encode, Frame, MAX_FRAME, MAX_PAYLOAD, Sender, Version};
+use mavlink_autoquad::wire::{Dialect, Encode, Frame, Invalid, MAX_FRAME, MAX_PAYLOAD, Sender, Sentinel, Version};
 use mavlink_interop::golden_frames;
 use serde_json::Value;
 
@@ -80,29 +80,40 @@ fn same_frame(ours: &Autoquad, version: Version, header: MavHeader, message: &Ma
 }
 
 /// Their JSON has the same fields, and read by us the same values, where it has everything.
-fn same_values(ours: &Autoquad, message: &MavMessage) {
+fn same_values(message: &Autoquad, theirs: &MavMessage) {
     // Text that is not UTF-8 is an error there.
-    let Ok(theirs) = serde_json::to_value(message) else { return };
+    let Ok(theirs) = serde_json::to_value(theirs) else { return };
     let read: Autoquad = serde_json::from_value(theirs.clone()).unwrap();
-    let [ours, read] = [ours, &read].map(|message| serde_json::to_value(message).unwrap());
+    let [ours, read] = [message, &read].map(|message| serde_json::to_value(message).unwrap());
     let (ours, read, theirs) = (ours.as_object().unwrap(), read.as_object().unwrap(), theirs.as_object().unwrap());
     assert_eq!(ours.len(), theirs.len());
     for (key, value) in theirs {
         let (Some(ours), Some(read)) = (ours.get(key), read.get(key)) else { panic!("{key} of {theirs:?}") };
         let bytes_behind_nul = value.is_string() && ours.is_array();
-        assert!(bytes_behind_nul || is_same(ours, read, value), "{key}: {ours} and {value}");
+        assert!(bytes_behind_nul || is_same(unknown(message, key), ours, read, value), "{key}: {ours} and {value}");
     }
 }
 
-/// Whether the value that was read is ours, where theirs says it: NaN and infinities are `null` there, which we read as the
-/// value that stands for "not known" if the field has one.
-fn is_same(ours: &Value, read: &Value, theirs: &Value) -> bool {
+/// Whether the value that was read is ours. What JSON has no number for is `null` there; we read that as NaN or, in a field that
+/// has one, as the number that stands for "not known".
+fn is_same(unknown: Option<f64>, ours: &Value, read: &Value, theirs: &Value) -> bool {
     match (ours, read, theirs) {
-        (_, _, Value::Null) => true,
+        (Value::String(_), Value::String(read), Value::Null) => read == "NaN",
+        (Value::String(_), Value::Number(read), Value::Null) => unknown.is_some() && read.as_f64() == unknown,
         (Value::Array(ours), Value::Array(read), Value::Array(theirs)) => {
             let all = ours.iter().zip(read).zip(theirs);
-            ours.len() == read.len() && all.into_iter().all(|((ours, read), theirs)| is_same(ours, read, theirs))
+            ours.len() == read.len()
+                && all.into_iter().all(|((ours, read), theirs)| is_same(unknown, ours, read, theirs))
         }
         _ => ours == read,
+    }
+}
+
+/// The number that says "not known" in a field of floats.
+fn unknown(message: &Autoquad, field: &str) -> Option<f64> {
+    let fields = Autoquad::fields(message.info().id)?;
+    match fields.iter().find(|info| info.name == field)?.invalid? {
+        Invalid::Each(Sentinel::Float(number)) => Some(number),
+        _ => None,
     }
 }
