@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, HashMap};
 use super::pairs::Pairs;
 use super::renamed::Renamed;
 use super::state::State;
-use super::surface::{Member, Name, Shape, Surface, surface};
+use super::surface::{BESIDE, Member, Name, Shape, Surface, beside, surface};
 use super::{Change, Kind};
 use crate::internal::Internal;
 use crate::source::Span;
@@ -175,14 +175,6 @@ fn deprecation(item: &str, old: bool, new: bool) -> Option<Change> {
         (true, false) => Some(Change::new(Kind::ItemUndeprecated, false, item)),
         _ => None,
     }
-}
-
-/// What methods beside a getter are called.
-const BESIDE: [&str; 3] = ["set_", "with_", "iter_"];
-
-/// A method that stands beside a getter: its prefix, and the getter.
-pub(super) fn beside(method: &str) -> Option<(&'static str, &str)> {
-    BESIDE.into_iter().find_map(|prefix| Some((prefix, method.strip_prefix(prefix)?)))
 }
 
 /// One change where a field, its getter and its setter share one: that of the first of them.

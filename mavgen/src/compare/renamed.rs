@@ -2,10 +2,9 @@
 
 use std::collections::HashMap;
 
-use super::api::beside;
 use super::pairs::Pairs;
 use super::state::{State, constant, field};
-use super::surface::Name;
+use super::surface::{Name, beside};
 
 /// What generated items are called now.
 pub(super) struct Renamed<'a> {

@@ -38,6 +38,14 @@ pub(super) enum Name {
     Trait(String),
 }
 
+/// What methods beside a getter are called.
+pub(super) const BESIDE: [&str; 3] = ["set_", "with_", "iter_"];
+
+/// A method that stands beside a getter: its prefix, and the getter.
+pub(super) fn beside(method: &str) -> Option<(&'static str, &str)> {
+    BESIDE.into_iter().find_map(|prefix| Some((prefix, method.strip_prefix(prefix)?)))
+}
+
 /// What users see of a field, constant, method or implementation.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Member {
