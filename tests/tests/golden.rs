@@ -103,7 +103,7 @@ fn names() {
     assert_eq!((it.store_item(0), it.store_item(1)), (None, Some(3)));
     assert_eq!(Option_ { into: 1 }.info().name, "OPTION");
     let slots: Vec<_> = Some_ { words: 0, parts: [0b0111_1011, 0] }.ok().collect();
-    let status = slots[0].status.unwrap();
+    let status = slots[0].status;
     assert_eq!((slots.len(), status.r#fn(), status.index(), status.shl(1)), (2, 1.5, true, Some(1)));
 }
 
