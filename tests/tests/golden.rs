@@ -149,7 +149,7 @@ fn view_floats() {
     assert_eq!(param.int().value(), -1);
     for value in [0, 7, -2, i32::MIN, i32::MAX, 0x7f80_0001] {
         let mut int = IntParam::from_bits(0);
-        _ = int.set_value(value);
+        int.set_value(value);
         param.set_int(int);
         assert_eq!((param.param_value.to_bits(), param.int().value()), (value as u32, value));
         assert_eq!(payload(&param), [&value.to_le_bytes()[..], &[6]].concat());

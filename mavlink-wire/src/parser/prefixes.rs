@@ -25,7 +25,7 @@ const BY_ITSELF: bool = cfg!(feature = "fast-crc");
 const CREDIT: usize = 8;
 
 /// The most of them that are saved up: for some candidates in a row.
-const MOST_CREDIT: usize = if BY_ITSELF { 4 * MAX_FRAME } else { 0 };
+const MOST_CREDIT: usize = 4 * MAX_FRAME;
 
 /// Checksums of ranges of a stream, from a place that moves on.
 // Small fields lie in front: that makes the code smaller which reaches for them.
@@ -43,7 +43,8 @@ pub(crate) struct Prefixes {
 }
 
 impl Prefixes {
-    pub(crate) const NEW: Self = Self { place: 0, walked: 0, credit: MOST_CREDIT, registers: [0; REGISTERS] };
+    pub(crate) const NEW: Self =
+        Self { place: 0, walked: 0, credit: if BY_ITSELF { MOST_CREDIT } else { 0 }, registers: [0; REGISTERS] };
 
     /// The checksum of `bytes[start..end]`, where `bytes` begin at the present place.
     #[inline]

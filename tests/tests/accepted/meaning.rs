@@ -55,7 +55,7 @@ fn told(message: &Message, tables: &Tables, payload: &[u8]) -> String {
     let info = tables.table().get(message.id).unwrap();
     teller.say("sent", &hex(&Canonical::of(payload, info).v2));
     for (binding, value) in bindings(message, payload) {
-        let told = value.map_or("-".to_owned(), |value| teller.entry(binding.values, value));
+        let told = value.map_or("-".to_owned(), |value| teller.entry(binding.enum_, value));
         teller.say(&binding.name.shown(), &told);
     }
     views(message, payload).for_each(|reading| teller.view(message, &reading));
