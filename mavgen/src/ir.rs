@@ -99,6 +99,17 @@ pub enum Lifecycle {
     Deprecated(Successor),
 }
 
+/// The stage in words: `wip`, `deprecated since 2018-04, replaced by X`.
+impl fmt::Display for Lifecycle {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Wip => write!(f, "wip"),
+            Self::Superseded(successor) => write!(f, "superseded{successor}"),
+            Self::Deprecated(successor) => write!(f, "deprecated{successor}"),
+        }
+    }
+}
+
 /// What replaces something, since when and why.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Successor {

@@ -4,15 +4,16 @@ use super::order::moved;
 use super::pairs::{EnumPair, MessagePair, Pairs};
 use super::{Change, Kind, enums};
 use crate::ir::{
-    Command, Dialect, Entry, Field, FileIndex, Invalid, Lifecycle, Limits, Origin, Param, Scalar, Scope, Sentinel,
-    Successor,
+    Command, Dialect, Entry, Enum, EnumId, Field, FieldType, FileIndex, Invalid, Lifecycle, Limits, Message, Origin,
+    Param, Scalar, Scope, Sentinel,
 };
 
 /// The changes of the facts of all items that are in both states.
 pub(super) fn changes(old: &Dialect, new: &Dialect, pairs: &Pairs<'_>) -> Vec<Change> {
     let dialects = Dialects { old, new };
+    let Dialect { version, name: _, files: _, enums: _, messages: _ } = old;
     let mut changes = Facts::new(&new.name, None);
-    changes.compare("version", Some(old.version), Some(new.version));
+    changes.compare("version", Some(version), Some(&new.version));
     let messages = pairs.messages.both.iter().flat_map(|pair| message(&dialects, pair));
     let enums = pairs.enums.both.iter().flat_map(|pair| enum_(&dialects, pair));
     changes.list.into_iter().chain(messages).chain(enums).collect()
@@ -60,69 +61,76 @@ impl Facts {
     }
 
     fn limits(&mut self, old: &Limits, new: &Limits) {
-        self.compare("minValue", old.min, new.min);
-        self.compare("maxValue", old.max, new.max);
-        self.compare("increment", old.increment, new.increment);
+        let Limits { min, max, increment } = *old;
+        self.compare("minValue", min, new.min);
+        self.compare("maxValue", max, new.max);
+        self.compare("increment", increment, new.increment);
     }
 
     /// The stage of life; of what is deprecated in both states, since when and by what. That something became deprecated is said
     /// of the Rust.
     fn lifecycle(&mut self) {
         let Some((old, new)) = self.origins.clone() else { return };
-        let (old, new) = (old.lifecycle, new.lifecycle);
+        // The file is compared where it is that of the definition; prose is free to change.
+        let Origin { lifecycle: old, file: _, overlays: _, span: _, description: _ } = old;
+        let new = new.lifecycle;
         if matches!(old, Some(Lifecycle::Deprecated(_))) == matches!(new, Some(Lifecycle::Deprecated(_))) {
-            self.compare("lifecycle", old.as_ref().map(stage), new.as_ref().map(stage));
+            self.compare("lifecycle", old.as_ref(), new.as_ref());
         } else {
             self.compare("lifecycle", old.as_ref().and_then(minor_stage), new.as_ref().and_then(minor_stage));
         }
     }
 }
 
-/// `superseded since 2015-08 by X`
-fn stage(lifecycle: &Lifecycle) -> String {
-    let by = |stage: &str, Successor { since, replaced_by, .. }: &Successor| {
-        let since = since.as_ref().map_or_else(String::new, |since| format!(" since {since}"));
-        let by = replaced_by.as_ref().map_or_else(String::new, |by| format!(" by {by}"));
-        format!("{stage}{since}{by}")
-    };
-    match lifecycle {
-        Lifecycle::Wip => "wip".to_owned(),
-        Lifecycle::Superseded(successor) => by("superseded", successor),
-        Lifecycle::Deprecated(successor) => by("deprecated", successor),
-    }
-}
-
 /// A stage that Rust does not show.
-fn minor_stage(lifecycle: &Lifecycle) -> Option<String> {
-    (!matches!(lifecycle, Lifecycle::Deprecated(_))).then(|| stage(lifecycle))
+fn minor_stage(lifecycle: &Lifecycle) -> Option<&Lifecycle> {
+    Some(lifecycle).filter(|lifecycle| !matches!(lifecycle, Lifecycle::Deprecated(_)))
 }
 
 fn message(dialects: &Dialects<'_>, pair: &MessagePair<'_>) -> Vec<Change> {
-    let MessagePair { old, new, .. } = pair;
-    let mut facts = Facts::new(format!("message {}", old.name.text), Some((&old.origin, &new.origin)));
+    let MessagePair { old, new, fields } = pair;
+    let Message { name, origin, id: _, crc_extra: _, len_v1: _, len_v2: _, fields: _, views: _, bindings: _ } = old;
+    let mut facts = Facts::new(format!("message {}", name.text), Some((origin, &new.origin)));
     facts.lifecycle();
-    let (from, to) = dialects.files(old.origin.file, new.origin.file);
+    let (from, to) = dialects.files(origin.file, new.origin.file);
     facts.compare("file", from, to);
     let mut changes = facts.list;
-    for (before, after) in &pair.fields.both {
-        changes.extend(field(&format!("field {}.{}", old.name.text, before.name.text), before, after));
+    for (before, after) in &fields.both {
+        changes.extend(field(&format!("field {}.{}", name.text, before.name.text), before, after));
     }
     changes.extend(order(pair));
     changes
 }
 
 fn field(item: &str, old: &Field, new: &Field) -> Vec<Change> {
-    let mut facts = Facts::new(item, Some((&old.origin, &new.origin)));
-    let version = |field: &Field| matches!(field.ty.scalar, Scalar::Version(_)).then_some("uint8_t_mavlink_version");
-    facts.compare("constant", version(old), version(new));
-    facts.compare("units", old.units.as_ref(), new.units.as_ref());
-    facts.compare("invalid", old.invalid.as_ref().map(sentinel), new.invalid.as_ref().map(sentinel));
-    facts.limits(&old.limits, &new.limits);
-    facts.compare("multiplier", old.multiplier.as_ref(), new.multiplier.as_ref());
-    facts.compare("default", old.default.as_ref(), new.default.as_ref());
-    facts.compare("print_format", old.print_format.as_ref(), new.print_format.as_ref());
-    facts.flag("display=\"bitmask\"", old.display_bitmask, new.display_bitmask);
-    facts.flag("instance", old.instance, new.instance);
+    // A new fact of the model has to be compared here, or named as one that the wire or the types show.
+    let Field {
+        ty,
+        units,
+        invalid,
+        limits,
+        multiplier,
+        default,
+        print_format,
+        display_bitmask,
+        instance,
+        origin,
+        name: _,
+        offset: _,
+        extension: _,
+        values: _,
+    } = old;
+    let mut facts = Facts::new(item, Some((origin, &new.origin)));
+    let version = |ty: FieldType| matches!(ty.scalar, Scalar::Version(_)).then_some("uint8_t_mavlink_version");
+    facts.compare("constant", version(*ty), version(new.ty));
+    facts.compare("units", units.as_ref(), new.units.as_ref());
+    facts.compare("invalid", invalid.as_ref().map(sentinel), new.invalid.as_ref().map(sentinel));
+    facts.limits(limits, &new.limits);
+    facts.compare("multiplier", multiplier.as_ref(), new.multiplier.as_ref());
+    facts.compare("default", default.as_ref(), new.default.as_ref());
+    facts.compare("print_format", print_format.as_ref(), new.print_format.as_ref());
+    facts.flag("display=\"bitmask\"", *display_bitmask, new.display_bitmask);
+    facts.flag("instance", *instance, new.instance);
     facts.list
 }
 
@@ -170,9 +178,10 @@ fn order(pair: &MessagePair<'_>) -> Vec<Change> {
 
 fn enum_(dialects: &Dialects<'_>, pair: &EnumPair<'_>) -> Vec<Change> {
     let EnumPair { old, new, entries } = pair;
-    let mut facts = Facts::new(format!("enum {}", old.name.text), Some((&old.origin, &new.origin)));
+    let Enum { name, defined_in, origin, bitmask: _, repr: _, entries: _, named_in: _ } = old;
+    let mut facts = Facts::new(format!("enum {}", name.text), Some((origin, &new.origin)));
     facts.lifecycle();
-    let (from, to) = dialects.files(old.defined_in, new.defined_in);
+    let (from, to) = dialects.files(*defined_in, new.defined_in);
     facts.compare("file", from, to);
     let mut changes = facts.list;
     for (before, after) in &entries.both {
@@ -182,20 +191,20 @@ fn enum_(dialects: &Dialects<'_>, pair: &EnumPair<'_>) -> Vec<Change> {
 }
 
 fn entry(dialects: &Dialects<'_>, item: &str, old: &Entry, new: &Entry) -> Vec<Change> {
-    let mut facts = Facts::new(item, Some((&old.origin, &new.origin)));
+    let Entry { auto, command, origin, name: _, value: _ } = old;
+    let mut facts = Facts::new(item, Some((origin, &new.origin)));
     facts.lifecycle();
-    let numbering = |entry: &Entry| if entry.auto { "automatic" } else { "written" };
-    facts.compare("value", Some(numbering(old)), Some(numbering(new)));
+    let numbering = |auto| if auto { "automatic" } else { "written" };
+    facts.compare("value", Some(numbering(*auto)), Some(numbering(new.auto)));
     let none = Command::default();
-    let (before, after) = (old.command.as_ref().unwrap_or(&none), new.command.as_ref().unwrap_or(&none));
-    facts.flag("hasLocation", before.has_location, after.has_location);
-    facts.flag("isDestination", before.is_destination, after.is_destination);
-    facts.flag("missionOnly", before.mission_only, after.mission_only);
+    let (before, after) = (command.as_ref().unwrap_or(&none), new.command.as_ref().unwrap_or(&none));
+    let Command { params, has_location, is_destination, mission_only } = before;
+    facts.flag("hasLocation", *has_location, after.has_location);
+    facts.flag("isDestination", *is_destination, after.is_destination);
+    facts.flag("missionOnly", *mission_only, after.mission_only);
     let mut changes = facts.list;
     for index in 1..=7 {
-        let find = |command: &'_ Command| command.params.iter().position(|param| param.index == index);
-        let (old, new) =
-            (find(before).and_then(|at| before.params.get(at)), find(after).and_then(|at| after.params.get(at)));
+        let [old, new] = [params, &after.params].map(|params| params.iter().find(|param| param.index == index));
         changes.extend(param(dialects, &format!("{item} param {index}"), old, new));
     }
     changes
@@ -208,13 +217,14 @@ fn param(dialects: &Dialects<'_>, item: &str, old: Option<&Param>, new: Option<&
         let span = |param: Option<&Param>| param.map(|param| param.origin.span);
         return facts.list.into_iter().map(|change| change.at(span(old), span(new))).collect();
     };
-    let mut facts = Facts::new(item, Some((&before.origin, &after.origin)));
-    facts.compare("label", before.label.as_ref(), after.label.as_ref());
-    facts.compare("units", before.units.as_ref(), after.units.as_ref());
-    let name = |dialect: &Dialect, param: &Param| Some(dialect.enum_by_id(param.enum_?)?.name.text.clone());
-    facts.compare("enum", name(dialects.old, before), name(dialects.new, after));
-    facts.limits(&before.limits, &after.limits);
-    facts.compare("default", before.default, after.default);
-    facts.flag("reserved", before.reserved, after.reserved);
+    let Param { label, units, enum_, limits, default, reserved, origin, index: _ } = before;
+    let mut facts = Facts::new(item, Some((origin, &after.origin)));
+    facts.compare("label", label.as_ref(), after.label.as_ref());
+    facts.compare("units", units.as_ref(), after.units.as_ref());
+    let name = |dialect: &Dialect, id: Option<EnumId>| Some(dialect.enum_by_id(id?)?.name.text.clone());
+    facts.compare("enum", name(dialects.old, *enum_), name(dialects.new, after.enum_));
+    facts.limits(limits, &after.limits);
+    facts.compare("default", *default, after.default);
+    facts.flag("reserved", *reserved, after.reserved);
     facts.list
 }

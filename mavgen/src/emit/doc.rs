@@ -66,7 +66,7 @@ fn cell(cell: &Cell<'_>) -> String {
     }
 }
 
-/// `#[deprecated(note = "since 2018-04: replaced by X")]`
+/// `#[deprecated(note = "since 2018-04, replaced by X")]`
 pub(crate) fn deprecated(note: Option<&String>) -> Option<TokenStream> {
     note.map(|note| quote!(#[deprecated(note = #note)]))
 }

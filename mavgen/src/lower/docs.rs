@@ -11,26 +11,19 @@ pub(crate) fn description(origin: &Origin) -> Vec<Paragraph<'_>> {
     [Paragraph::prose(&origin.description)].into_iter().chain(lifecycle).collect()
 }
 
-/// The stage of life in a sentence: `Superseded since 2015-08 by SET_MESSAGE_INTERVAL.`
+/// The stage of life in a sentence: `Superseded since 2015-08, replaced by SET_MESSAGE_INTERVAL. Why.`
 fn lifecycle(origin: &Origin) -> Option<String> {
-    match origin.lifecycle.as_ref()? {
-        Lifecycle::Wip => Some("**Work in progress**: may still change.".to_owned()),
-        Lifecycle::Superseded(successor) => Some(format!("**Superseded**{}", succession(successor))),
-        Lifecycle::Deprecated(successor) => Some(format!("**Deprecated**{}", succession(successor))),
-    }
-}
-
-/// ` since 2015-08, replaced by X. Why.`
-fn succession(successor: &Successor) -> String {
-    let since = successor.since.as_ref().map_or_else(String::new, |since| format!(" since {}", line(since)));
-    let by = successor.replaced_by.as_ref().map(|by| line(by)).filter(|by| !by.is_empty());
-    let by = by.map_or_else(String::new, |by| format!(", replaced by {by}"));
-    let why = line(&successor.description);
-    if why.is_empty() { format!("{since}{by}.") } else { format!("{since}{by}. {why}") }
+    let (stage, successor) = match origin.lifecycle.as_ref()? {
+        Lifecycle::Wip => return Some("**Work in progress**: may still change.".to_owned()),
+        Lifecycle::Superseded(successor) => ("Superseded", successor),
+        Lifecycle::Deprecated(successor) => ("Deprecated", successor),
+    };
+    let text = line(&format!("{stage}{successor}. {}", successor.description));
+    Some(text.replacen(stage, &format!("**{stage}**"), 1))
 }
 
 impl Items<'_> {
-    /// `since 2018-04: replaced by X`, if the item is deprecated and the options ask for it.
+    /// `since 2018-04, replaced by X`, if the item is deprecated and the options ask for it.
     ///
     /// The date stands in the note because `since` takes nothing but a version.
     pub(crate) fn deprecation(self, origin: &Origin) -> Option<String> {
@@ -43,9 +36,10 @@ impl Items<'_> {
 
 fn note(successor: &Successor) -> String {
     // Rustdoc shows the note as markdown, so it is made safe like all other text.
-    let by = successor.replaced_by.as_deref().map(line).filter(|by| !by.is_empty());
-    let by = by.map_or_else(|| "do not use".to_owned(), |by| format!("replaced by {by}"));
-    successor.since.as_ref().map_or_else(|| by.clone(), |since| format!("since {}: {by}", line(since)))
+    match line(&successor.to_string()).trim_start_matches(", ") {
+        "" => "do not use".to_owned(),
+        text => text.to_owned(),
+    }
 }
 
 /// The XML's name, so that a search for it finds the type; nothing where both are spelled alike.

@@ -18,5 +18,5 @@ pub use drive::Drive;
 ///
 /// `OLD_DRIVE`, message 305 of `main.xml`: 1 byte, CRC_EXTRA 38; MAVLink 2 only.
 #[doc(alias = "OLD_DRIVE")]
-#[deprecated(note = "since 2021-03: replaced by DRIVE")]
+#[deprecated(note = "since 2021-03, replaced by DRIVE")]
 pub type OldDrive = old_drive::OldDrive;

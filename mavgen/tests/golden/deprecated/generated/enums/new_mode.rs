@@ -11,7 +11,7 @@ impl NewMode {
     /// `NEW_MODE_SLOW`.
     pub const SLOW: Self = Self(0);
     /// **Deprecated** since 2024-05, replaced by `NEW_MODE_SLOW`.
-    #[deprecated(note = "since 2024-05: replaced by `NEW_MODE_SLOW`")]
+    #[deprecated(note = "since 2024-05, replaced by `NEW_MODE_SLOW`")]
     pub const FAST: Self = Self(1);
 }
 
