@@ -722,7 +722,7 @@ pub use wind_cov::WindCov;
 /// `COMPONENT_INFORMATION`, message 395 of `common.xml`: 212 bytes, CRC_EXTRA 0; MAVLink 2 only.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#COMPONENT_INFORMATION).
 #[doc(alias = "COMPONENT_INFORMATION")]
-#[deprecated(note = "since 2022-04: replaced by `COMPONENT_METADATA`")]
+#[deprecated(note = "since 2022-04, replaced by `COMPONENT_METADATA`")]
 pub type ComponentInformation = component_information::ComponentInformation;
 
 /// One mission item with coordinates as floats, which lose precision; `MISSION_ITEM_INT` has taken
@@ -733,7 +733,7 @@ pub type ComponentInformation = component_information::ComponentInformation;
 /// `MISSION_ITEM`, message 39 of `common.xml`: 38 bytes, 37 in MAVLink 1, CRC_EXTRA 254.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MISSION_ITEM).
 #[doc(alias = "MISSION_ITEM")]
-#[deprecated(note = "since 2020-06: replaced by `MISSION_ITEM_INT`")]
+#[deprecated(note = "since 2020-06, replaced by `MISSION_ITEM_INT`")]
 pub type MissionItem = mission_item::MissionItem;
 
 /// Asks for one mission item as `MISSION_ITEM`; `MISSION_REQUEST_INT` has taken its place.
@@ -743,7 +743,7 @@ pub type MissionItem = mission_item::MissionItem;
 /// `MISSION_REQUEST`, message 40 of `common.xml`: 5 bytes, 4 in MAVLink 1, CRC_EXTRA 230.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MISSION_REQUEST).
 #[doc(alias = "MISSION_REQUEST")]
-#[deprecated(note = "since 2020-06: replaced by `MISSION_REQUEST_INT`")]
+#[deprecated(note = "since 2020-06, replaced by `MISSION_REQUEST_INT`")]
 pub type MissionRequest = mission_request::MissionRequest;
 
 /// MAVLink versions that a component can speak.
@@ -753,7 +753,7 @@ pub type MissionRequest = mission_request::MissionRequest;
 /// `PROTOCOL_VERSION`, message 300 of `common.xml`: 22 bytes, CRC_EXTRA 217; MAVLink 2 only.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#PROTOCOL_VERSION).
 #[doc(alias = "PROTOCOL_VERSION")]
-#[deprecated(note = "since 2025-11: replaced by Nothing")]
+#[deprecated(note = "since 2025-11, replaced by Nothing")]
 pub type ProtocolVersion = protocol_version::ProtocolVersion;
 
 /// A trajectory of up to five Bezier control points.
@@ -763,7 +763,7 @@ pub type ProtocolVersion = protocol_version::ProtocolVersion;
 /// `TRAJECTORY_REPRESENTATION_BEZIER`, message 333 of `common.xml`: 109 bytes, CRC_EXTRA 231; MAVLink 2 only.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#TRAJECTORY_REPRESENTATION_BEZIER).
 #[doc(alias = "TRAJECTORY_REPRESENTATION_BEZIER")]
-#[deprecated(note = "since 2025-03: replaced by Nothing")]
+#[deprecated(note = "since 2025-03, replaced by Nothing")]
 pub type TrajectoryRepresentationBezier = trajectory_representation_bezier::TrajectoryRepresentationBezier;
 
 /// A trajectory of up to five waypoints.
@@ -773,5 +773,5 @@ pub type TrajectoryRepresentationBezier = trajectory_representation_bezier::Traj
 /// `TRAJECTORY_REPRESENTATION_WAYPOINTS`, message 332 of `common.xml`: 239 bytes, CRC_EXTRA 236; MAVLink 2 only.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#TRAJECTORY_REPRESENTATION_WAYPOINTS).
 #[doc(alias = "TRAJECTORY_REPRESENTATION_WAYPOINTS")]
-#[deprecated(note = "since 2025-03: replaced by Nothing")]
+#[deprecated(note = "since 2025-03, replaced by Nothing")]
 pub type TrajectoryRepresentationWaypoints = trajectory_representation_waypoints::TrajectoryRepresentationWaypoints;

@@ -356,7 +356,7 @@ impl MavCmd {
     ///
     /// - 1, Number: Number of the parameter. At least 0; in steps of 1.
     /// - 2, Value
-    #[deprecated(note = "since 2024-04: replaced by `PARAM_SET`")]
+    #[deprecated(note = "since 2024-04, replaced by `PARAM_SET`")]
     pub const DO_SET_PARAMETER: Self = Self(180);
     /// Switch a relay.
     ///
@@ -792,7 +792,7 @@ impl MavCmd {
     /// **Deprecated** since 2025-11, replaced by `MAV_CMD_REQUEST_MESSAGE`.
     ///
     /// - 1, Protocol: A [`MavBool`](super::super::enums::MavBool).
-    #[deprecated(note = "since 2025-11: replaced by `MAV_CMD_REQUEST_MESSAGE`")]
+    #[deprecated(note = "since 2025-11, replaced by `MAV_CMD_REQUEST_MESSAGE`")]
     pub const REQUEST_PROTOCOL_VERSION: Self = Self(519);
     /// Asks for `AUTOPILOT_VERSION`.
     ///

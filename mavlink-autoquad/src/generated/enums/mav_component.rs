@@ -225,7 +225,7 @@ impl MavComponent {
     /// Gimbal of the QX1 camera.
     ///
     /// **Deprecated** since 2018-11, replaced by `MAV_COMP_ID_GIMBAL`.
-    #[deprecated(note = "since 2018-11: replaced by `MAV_COMP_ID_GIMBAL`")]
+    #[deprecated(note = "since 2018-11, replaced by `MAV_COMP_ID_GIMBAL`")]
     pub const QX1_GIMBAL: Self = Self(159);
     /// FLARM device.
     pub const FLARM: Self = Self(160);
@@ -294,7 +294,7 @@ impl MavComponent {
     /// Was meant for commands to the whole system.
     ///
     /// **Deprecated** since 2018-11, replaced by `MAV_COMP_ID_ALL`.
-    #[deprecated(note = "since 2018-11: replaced by `MAV_COMP_ID_ALL`")]
+    #[deprecated(note = "since 2018-11, replaced by `MAV_COMP_ID_ALL`")]
     pub const SYSTEM_CONTROL: Self = Self(250);
 }
 

@@ -50,25 +50,25 @@ impl MavFrame {
     /// Forward, right, down from the vehicle, which the frame moves with.
     pub const BODY_FRD: Self = Self(12);
     /// **Deprecated** since 2019-04.
-    #[deprecated(note = "since 2019-04: do not use")]
+    #[deprecated(note = "since 2019-04")]
     pub const RESERVED_13: Self = Self(13);
     /// **Deprecated** since 2019-04, replaced by `MAV_FRAME_LOCAL_FRD`.
-    #[deprecated(note = "since 2019-04: replaced by `MAV_FRAME_LOCAL_FRD`")]
+    #[deprecated(note = "since 2019-04, replaced by `MAV_FRAME_LOCAL_FRD`")]
     pub const RESERVED_14: Self = Self(14);
     /// **Deprecated** since 2019-04, replaced by `MAV_FRAME_LOCAL_FLU`.
-    #[deprecated(note = "since 2019-04: replaced by `MAV_FRAME_LOCAL_FLU`")]
+    #[deprecated(note = "since 2019-04, replaced by `MAV_FRAME_LOCAL_FLU`")]
     pub const RESERVED_15: Self = Self(15);
     /// **Deprecated** since 2019-04, replaced by `MAV_FRAME_LOCAL_FRD`.
-    #[deprecated(note = "since 2019-04: replaced by `MAV_FRAME_LOCAL_FRD`")]
+    #[deprecated(note = "since 2019-04, replaced by `MAV_FRAME_LOCAL_FRD`")]
     pub const RESERVED_16: Self = Self(16);
     /// **Deprecated** since 2019-04, replaced by `MAV_FRAME_LOCAL_FLU`.
-    #[deprecated(note = "since 2019-04: replaced by `MAV_FRAME_LOCAL_FLU`")]
+    #[deprecated(note = "since 2019-04, replaced by `MAV_FRAME_LOCAL_FLU`")]
     pub const RESERVED_17: Self = Self(17);
     /// **Deprecated** since 2019-04, replaced by `MAV_FRAME_LOCAL_FRD`.
-    #[deprecated(note = "since 2019-04: replaced by `MAV_FRAME_LOCAL_FRD`")]
+    #[deprecated(note = "since 2019-04, replaced by `MAV_FRAME_LOCAL_FRD`")]
     pub const RESERVED_18: Self = Self(18);
     /// **Deprecated** since 2019-04, replaced by `MAV_FRAME_LOCAL_FLU`.
-    #[deprecated(note = "since 2019-04: replaced by `MAV_FRAME_LOCAL_FLU`")]
+    #[deprecated(note = "since 2019-04, replaced by `MAV_FRAME_LOCAL_FLU`")]
     pub const RESERVED_19: Self = Self(19);
     /// Forward, right, down from a fixed local origin; forward is where the nose pointed at the start.
     pub const LOCAL_FRD: Self = Self(20);

@@ -9,7 +9,7 @@ use ::mavlink_wire as wire;
 /// `MAV_MODE` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MAV_MODE).
 #[doc(alias = "MAV_MODE")]
-#[deprecated(note = "since 2025-02: replaced by `MAV_MODE_FLAG`")]
+#[deprecated(note = "since 2025-02, replaced by `MAV_MODE_FLAG`")]
 #[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct MavMode(pub u8);
 

@@ -9,7 +9,7 @@ use ::mavlink_wire as wire;
 /// `MAV_MOUNT_MODE` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MAV_MOUNT_MODE).
 #[doc(alias = "MAV_MOUNT_MODE")]
-#[deprecated(note = "since 2020-01: replaced by `GIMBAL_MANAGER_FLAGS`")]
+#[deprecated(note = "since 2020-01, replaced by `GIMBAL_MANAGER_FLAGS`")]
 #[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct MavMountMode(pub u8);
 

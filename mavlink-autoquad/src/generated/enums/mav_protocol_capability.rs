@@ -16,7 +16,7 @@ impl MavProtocolCapability {
 
     /// **Deprecated** since 2022-03, replaced by `MAV_PROTOCOL_CAPABILITY_PARAM_ENCODE_C_CAST`.
     #[deprecated(
-        note = "since 2022-03: replaced by `MAV_PROTOCOL_CAPABILITY_PARAM_ENCODE_C_CAST`"
+        note = "since 2022-03, replaced by `MAV_PROTOCOL_CAPABILITY_PARAM_ENCODE_C_CAST`"
     )]
     pub const PARAM_FLOAT: Self = Self(1 << 1);
 

@@ -6,7 +6,7 @@ use wire::generated::{get, put};
 
 /// Starts or stops one group of telemetry messages at a given rate.
 ///
-/// **Superseded** since 2015-08, replaced by `MAV_CMD_SET_MESSAGE_INTERVAL`.
+/// **Superseded** since 2015-08, replaced by `MAV_CMD_SET_MESSAGE_INTERVAL` .
 ///
 /// `REQUEST_DATA_STREAM`, message 66 of `common.xml`: 6 bytes, CRC_EXTRA 148.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#REQUEST_DATA_STREAM).
