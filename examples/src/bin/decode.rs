@@ -53,8 +53,14 @@ fn print_log(input: impl Read, out: &mut impl Write) -> io::Result<()> {
 
 fn print_stream(input: impl Read, out: &mut impl Write) -> io::Result<()> {
     let mut reader = FrameReader::new(input, Autoquad::TABLE);
-    while let Some(frame) = reader.receive()? {
-        print(&frame, out)?;
+    loop {
+        match reader.receive() {
+            Ok(Some(frame)) => print(&frame, out)?,
+            Ok(None) => break,
+            // Much of it was no frame; there may be more.
+            Err(error) if error.kind() == ErrorKind::WouldBlock => {}
+            Err(error) => return Err(error),
+        }
     }
     let counts = reader.statistics();
     eprintln!("{} frames, {} damaged, {} bytes skipped", counts.frames, counts.bad_checksums, counts.skipped_bytes);

@@ -56,10 +56,15 @@ fn run() -> Result<(), Box<dyn Error>> {
 /// Shows what a file has to say. What lies between its frames, like the times of a tlog, is skipped.
 fn read(input: impl Read, display: &mut Display<impl io::Write>) -> io::Result<()> {
     let mut reader = FrameReader::new(input, Autoquad::TABLE);
-    while let Some(frame) = reader.receive()? {
-        display.receive(&frame)?;
+    loop {
+        match reader.receive() {
+            Ok(Some(frame)) => display.receive(&frame)?,
+            Ok(None) => return Ok(()),
+            // Much of it was no frame; there may be more.
+            Err(error) if error.kind() == ErrorKind::WouldBlock => {}
+            Err(error) => return Err(error),
+        }
     }
-    Ok(())
 }
 
 /// Shows what comes in, and once a second how what has fallen silent ages.
