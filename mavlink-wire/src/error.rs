@@ -78,6 +78,46 @@ impl<E: fmt::Display> fmt::Display for SendError<E> {
 #[cfg(any(feature = "embedded-io", feature = "embedded-io-async"))]
 impl<E: Error> Error for SendError<E> {}
 
+/// No frame was received over a link.
+///
+/// There will be no third reason: where a link cannot fail, a `match` has one arm.
+#[cfg(any(feature = "embedded-io", feature = "embedded-io-async"))]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(::defmt::Format))]
+pub enum ReceiveError<E> {
+    /// 64 KiB were read, and no frame was found: nothing is lost, read again.
+    NothingYet,
+    /// The link has failed, or has timed out.
+    Link(E),
+}
+
+#[cfg(any(feature = "embedded-io", feature = "embedded-io-async"))]
+impl<E: fmt::Display> fmt::Display for ReceiveError<E> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NothingYet => {
+                f.write_str("no frame in 64 KiB: read again; if it goes on, compare both sides' baud rates")
+            }
+            Self::Link(error) => write!(f, "the link has failed: {error}"),
+        }
+    }
+}
+
+#[cfg(any(feature = "embedded-io", feature = "embedded-io-async"))]
+impl<E: Error> Error for ReceiveError<E> {}
+
+/// Of the link's kind; of kind [`TimedOut`](::embedded_io::ErrorKind::TimedOut), which may be tried again, when there is
+/// nothing yet.
+#[cfg(any(feature = "embedded-io", feature = "embedded-io-async"))]
+impl<E: ::embedded_io::Error> ::embedded_io::Error for ReceiveError<E> {
+    fn kind(&self) -> ::embedded_io::ErrorKind {
+        match self {
+            Self::NothingYet => ::embedded_io::ErrorKind::TimedOut,
+            Self::Link(error) => error.kind(),
+        }
+    }
+}
+
 /// Bytes are not a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(::defmt::Format))]

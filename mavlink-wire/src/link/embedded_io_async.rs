@@ -10,19 +10,21 @@
 //! #     fn write(&self, payload: &mut [u8; 255]) { payload[..9].copy_from_slice(&[0, 0, 0, 0, 6, 8, 0, 4, 3]); }
 //! # }
 //! # static TABLE: Table<'static> = Table::of(&[INFO]);
-//! use mavlink_wire::embedded_io_async::{FrameReader, FrameWriter, SendError};
+//! use mavlink_wire::embedded_io_async::{FrameReader, FrameWriter, ReceiveError, SendError};
 //!
 //! async fn talk<E>(
 //!     rx: impl embedded_io_async::Read<Error = E>,
 //!     tx: impl embedded_io_async::Write<Error = E>,
 //! ) -> Result<(), SendError<E>> {
 //!     let (mut reader, mut writer) = (FrameReader::new(rx, &TABLE), FrameWriter::new(tx, Sender::v1(1, 1)));
-//!     while let Some(frame) = reader.receive().await.map_err(SendError::Link)? {
-//!         if frame.message_id() == 0 {
-//!             writer.send(&Heartbeat).await?;
+//!     loop {
+//!         match reader.receive().await {
+//!             Ok(Some(frame)) if frame.message_id() == 0 => writer.send(&Heartbeat).await?,
+//!             Ok(Some(_)) | Err(ReceiveError::NothingYet) => {}
+//!             Ok(None) => return Ok(()),
+//!             Err(ReceiveError::Link(error)) => return Err(SendError::Link(error)),
 //!         }
 //!     }
-//!     Ok(())
 //! }
 //! ```
 //!
@@ -31,17 +33,21 @@
 //! [`ErrorKind::TimedOut`] is handed on and loses nothing: read again later. A writer keeps what the link did not take of a
 //! frame, and writes it first the next time, so that no frame is torn. [`ErrorKind::Interrupted`] is tried again at once.
 //!
+//! A timeout is that of the link, for the next byte. While bytes come that make no frame, as at a wrong baud rate, a reader
+//! goes on reading, but no further than 64 KiB: then it says [`ReceiveError::NothingYet`], so that its caller can look at the
+//! clock.
+//!
 //! A future that is dropped before it is ready, as by a timeout, loses nothing if those of `R` and `W` lose nothing: what was
 //! read is kept, and what was not written of a frame goes out before the next one.
 
 use ::embedded_io_async::{Error, ErrorKind, Read, Write};
 
-use crate::link::incoming::Incoming;
+use crate::link::incoming::{ENOUGH, Incoming};
 use crate::link::outgoing::Outgoing;
 use crate::parser::not_told;
 use crate::{Encode, Frame, Sender, Statistics, Table};
 
-pub use crate::error::SendError;
+pub use crate::error::{ReceiveError, SendError};
 
 /// Reads frames from `R`, up to `N` bytes at once.
 #[derive(Clone, Debug)]
@@ -106,8 +112,10 @@ impl<R: Read, const N: usize> FrameReader<'_, R, N> {
     ///
     /// # Errors
     ///
-    /// What `R` says, except for [`ErrorKind::Interrupted`]. Nothing is lost: read again if it was a timeout.
-    pub async fn receive(&mut self) -> Result<Option<Frame<'_>>, R::Error> {
+    /// - [`ReceiveError::NothingYet`]: 64 KiB were read, and no frame was found. Nothing is lost: call it again.
+    /// - [`ReceiveError::Link`]: what `R` says, except for [`ErrorKind::Interrupted`]. Nothing is lost: read again if it was a
+    ///   timeout.
+    pub async fn receive(&mut self) -> Result<Option<Frame<'_>>, ReceiveError<R::Error>> {
         self.receive_reporting_bad_checksums(not_told).await
     }
 
@@ -120,7 +128,8 @@ impl<R: Read, const N: usize> FrameReader<'_, R, N> {
     pub async fn receive_reporting_bad_checksums(
         &mut self,
         mut bad_checksum: impl FnMut(u32),
-    ) -> Result<Option<Frame<'_>>, R::Error> {
+    ) -> Result<Option<Frame<'_>>, ReceiveError<R::Error>> {
+        let mut read = 0;
         loop {
             if let Some(found) = self.incoming.find(&mut bad_checksum) {
                 return Ok(Some(self.incoming.frame(&found)));
@@ -128,10 +137,13 @@ impl<R: Read, const N: usize> FrameReader<'_, R, N> {
             if self.incoming.take_end() {
                 return Ok(None);
             }
+            if read >= ENOUGH {
+                return Err(ReceiveError::NothingYet);
+            }
             match self.inner.read(self.incoming.space()).await {
-                Ok(count) => self.incoming.fill(count, count == 0),
+                Ok(count) => read += self.incoming.fill(count),
                 Err(error) if error.kind() == ErrorKind::Interrupted => {}
-                Err(error) => return Err(error),
+                Err(error) => return Err(ReceiveError::Link(error)),
             }
         }
     }

@@ -4,6 +4,9 @@ use crate::frame::Outline;
 use crate::frame::key::{SETUP_SIGNING, WIPES, wipe_around};
 use crate::{Frame, MAX_FRAME, Parser, Statistics, Table};
 
+/// Bytes without a frame after which a call returns. Counted by `u32`: a `usize` may have 16 bits.
+pub(crate) const ENOUGH: u32 = 65_536;
+
 /// A parser and its input, in a buffer `B`.
 #[derive(Clone)]
 pub(crate) struct Incoming<'t, B> {
@@ -103,10 +106,11 @@ impl<B: AsRef<[u8]> + AsMut<[u8]>> Incoming<'_, B> {
         self.buffer.as_mut()
     }
 
-    /// Says how many bytes were read, and whether the stream ends with them.
-    pub(crate) fn fill(&mut self, count: usize, ended: bool) {
+    /// Takes what was read, which is the end of the stream if it is nothing. Gives back how many bytes there are now.
+    pub(crate) fn fill(&mut self, count: usize) -> u32 {
         self.end = count.min(self.buffer.as_ref().len());
-        self.ended = ended;
+        self.ended = count == 0;
+        self.end.try_into().unwrap_or(ENOUGH)
     }
 
     /// Whether the stream has ended. It is said once: a file may grow.

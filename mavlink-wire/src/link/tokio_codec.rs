@@ -32,6 +32,12 @@
 //! # vehicle.await?
 //! # }
 //! ```
+//!
+//! # Bytes without a frame
+//!
+//! One call of the codec searches the bytes that lie in the buffer, and no more: 8 KiB at most, unless `Framed` was given more.
+//! Then `next` reads on for as long as the stream has bytes. What is to end by the clock, as by `tokio::time::timeout`, needs
+//! a stream that gives way to other tasks while it has bytes: tokio's sockets do.
 
 use core::fmt;
 use std::io::{Error, Result};

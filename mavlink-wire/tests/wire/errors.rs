@@ -34,12 +34,14 @@ fn errors_say_what_to_do() {
 #[cfg(feature = "embedded-io")]
 #[test]
 fn errors_of_links_say_what_to_do() {
-    use mavlink_wire::embedded_io::SendError;
+    use mavlink_wire::embedded_io::{ReceiveError, SendError};
 
     type Link = SendError<embedded_io::ErrorKind>;
     says(Link::Encode(EncodeError::IdTooLarge { message_id: 300 }), "send it with Sender::v2");
     says(Link::Link(embedded_io::ErrorKind::BrokenPipe), "the link has failed: ");
     says(Link::NothingTaken, "open it again");
+    says(ReceiveError::Link(embedded_io::ErrorKind::BrokenPipe), "the link has failed: ");
+    says(ReceiveError::<embedded_io::ErrorKind>::NothingYet, "read again");
 }
 
 #[cfg(feature = "signing")]

@@ -11,7 +11,7 @@ use cortex_m_rt::entry;
 use cortex_m_semihosting::debug::{self, EXIT_FAILURE, EXIT_SUCCESS};
 use mavlink_autoquad::autoquad::{AqEscTelemetry, CommandLong, Heartbeat, MavCmd, MavState};
 use mavlink_autoquad::esc::{Conversion, EscTable};
-use mavlink_autoquad::wire::embedded_io::{FrameReader, FrameWriter};
+use mavlink_autoquad::wire::embedded_io::{FrameReader, FrameWriter, ReceiveError};
 use mavlink_autoquad::wire::{Message, Sender, Table};
 
 use uart::Uart;
@@ -21,17 +21,23 @@ const BEAT: Heartbeat = Heartbeat { system_status: MavState::ACTIVE, ..Heartbeat
 
 #[entry]
 fn main() -> ! {
-    let Ok(()) = gateway(Uart::new(), Uart::new());
+    gateway(Uart::new(), Uart::new());
     debug::exit(EXIT_SUCCESS);
     loop {
         core::hint::spin_loop();
     }
 }
 
-fn gateway(rx: Uart, tx: Uart) -> Result<(), core::convert::Infallible> {
+fn gateway(rx: Uart, tx: Uart) {
     let (mut reader, mut writer) = (FrameReader::new(rx, &RECEIVED), FrameWriter::new(tx, Sender::v2(1, 99)));
     let mut escs = EscTable::new();
-    while let Some(frame) = reader.receive()? {
+    loop {
+        let frame = match reader.receive() {
+            Ok(Some(frame)) => frame,
+            Ok(None) => break,
+            // Noise, as of a wrong baud rate: here a firmware that has more to do looks at its clock.
+            Err(ReceiveError::NothingYet) => continue,
+        };
         if frame.decode::<Heartbeat>().is_some() {
             sent(writer.send(&BEAT));
         } else if let Some(telemetry) = frame.decode::<AqEscTelemetry>() {
@@ -49,7 +55,6 @@ fn gateway(rx: Uart, tx: Uart) -> Result<(), core::convert::Infallible> {
             break;
         }
     }
-    Ok(())
 }
 
 /// MAVLink 2 carries each of these messages, and the UART takes every byte.

@@ -2,15 +2,12 @@
 
 use std::io::{ErrorKind, Read, Result};
 
-use crate::link::incoming::Incoming;
+use crate::link::incoming::{ENOUGH, Incoming};
 use crate::parser::not_told;
 use crate::{Frame, Statistics, Table};
 
 /// Bytes that are read at once.
 const CHUNK: usize = 4096;
-
-/// Bytes without a frame after which a call returns.
-const ENOUGH: usize = 65_536;
 
 /// Reads frames from `R`, which needs no buffer of its own: 4096 bytes are read at once.
 #[derive(Debug)]
@@ -59,10 +56,7 @@ impl<'t, R: Read> FrameReader<'t, R> {
                 return Err(ErrorKind::WouldBlock.into());
             }
             match self.inner.read(self.incoming.space()) {
-                Ok(count) => {
-                    self.incoming.fill(count, count == 0);
-                    read += count;
-                }
+                Ok(count) => read += self.incoming.fill(count),
                 Err(error) if error.kind() == ErrorKind::Interrupted => {}
                 Err(error) => return Err(error),
             }

@@ -5,7 +5,7 @@ use std::net::{Shutdown, TcpListener, TcpStream};
 use std::thread;
 
 use embedded_io_adapters::std::FromStd;
-use mavlink_wire::embedded_io::{FrameReader, FrameWriter, SendError};
+use mavlink_wire::embedded_io::{FrameReader, FrameWriter, ReceiveError, SendError};
 use mavlink_wire::{Dialect, EncodeError, Frame, Sender};
 
 use super::scripted::{Scripted, Step};
@@ -39,6 +39,22 @@ fn messages_cross_a_tcp_stream_both_ways() {
     echo.join().unwrap();
 }
 
+/// A wrong baud rate, and no end of it.
+#[test]
+fn a_call_returns_after_64_kib_without_a_frame() {
+    let (noise, frame) = ([0xFE; 200_000], stream(Sender::v2(1, 1), 0..1));
+    let bytes = [&noise, &frame[..]].concat();
+    let mut reader = FrameReader::new(&bytes[..], Small::TABLE);
+    for call in 1..=3 {
+        let error = reader.receive().unwrap_err();
+        assert_eq!(error, ReceiveError::NothingYet);
+        assert_eq!(embedded_io::Error::kind(&error), embedded_io::ErrorKind::TimedOut, "to be tried again");
+        assert_eq!(bytes.len() - reader.get_ref().len(), call * 65_536);
+    }
+    assert_eq!(reader.receive().unwrap().map(|frame| read(&frame)), sent(0..1).pop());
+    assert_eq!(reader.receive().unwrap(), None);
+}
+
 #[test]
 fn an_unfinished_frame_is_given_up_at_the_end_or_when_asked() {
     let bytes = [&[0xFD, 255, 0, 0][..], &stream(Sender::v1(1, 1), 0..1)].concat();
@@ -68,7 +84,8 @@ fn interruptions_are_tried_again_and_other_errors_lose_nothing() {
     let bytes = stream(Sender::v2(1, 1), 0..2);
     let steps = [Step::Fail(ErrorKind::Interrupted), Step::Take(5), Step::Fail(ErrorKind::BrokenPipe)];
     let mut reader = FrameReader::new(FromStd::new(Scripted::new(steps, &bytes)), Small::TABLE);
-    assert_eq!(reader.receive().unwrap_err().kind(), ErrorKind::BrokenPipe);
+    let failed = reader.receive().unwrap_err();
+    assert!(matches!(failed, ReceiveError::Link(error) if error.kind() == ErrorKind::BrokenPipe));
     for expected in sent(0..2) {
         assert_eq!(reader.receive().unwrap().map(|frame| read(&frame)), Some(expected));
     }

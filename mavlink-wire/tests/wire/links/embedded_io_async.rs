@@ -4,7 +4,7 @@ use std::io::{ErrorKind, Read, Write};
 
 use embedded_io_adapters::tokio_1::FromTokio;
 use futures_util::FutureExt;
-use mavlink_wire::embedded_io_async::{FrameReader, FrameWriter, SendError};
+use mavlink_wire::embedded_io_async::{FrameReader, FrameWriter, ReceiveError, SendError};
 use mavlink_wire::{Dialect, Sender};
 use tokio::io::duplex;
 use tokio::net::{TcpListener, TcpStream};
@@ -99,7 +99,8 @@ async fn interruptions_are_tried_again_and_other_errors_lose_nothing() {
     let bytes = stream(Sender::v2(1, 1), 0..2);
     let steps = [Step::Fail(ErrorKind::Interrupted), Step::Take(5), Step::Fail(ErrorKind::BrokenPipe)];
     let mut reader = FrameReader::new(Told(Scripted::new(steps, &bytes)), Small::TABLE);
-    assert_eq!(reader.receive().await.unwrap_err().kind(), ErrorKind::BrokenPipe);
+    let failed = reader.receive().await.unwrap_err();
+    assert!(matches!(failed, ReceiveError::Link(error) if error.kind() == ErrorKind::BrokenPipe));
     for expected in sent(0..2) {
         assert_eq!(reader.receive().await.unwrap().map(|frame| read(&frame)), Some(expected));
     }
@@ -125,6 +126,22 @@ async fn a_message_refused_by_a_timeout_takes_no_number() {
     );
     writer.send(&message(1)).await.unwrap();
     assert_eq!(writer.get_ref().0.output, stream(Sender::v2(1, 1), 0..2));
+}
+
+/// A wrong baud rate, and no end of it.
+#[tokio::test]
+async fn a_call_returns_after_64_kib_without_a_frame() {
+    let (noise, frame) = ([0xFE; 200_000], stream(Sender::v2(1, 1), 0..1));
+    let bytes = [&noise, &frame[..]].concat();
+    let mut reader = FrameReader::new(&bytes[..], Small::TABLE);
+    for call in 1..=3 {
+        let error = reader.receive().await.unwrap_err();
+        assert_eq!(error, ReceiveError::NothingYet);
+        assert_eq!(embedded_io_async::Error::kind(&error), embedded_io_async::ErrorKind::TimedOut, "to be tried again");
+        assert_eq!(bytes.len() - reader.get_ref().len(), call * 65_536);
+    }
+    assert_eq!(reader.receive().await.unwrap().map(|frame| read(&frame)), sent(0..1).pop());
+    assert_eq!(reader.receive().await.unwrap(), None);
 }
 
 #[tokio::test]
