@@ -3,12 +3,14 @@
 use std::hint::black_box;
 use std::io::Cursor;
 use std::net::UdpSocket;
+use std::pin::pin;
 use std::process::ExitCode;
+use std::task::{Context, Poll, Waker};
 
 use bytes::BytesMut;
 use mavlink_autoquad::autoquad::Autoquad;
 use mavlink_autoquad::wire::tokio_codec::Codec;
-use mavlink_autoquad::wire::{Dialect, Frame, Sender, io, tlog, udp};
+use mavlink_autoquad::wire::{Dialect, Frame, Sender, embedded_io_async, io, tlog, udp};
 use mavlink_stack::{Measured, everywhere, most_of_bytes};
 use tokio_util::codec::Decoder;
 
@@ -20,6 +22,7 @@ fn main() -> ExitCode {
     };
     everywhere(report);
     report(Measured::of_reading("io::FrameReader", io_reader()));
+    report(Measured::of_reading("embedded_io_async::FrameReader", embedded_io_async_reader()));
     report(Measured::of_reading("tlog::Reader", tlog_reader()));
     report(Measured::of_reading("tokio_codec::Codec", codec()));
     report(Measured::of_reading("udp::Endpoint", endpoint()));
@@ -30,6 +33,22 @@ fn io_reader() -> usize {
     most_of_bytes(&mut |bytes, used| {
         let mut reader = io::FrameReader::new(bytes, Autoquad::TABLE);
         used(&mut || while black_box(reader.receive()).is_ok_and(|frame| frame.is_some()) {});
+    })
+}
+
+/// The link always has its bytes, so that one look at the future is enough.
+fn embedded_io_async_reader() -> usize {
+    most_of_bytes(&mut |bytes, used| {
+        let mut reader = embedded_io_async::FrameReader::<_>::new(bytes, Autoquad::TABLE);
+        used(&mut || {
+            loop {
+                let received = pin!(reader.receive()).poll(&mut Context::from_waker(Waker::noop()));
+                let Poll::Ready(received) = black_box(received) else { unreachable!("the bytes are there") };
+                if !received.is_ok_and(|frame| frame.is_some()) {
+                    break;
+                }
+            }
+        });
     })
 }
 
