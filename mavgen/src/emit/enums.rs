@@ -62,7 +62,7 @@ fn declaration(one: &Enum<'_>) -> TokenStream {
 
 /// `pub const BOOT: Self = Self(1);` with its documentation.
 fn constant(constant: &Constant<'_>, flags: bool) -> TokenStream {
-    let Constant { ident: name, docs, deprecated, value, .. } = constant;
+    let Constant { ident: name, docs, deprecated, value } = constant;
     let (docs, deprecated) = (doc::documentation(docs), doc::deprecated(deprecated.as_ref()));
     let (name, value) = (ident(name), number(*value, flags));
     quote! {
@@ -78,8 +78,8 @@ fn number(value: u64, flags: bool) -> TokenStream {
 }
 
 fn info(one: &Enum<'_>) -> TokenStream {
-    let Enum { name, flags, constants, .. } = one;
-    let entries = constants.iter().map(|Constant { value, name, .. }| {
+    let Enum { name, flags, entries, .. } = one;
+    let entries = entries.iter().map(|(value, name)| {
         let value = number(*value, *flags);
         quote!((#value, #name))
     });

@@ -16,8 +16,9 @@ const NOTHING: [&str; 6] = ["Empty", "Empty.", "Reserved", "Reserved.", "Unused"
 impl<'d> Items<'d> {
     /// The items of an enum; `conflicts` are lines about what other dialects have under its name.
     pub(super) fn enum_item(self, id: EnumId, conflicts: Vec<String>) -> Result<Enum<'d>, Internal> {
-        let NamedEnum { model: one, .. } = self.enum_at(id)?;
-        let (ty, params) = (self.enum_type(id)?, self.params(one)?);
+        let named = self.enum_at(id)?;
+        let (one, ty) = (named.model, self.enum_type(id)?);
+        let params = self.params(one)?;
         Ok(Enum {
             ident: ty.ident,
             alias: docs::alias(&one.name.text, ty.ident),
@@ -25,10 +26,11 @@ impl<'d> Items<'d> {
             deprecated: self.deprecation(&one.origin),
             int: ty.int,
             flags: ty.flags,
-            constants: self.enum_at(id)?.entries().map(|entry| self.constant_item(entry)).collect::<Result<_, _>>()?,
+            constants: named.entries().map(|entry| self.constant_item(entry)).collect::<Result<_, _>>()?,
             methods: if params.is_empty() { Vec::new() } else { vec![params_method()] },
             params,
             name: &one.name.text,
+            entries: entries(named),
         })
     }
 
@@ -55,7 +57,6 @@ impl<'d> Items<'d> {
             docs: Docs(paragraphs),
             deprecated: self.deprecation(&entry.origin),
             value: entry.value,
-            name: &entry.name.text,
         })
     }
 
@@ -123,6 +124,18 @@ impl<'d> Items<'d> {
             .then(Paragraph::line("New messages are added without a breaking release; match with a `_` arm."));
         Ok(DialectEnum { ident, docs, variants: variants.collect::<Result<_, Internal>>()? })
     }
+}
+
+/// The names of the entries by value, with those that other dialects have for the same constant.
+fn entries<'d>(named: NamedEnum<'d>) -> Vec<(u64, &'d str)> {
+    let own = named.entries().map(|(entry, _)| (entry.value, entry.name.text.as_str()));
+    let renamed = named.names.renamed.iter().filter_map(|(text, constant)| {
+        let (entry, _) = named.entries().find(|(_, known)| known == constant)?;
+        Some((entry.value, text.as_str()))
+    });
+    let mut entries: Vec<_> = own.chain(renamed).collect();
+    entries.sort_by_key(|(value, _)| *value);
+    entries
 }
 
 /// Whether there is more than a description.

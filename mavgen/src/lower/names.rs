@@ -90,6 +90,8 @@ pub(crate) struct EnumNames {
     pub(crate) module: String,
     /// Of [`Enum::entries`], without what they share.
     pub(crate) constants: Vec<String>,
+    /// Names of entries in the definitions that are a constant of another entry: only several dialects together can have them.
+    pub(crate) renamed: Vec<(String, String)>,
 }
 
 impl Names {
@@ -172,6 +174,7 @@ impl EnumNames {
             ty: if messages.contains(&ty) { spelling::suffixed(&ty, "Enum") } else { ty },
             module: spelling::item_module_name(&values.name.text),
             constants: spelling::constant_names(&values.name.text, &own, &entries.collect::<Vec<_>>()),
+            renamed: Vec::new(),
         }
     }
 }

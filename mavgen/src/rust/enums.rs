@@ -20,9 +20,11 @@ pub(crate) struct Enum<'d> {
     pub(crate) params: Vec<(u64, Vec<ParamInfo<'d>>)>,
     /// The name in the XML.
     pub(crate) name: &'d str,
+    /// The names of entries in the XML by value; of several for one value, the first is shown.
+    pub(crate) entries: Vec<(u64, &'d str)>,
 }
 
-/// An entry of an enum.
+/// A constant of an enum.
 #[derive(Clone, Debug)]
 pub(crate) struct Constant<'d> {
     pub(crate) ident: &'d str,
@@ -30,8 +32,6 @@ pub(crate) struct Constant<'d> {
     /// Why it is not to be used.
     pub(crate) deprecated: Option<String>,
     pub(crate) value: u64,
-    /// The name in the XML.
-    pub(crate) name: &'d str,
 }
 
 /// A parameter of a command, and the name in the XML of the enum that it carries.

@@ -1,7 +1,7 @@
 //! Enums of several dialects: those of one name, width and kind are one type with the entries of all.
 //!
-//! An entry that was renamed and kept its value is one constant if its names are one in Rust, else one constant with two
-//! names; it is shown by the name in the dialect that was named first. An enum in which an entry has another value is another
+//! An entry that was renamed and kept its value is one constant if its names are one in Rust, else two constants of one value.
+//! Both names are read; it is shown by the name in the dialect that was named first. An enum in which an entry has another value is another
 //! type: one constant cannot have two values.
 
 use std::collections::HashMap;
@@ -118,7 +118,12 @@ impl Class<Enum, EnumNames> {
             other.entries.iter().zip(&names.constants).map(|(entry, constant)| places.of(entry, constant)).collect();
         for ((entry, constant), at) in other.entries.into_iter().zip(names.constants).zip(at) {
             match at.and_then(|at| self.item.entries.get_mut(at)) {
-                Some(known) => join(&mut known.origin, entry.origin),
+                Some(known) => {
+                    if !places.by_text.contains_key(&entry.name.text) {
+                        self.names.renamed.push((entry.name.text, constant));
+                    }
+                    join(&mut known.origin, entry.origin);
+                }
                 None => {
                     self.item.entries.push(entry);
                     self.names.constants.push(constant);
@@ -140,9 +145,11 @@ impl Class<Enum, EnumNames> {
     }
 
     fn places(&self) -> Places {
-        let texts = self.item.entries.iter().enumerate().map(|(at, entry)| (entry.name.text.clone(), at));
-        let constants = self.names.constants.iter().enumerate().map(|(at, constant)| (constant.clone(), at));
-        Places { by_text: texts.collect(), by_constant: constants.collect() }
+        let EnumNames { constants, renamed, .. } = &self.names;
+        let by_constant: HashMap<_, _> = constants.iter().cloned().zip(0..).collect();
+        let texts = self.item.entries.iter().map(|entry| entry.name.text.clone()).zip(0..);
+        let renamed = renamed.iter().filter_map(|(text, constant)| Some((text.clone(), *by_constant.get(constant)?)));
+        Places { by_text: texts.chain(renamed).collect(), by_constant }
     }
 }
 
@@ -153,7 +160,7 @@ struct Places {
 }
 
 impl Places {
-    /// That of the entry that is called so in the definitions, or else in Rust.
+    /// That of the entry that is called so in the definitions, also of another dialect, or else in Rust.
     fn of(&self, entry: &Entry, constant: &str) -> Option<usize> {
         self.by_text.get(&entry.name.text).or_else(|| self.by_constant.get(constant)).copied()
     }

@@ -101,6 +101,26 @@ fn an_entry_with_two_values_makes_an_enum_another() {
     }
 }
 
+/// A name that a constant had in one of the dialects means that constant in each.
+#[test]
+fn a_renamed_entry_keeps_both_names() {
+    let wrapped = |entries: &[(&str, u64)]| format!("<enums>{}</enums>", values("E", "", entries));
+    let (a, b) = (wrapped(&[("SAILING", 1), ("MOORED", 2)]), wrapped(&[("E_SAILING", 1), ("E_MOORED", 2)]));
+    let renamed = [("E_SAILING", "SAILING"), ("E_MOORED", "MOORED")].map(|(a, b)| (a.to_owned(), b.to_owned()));
+    // The third has the second name and another prefix, so that its constant alone would be a new one.
+    let c = wrapped(&[("E_SAILING", 1), ("ADRIFT", 3)]);
+    let all = union(&[("a", &a), ("b", &b), ("c", &c)]);
+    let names = &all.names.enums[0];
+    assert_eq!((names.constants.len(), names.renamed.as_slice()), (3, renamed.as_slice()));
+    // And with another value it is another enum.
+    let c = wrapped(&[("E_SAILING", 7), ("ADRIFT", 3)]);
+    assert_eq!(union(&[("a", &a), ("b", &b), ("c", &c)]).all.enums.len(), 2);
+    let files = Builder::new("a.xml").emit(&resolve(&[("a", &a), ("b", &b)]).unwrap()).unwrap();
+    let file = files.iter().find(|file| file.path == "enums/e.rs").unwrap();
+    let first = file.text.find(r#"(1, "SAILING")"#);
+    assert!(first.is_some() && first < file.text.find(r#"(1, "E_SAILING")"#), "{}", file.text);
+}
+
 /// Who bridges two dialects reads at each of the types that there is another.
 #[test]
 fn enums_that_differ_name_each_other() {
