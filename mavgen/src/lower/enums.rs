@@ -52,12 +52,7 @@ impl<'d> Items<'d> {
         if let Some(command) = &entry.command {
             paragraphs.extend(self.command_docs(command)?);
         }
-        Ok(Constant {
-            ident,
-            docs: Docs(paragraphs),
-            deprecated: self.deprecation(&entry.origin),
-            value: entry.value,
-        })
+        Ok(Constant { ident, docs: Docs(paragraphs), deprecated: self.deprecation(&entry.origin), value: entry.value })
     }
 
     /// The parameters of an enum's commands, by value.
