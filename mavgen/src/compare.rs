@@ -41,7 +41,7 @@ use state::State;
 ///
 /// # Errors
 /// [`Failure::Usage`] if one of `messages` means no message of either state: one that was added or removed is only in one of
-/// them. [`Failure::Internal`] for a model that says something impossible.
+/// them. [`Failure::Model`] for one that is not legal, because somebody changed it after it was resolved.
 pub fn compare(old: &Dialect, new: &Dialect, messages: Option<&[String]>) -> Result<Vec<Change>, Failure> {
     let selection = messages.map(|names| Selection::new(names.iter().map(String::as_str)));
     let selection = selection.transpose().map_err(Failure::Usage)?;
@@ -52,7 +52,7 @@ pub fn compare(old: &Dialect, new: &Dialect, messages: Option<&[String]>) -> Res
     let pairs = Pairs::of(&old.dialect, &new.dialect);
     let mut changes = wire::changes(&pairs);
     changes.extend(enums::changes(&pairs));
-    changes.extend(api::changes(&old, &new, &pairs).map_err(|internal| Failure::Internal(internal.to_string()))?);
+    changes.extend(api::changes(&old, &new, &pairs)?);
     changes.extend(metadata::changes(&old.dialect, &new.dialect, &pairs));
     Ok(changes)
 }

@@ -93,13 +93,14 @@ pub(crate) fn link_all(
     if dialects.len() < 2 {
         return Ok(None);
     }
-    let parts = dialects.iter().cloned().zip(all).map(|(Named { dialect, names }, loaded)| {
+    let parts = dialects.iter().zip(all).map(|(Named { dialect, names }, loaded)| {
+        let illegal = |faults| Internal::new(format!("what is resolved without errors is legal: {faults:#?}"));
         let files = loaded.files.iter().map(|file| file.id);
         let sources = files.chain(loaded.overlays.iter().map(|overlay| overlay.id)).collect();
-        Part { dialect, names, sources }
+        Ok(Part { dialect: dialect.validate().map_err(illegal)?, names: names.clone(), sources })
     });
     let mut found = Diagnostics::default();
-    let union = link::link(tree, parts.collect(), &mut found)?;
+    let union = link::link(tree, parts.collect::<Result<_, Internal>>()?, &mut found)?;
     found.arrange();
     diagnostics.extend(found.iter().cloned());
     Ok(Some(union))

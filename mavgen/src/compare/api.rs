@@ -7,13 +7,13 @@ use super::renamed::Renamed;
 use super::state::State;
 use super::surface::{BESIDE, Member, Name, Shape, Surface, beside, surface};
 use super::{Change, Kind};
-use crate::internal::Internal;
+use crate::builder::Failure;
 use crate::source::Span;
 
 /// The changes of all types.
-pub(super) fn changes(old: &State, new: &State, pairs: &Pairs<'_>) -> Result<Vec<Change>, Internal> {
+pub(super) fn changes(old: &State, new: &State, pairs: &Pairs<'_>) -> Result<Vec<Change>, Failure> {
     let names = Renamed::of(pairs, old, new);
-    let (before, after) = (Side::of(old, surface(old)?), Side::of(new, surface(new)?));
+    let (before, after) = (Side::of(old)?, Side::of(new)?);
     let mut changes = Vec::new();
     let mut matched: BTreeMap<&str, &str> = BTreeMap::new();
     for (name, shape) in &before.surface {
@@ -41,7 +41,10 @@ struct Side {
 }
 
 impl Side {
-    fn of(state: &State, surface: Surface) -> Self {
+    fn of(state: &State) -> Result<Self, Failure> {
+        let valid = state.dialect.validate().map_err(Failure::Model)?;
+        let surface =
+            surface(valid, &state.names).map_err(|internal| Failure::Internal(internal.to_string()))?;
         let mut places = HashMap::new();
         for (message, names) in state.messages() {
             places.insert((names.ty.clone(), None), message.origin.span);
@@ -55,7 +58,7 @@ impl Side {
             let entries = names.constants.iter().zip(&values.entries);
             places.extend(entries.map(|(name, entry)| ((names.ty.clone(), Some(name.clone())), entry.origin.span)));
         }
-        Self { surface, places }
+        Ok(Self { surface, places })
     }
 
     /// Where a type, or a member of it, comes from; at least where the type does.

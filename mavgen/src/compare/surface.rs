@@ -2,10 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use super::state::State;
 use crate::internal::Internal;
-use crate::ir::EnumId;
+use crate::ir::{EnumId, Valid};
 use crate::lower::Items;
+use crate::lower::names::Names;
 use crate::rust::{
     Content, Default, Element, Enum, Error, Field, Method, Param, Receiver, Shape as FieldShape, Sig, SlotType, Struct,
     Ty, View,
@@ -57,13 +57,13 @@ pub(super) struct Member {
 }
 
 /// The public types of a state: of its enums, and of its messages with their views.
-pub(super) fn surface(state: &State) -> Result<Surface, Internal> {
-    let items = Items::of(&state.dialect, &state.names, true);
+pub(super) fn surface(dialect: Valid<'_>, names: &Names) -> Result<Surface, Internal> {
+    let items = Items::of(dialect, names, true);
     let mut surface = Surface::new();
-    for index in 0..state.dialect.enums.len() {
+    for index in 0..dialect.enums.len() {
         add(&mut surface, &items.enum_content(EnumId(index))?);
     }
-    for index in 0..state.dialect.messages.len() {
+    for index in 0..dialect.messages.len() {
         items.message_contents(index)?.iter().for_each(|content| add(&mut surface, content));
     }
     Ok(surface)

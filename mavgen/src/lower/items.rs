@@ -3,7 +3,7 @@
 use super::link::{Placement, Union};
 use super::names::Names;
 use crate::internal::Internal;
-use crate::ir::{Dialect, FileIndex, Lifecycle, Origin};
+use crate::ir::{Dialect, FileIndex, Lifecycle, Origin, Valid};
 
 /// What the items of a dialect are made of.
 #[derive(Clone, Copy)]
@@ -22,8 +22,14 @@ pub(crate) struct Items<'d> {
 
 impl<'d> Items<'d> {
     /// Those of one dialect.
-    pub(crate) fn of(dialect: &'d Dialect, names: &'d Names, deprecated: bool) -> Self {
-        Self { dialect, names, union: None, placement: Placement::Shared, deprecated }
+    pub(crate) fn of(valid: Valid<'d>, names: &'d Names, deprecated: bool) -> Self {
+        Self { dialect: valid.dialect(), names, union: None, placement: Placement::Shared, deprecated }
+    }
+
+    /// Those of several, which were legal when they were linked.
+    pub(super) fn of_several(union: &'d Union, deprecated: bool) -> Self {
+        let Union { all, names, .. } = union;
+        Self { dialect: all, names, union: Some(union), placement: Placement::Shared, deprecated }
     }
 
     /// The name of a file.

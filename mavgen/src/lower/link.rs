@@ -19,7 +19,7 @@ use super::namespace::{Claim, Namespace, Scope, What};
 use super::{collision, spelling};
 use crate::diag::Diagnostics;
 use crate::internal::Internal;
-use crate::ir::{Dialect, EnumId, FileIndex};
+use crate::ir::{Dialect, EnumId, FileIndex, Valid};
 use crate::source::{FileId, Span};
 
 use enums::Enums;
@@ -61,8 +61,8 @@ pub(crate) struct Root {
 }
 
 /// A resolved dialect, what it is called, and the source behind each of its files.
-pub(crate) struct Part {
-    pub(crate) dialect: Dialect,
+pub(crate) struct Part<'d> {
+    pub(crate) dialect: Valid<'d>,
     pub(crate) names: Names,
     pub(crate) sources: Vec<FileId>,
 }
@@ -91,10 +91,11 @@ pub(crate) fn check_modules<'a>(
 }
 
 /// Links dialects into a tree of this name.
-pub(crate) fn link(tree: &str, parts: Vec<Part>, diagnostics: &mut Diagnostics) -> Result<Union, Internal> {
+pub(crate) fn link(tree: &str, parts: Vec<Part<'_>>, diagnostics: &mut Diagnostics) -> Result<Union, Internal> {
     let (mut files, mut enums, mut messages) = (Files::default(), Enums::default(), Messages::default());
     let mut roots = Vec::with_capacity(parts.len());
-    for (index, Part { mut dialect, names, sources }) in parts.into_iter().enumerate() {
+    for (index, Part { dialect, names, sources }) in parts.into_iter().enumerate() {
+        let mut dialect = dialect.dialect().clone();
         let file = files.take(&mut dialect, &sources)?;
         let ids =
             enums.take((index, &dialect.name), dialect.enums.into_iter().zip(names.enums).collect(), diagnostics)?;

@@ -15,14 +15,13 @@ use crate::rust::{Content, Docs, File, Use};
 
 /// The files of a dialect, in a fixed order.
 pub(crate) fn tree<'d>(valid: Valid<'d>, names: &'d Names, options: &'d Options) -> Result<Vec<File<'d>>, Internal> {
-    let dialect = valid.dialect();
-    let items = Items::of(dialect, names, options.deprecated);
-    files(&Maker { items, options, folder: &Folder::of_one(dialect, &names.dialect) })
+    let items = Items::of(valid, names, options.deprecated);
+    files(&Maker { items, options, folder: &Folder::of_one(valid.dialect(), &names.dialect) })
 }
 
 /// The files of several dialects, in a fixed order.
 pub(crate) fn tree_of_several<'d>(union: &'d Union, options: &'d Options) -> Result<Vec<File<'d>>, Internal> {
-    let items = Items { union: Some(union), ..Items::of(&union.all, &union.names, options.deprecated) };
+    let items = Items::of_several(union, options.deprecated);
     let mut files = Vec::new();
     for folder in &Folder::of_several(union)? {
         files.extend(self::files(&Maker { items: Items { placement: folder.placement, ..items }, options, folder })?);
