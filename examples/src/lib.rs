@@ -1,5 +1,30 @@
-//! What one would write first: the programs are in `src/bin`. The library only holds the README's examples to their word.
+//! What one would write first: the programs are in `src/bin`. The library only holds the examples of README.md and of `docs` to their
+//! word.
 
 #[cfg(doctest)]
 #[doc = include_str!("../../README.md")]
 mod readme {}
+
+#[cfg(doctest)]
+#[doc = include_str!("../../docs/escs.md")]
+mod escs {}
+
+#[cfg(doctest)]
+#[doc = include_str!("../../docs/firmware.md")]
+mod firmware {}
+
+#[cfg(doctest)]
+#[doc = include_str!("../../docs/links.md")]
+mod links {}
+
+#[cfg(doctest)]
+#[doc = include_str!("../../docs/own-dialect.md")]
+mod own_dialect {}
+
+#[cfg(doctest)]
+#[doc = include_str!("../../docs/px4.md")]
+mod px4 {}
+
+#[cfg(doctest)]
+#[doc = include_str!("../../docs/rust-mavlink.md")]
+mod rust_mavlink {}

@@ -1,10 +1,101 @@
-//! What `ARCHITECTURE.md` and `CONTRIBUTING.md` say is so: the paths exist, and modules use each other as the table says.
+//! What the documents say is so: links lead somewhere, paths exist, examples are compiled, and modules use each other as the table
+//! says.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-const DOCUMENTS: [&str; 2] = ["ARCHITECTURE.md", "CONTRIBUTING.md"];
+use pulldown_cmark::{Event, Parser, Tag, TagEnd};
+
+/// Those whose every path is one of this repository. Others show paths of a reader's project as well.
+const DOCUMENTS: [&str; 5] = ["ARCHITECTURE.md", "CONTRIBUTING.md", "README.md", "docs/firmware.md", "docs/proof.md"];
+
+/// All that a reader may open: the documents of the top folder, and the pages of `docs`.
+fn documents() -> Vec<String> {
+    let folders = ["", "docs/"].into_iter();
+    let names = folders.flat_map(|folder| {
+        let files = fs::read_dir(top(folder)).unwrap();
+        files.map(move |file| format!("{folder}{}", file.unwrap().file_name().to_str().unwrap()))
+    });
+    names.filter(|name| name.ends_with(".md")).collect()
+}
+
+/// The targets of the links of a text.
+fn links(text: &str) -> Vec<String> {
+    let links = Parser::new(text).filter_map(|event| match event {
+        Event::Start(Tag::Link { dest_url, .. } | Tag::Image { dest_url, .. }) => Some(dest_url.into_string()),
+        _ => None,
+    });
+    links.collect()
+}
+
+/// The anchors of a text's headings.
+fn anchors(text: &str) -> BTreeSet<String> {
+    let (mut anchors, mut heading) = (BTreeSet::new(), None);
+    for event in Parser::new(text) {
+        match event {
+            Event::Start(Tag::Heading { .. }) => heading = Some(String::new()),
+            Event::End(TagEnd::Heading(_)) => anchors.extend(heading.take()),
+            Event::Text(piece) | Event::Code(piece) => {
+                if let Some(heading) = &mut heading {
+                    let letters = piece.chars().filter(|letter| letter.is_alphanumeric() || " -_".contains(*letter));
+                    heading.extend(letters.map(|letter| if letter == ' ' { '-' } else { letter.to_ascii_lowercase() }));
+                }
+            }
+            _ => {}
+        }
+    }
+    anchors
+}
+
+/// What is wrong with a link of a document.
+fn fault(document: &str, link: &str) -> Option<&'static str> {
+    let (file, anchor) = link.split_once('#').map_or((link, None), |(file, anchor)| (file, Some(anchor)));
+    let target = if file.is_empty() { top(document) } else { top(document).parent().unwrap().join(file) };
+    if !target.exists() {
+        return Some("there is no such file");
+    }
+    let missing = anchor.is_some_and(|anchor| !anchors(&fs::read_to_string(target).unwrap()).contains(anchor));
+    missing.then_some("there is no such heading")
+}
+
+#[test]
+fn every_link_leads_somewhere() {
+    let (mut followed, mut faults) = (0, vec![]);
+    for document in documents() {
+        for link in links(&text(&document)).iter().filter(|link| !link.contains("://")) {
+            faults.extend(fault(&document, link).map(|fault| format!("{document}, {link}: {fault}")));
+            followed += 1;
+        }
+    }
+    assert!(faults.is_empty(), "{faults:#?}");
+    assert!(followed > 40, "{followed}");
+}
+
+#[test]
+fn a_link_that_leads_nowhere_is_noticed() {
+    assert_eq!(fault("docs/links.md", "logs.md"), None);
+    assert_eq!(fault("docs/links.md", "firmware.md#features"), None);
+    assert_eq!(fault("docs/links.md", "docs/logs.md"), Some("there is no such file"));
+    assert_eq!(fault("docs/links.md", "firmware.md#feature"), Some("there is no such heading"));
+}
+
+/// Rust in a document is compiled, as a documentation test of the examples.
+#[test]
+fn every_example_is_compiled() {
+    let compiled = text("examples/src/lib.rs");
+    for document in documents() {
+        let has_rust = text(&document).lines().any(|line| line.starts_with("```rust") && !line.contains("ignore"));
+        assert_eq!(compiled.contains(&format!("/{document}\")")), has_rust, "{document}");
+    }
+}
+
+/// The door stays small.
+#[test]
+fn the_readme_has_at_most_900_words() {
+    let words = text("README.md").split_whitespace().count();
+    assert!(words <= 900, "{words}");
+}
 
 fn top(path: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().join(path)

@@ -20,7 +20,7 @@ fn again_writes_nothing() {
     }
 }
 
-/// As the README has it: the user's own dialect is there first, and includes what is vendored beside it.
+/// The user's own dialect is there first, and includes what is vendored beside it.
 #[test]
 fn what_else_is_in_the_folder_stays_as_it_is() {
     let folder = dialect();
