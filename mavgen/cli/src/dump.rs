@@ -48,7 +48,7 @@ impl Dump {
 /// `bindings` and `views`.
 fn json(dialect: &Dialect) -> String {
     let files: Vec<&str> = dialect.files.iter().map(|file| file.name.as_str()).collect();
-    let enums: Vec<Value> = dialect.enums.iter().map(|values| enum_json(dialect, values)).collect();
+    let enums: Vec<Value> = dialect.enums.iter().map(|enum_| enum_json(dialect, enum_)).collect();
     let messages: Vec<Value> = dialect.messages.iter().map(|message| message_json(dialect, message)).collect();
     let value = json!({
         "dialect": dialect.name,
@@ -60,16 +60,16 @@ fn json(dialect: &Dialect) -> String {
     format!("{value:#}\n")
 }
 
-fn enum_json(dialect: &Dialect, values: &Enum) -> Value {
-    let entries: Vec<Value> = values
+fn enum_json(dialect: &Dialect, enum_: &Enum) -> Value {
+    let entries: Vec<Value> = enum_
         .entries
         .iter()
         .map(|entry| json!({ "name": entry.name.text, "value": entry.value, "auto": entry.auto }))
         .collect();
     json!({
-        "name": values.name.text,
-        "bitmask": values.bitmask,
-        "defined_in": dialect.file(values.origin.file).map(|file| file.name.as_str()),
+        "name": enum_.name.text,
+        "bitmask": enum_.bitmask,
+        "defined_in": dialect.file(enum_.origin.file).map(|file| file.name.as_str()),
         "entries": entries,
     })
 }
@@ -108,8 +108,8 @@ fn field_json(dialect: &Dialect, field: &Field) -> Value {
 }
 
 fn enum_name<'d>(dialect: &'d Dialect, field: &Field) -> Option<&'d str> {
-    let values = dialect.enum_by_id(field.values?.id())?;
-    Some(values.name.text.as_str())
+    let enum_ = dialect.enum_by_id(field.values?.id())?;
+    Some(enum_.name.text.as_str())
 }
 
 /// The dialect as lines for a person: messages with their wire layout, then enums.
@@ -132,10 +132,10 @@ fn text(dialect: &Dialect) -> String {
             line(&mut text, format_args!("  {overlaid}"));
         }
     }
-    for values in &dialect.enums {
-        let kind = if values.bitmask { "flags" } else { "enum" };
-        line(&mut text, format_args!("{kind} {}: {}", values.name.text, values.repr.name()));
-        for entry in &values.entries {
+    for enum_ in &dialect.enums {
+        let kind = if enum_.bitmask { "flags" } else { "enum" };
+        line(&mut text, format_args!("{kind} {}: {}", enum_.name.text, enum_.repr.name()));
+        for entry in &enum_.entries {
             let auto = if entry.auto { " (automatic)" } else { "" };
             line(&mut text, format_args!("  {:>10} {}{auto}", entry.value, entry.name.text));
         }
@@ -146,10 +146,10 @@ fn text(dialect: &Dialect) -> String {
 fn field_line(text: &mut String, dialect: &Dialect, field: &Field) {
     let array = field.ty.array.map_or_else(String::new, |n| format!("[{n}]"));
     let units = field.units.as_ref().map_or_else(String::new, |units| format!(" {units}"));
-    let values = enum_name(dialect, field).map_or_else(String::new, |name| format!(" {name}"));
+    let enum_ = enum_name(dialect, field).map_or_else(String::new, |name| format!(" {name}"));
     let extension = if field.extension { " extension" } else { "" };
     let (offset, name, ty) = (field.offset, &field.name.text, field.ty.scalar.wire_name());
-    line(text, format_args!("  {offset:>3} {name}: {ty}{array}{units}{values}{extension}"));
+    line(text, format_args!("  {offset:>3} {name}: {ty}{array}{units}{enum_}{extension}"));
 }
 
 fn line(text: &mut String, line: std::fmt::Arguments<'_>) {

@@ -52,9 +52,9 @@ impl Side {
             let views = names.views.iter().zip(&message.views);
             places.extend(views.map(|(names, view)| ((names.ty.clone(), None), view.origin.span)));
         }
-        for (values, names) in state.enums() {
-            places.insert((names.ty.clone(), None), values.origin.span);
-            let entries = names.constants.iter().zip(&values.entries);
+        for (enum_, names) in state.enums() {
+            places.insert((names.ty.clone(), None), enum_.origin.span);
+            let entries = names.constants.iter().zip(&enum_.entries);
             places.extend(entries.map(|(name, entry)| ((names.ty.clone(), Some(name.clone())), entry.origin.span)));
         }
         Ok(Self { surface, places })

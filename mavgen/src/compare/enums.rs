@@ -10,17 +10,17 @@ pub(super) fn changes(pairs: &Pairs<'_>) -> Vec<Change> {
     let removed = enums
         .removed
         .iter()
-        .map(|values| Change::new(Kind::EnumRemoved, true, &values.name.text).at(Some(values.origin.span), None));
+        .map(|enum_| Change::new(Kind::EnumRemoved, true, &enum_.name.text).at(Some(enum_.origin.span), None));
     let added = enums
         .added
         .iter()
-        .map(|values| Change::new(Kind::EnumAdded, false, &values.name.text).at(None, Some(values.origin.span)));
+        .map(|enum_| Change::new(Kind::EnumAdded, false, &enum_.name.text).at(None, Some(enum_.origin.span)));
     removed.chain(enums.both.iter().flat_map(enum_)).chain(added).collect()
 }
 
 /// `MAV_STATE.MAV_STATE_BOOT`
-pub(super) fn path(values: &Enum, entry: &Entry) -> String {
-    format!("{}.{}", values.name.text, entry.name.text)
+pub(super) fn path(enum_: &Enum, entry: &Entry) -> String {
+    format!("{}.{}", enum_.name.text, entry.name.text)
 }
 
 fn enum_(EnumPair { old, new, entries }: &EnumPair<'_>) -> Vec<Change> {

@@ -34,7 +34,7 @@ pub(super) struct EnumPair<'a> {
 impl<'a> Pairs<'a> {
     pub(super) fn of(old: &'a Dialect, new: &'a Dialect) -> Self {
         let messages = matched(&old.messages, &new.messages, |message| &message.name.text, same_message);
-        let enums = matched(&old.enums, &new.enums, |values| &values.name.text, same_enum);
+        let enums = matched(&old.enums, &new.enums, |enum_| &enum_.name.text, same_enum);
         Self {
             messages: messages.map(|(old, new)| MessagePair { old, new, fields: fields(old, new) }),
             enums: enums.map(|(old, new)| EnumPair { old, new, entries: entries(old, new) }),
@@ -85,8 +85,8 @@ fn same_field(old: &Field, new: &Field) -> bool {
 
 /// Whether enums of different names are one: they have the same entries.
 fn same_enum(old: &Enum, new: &Enum) -> bool {
-    let entries = |values: &Enum| {
-        let entries = values.entries.iter();
+    let entries = |enum_: &Enum| {
+        let entries = enum_.entries.iter();
         entries.map(|entry| (entry.name.text.clone(), entry.value)).collect::<Vec<_>>()
     };
     !old.entries.is_empty() && entries(old) == entries(new)

@@ -37,8 +37,8 @@ impl State {
     }
 
     /// The names of an enum of this state.
-    pub(super) fn names_of_enum(&self, values: &Enum) -> Option<&EnumNames> {
-        self.enums().find(|(other, _)| other.name == values.name).map(|(_, names)| names)
+    pub(super) fn names_of_enum(&self, enum_: &Enum) -> Option<&EnumNames> {
+        self.enums().find(|(other, _)| other.name == enum_.name).map(|(_, names)| names)
     }
 }
 
@@ -49,7 +49,7 @@ pub(super) fn field<'n>(message: &Message, names: &'n MessageNames, field: &Fiel
 }
 
 /// What an entry of an enum is called.
-pub(super) fn constant<'n>(values: &Enum, names: &'n EnumNames, entry: &Entry) -> Option<&'n str> {
-    let at = values.entries.iter().position(|other| other.name == entry.name)?;
+pub(super) fn constant<'n>(enum_: &Enum, names: &'n EnumNames, entry: &Entry) -> Option<&'n str> {
+    let at = enum_.entries.iter().position(|other| other.name == entry.name)?;
     names.constants.get(at).map(String::as_str)
 }

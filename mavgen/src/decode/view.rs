@@ -102,11 +102,11 @@ impl<'d> Source<'d> {
     /// The bits of a slot, or of a view that has none; `None` where they mean nothing.
     fn bits(&self, view: &'d View, index: u8) -> Option<Bits<'d>> {
         let bits = self.joined(view, index);
-        let blank = view.invalid.iter().any(|blank| match blank {
+        let sentinel = view.invalid.iter().any(|sentinel| match sentinel {
             ViewSentinel::Words(value) => bits == *value,
             ViewSentinel::Field(place, value) => self.integer(*place, index) == Some(*value),
         });
-        if blank || view.condition.as_ref().is_some_and(|condition| !self.holds(condition)) {
+        if sentinel || view.condition.as_ref().is_some_and(|condition| !self.holds(condition)) {
             return None;
         }
         let layout = view.switch.as_ref().and_then(|switch| match switch.on {

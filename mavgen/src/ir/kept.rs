@@ -21,16 +21,16 @@ impl Kept {
         wants_enum: impl Fn(&Enum) -> bool,
     ) -> Self {
         let messages: Vec<bool> = dialect.messages.iter().map(wants_message).collect();
-        let wanted = dialect.enums.iter().enumerate().filter(|(_, values)| wants_enum(values));
+        let wanted = dialect.enums.iter().enumerate().filter(|(_, enum_)| wants_enum(enum_));
         let mut open: Vec<EnumId> = wanted.map(|(index, _)| EnumId(index)).collect();
         for (message, _) in dialect.messages.iter().zip(&messages).filter(|(_, stays)| **stays) {
             enums_of_message(message, &mut |id| open.push(*id));
         }
         let mut enums = vec![false; dialect.enums.len()];
         while let Some(id) = open.pop() {
-            let (Some(seen), Some(values)) = (enums.get_mut(id.0), dialect.enum_by_id(id)) else { continue };
+            let (Some(seen), Some(enum_)) = (enums.get_mut(id.0), dialect.enum_by_id(id)) else { continue };
             if !std::mem::replace(seen, true) {
-                enums_of_enum(values, &mut |id| open.push(*id));
+                enums_of_enum(enum_, &mut |id| open.push(*id));
             }
         }
         Self { messages, enums }
@@ -63,6 +63,6 @@ impl Dialect {
         // Whatever names an enum had it among its needs, so that it has a new number; what names none goes on naming none.
         let mut renumber = |id: &mut EnumId| *id = numbers.get(id).copied().unwrap_or(*id);
         self.messages.iter_mut().for_each(|message| enums_of_message_mut(message, &mut renumber));
-        self.enums.iter_mut().for_each(|values| enums_of_enum_mut(values, &mut renumber));
+        self.enums.iter_mut().for_each(|enum_| enums_of_enum_mut(enum_, &mut renumber));
     }
 }

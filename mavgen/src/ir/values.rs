@@ -17,7 +17,7 @@ pub struct Enum {
     pub entries: Vec<Entry>,
     /// The file in which [`Enum::name`] was written: the oldest that defines it.
     pub named_in: FileIndex,
-    /// The file that owns it: of all that define it, the one that most of the others include.
+    /// The defining file: of all that define it, the one that most of the others include.
     ///
     /// Width, sign and name prefix come from there, so that a dialect that adds entries changes no type of the file it
     /// includes.
@@ -27,7 +27,7 @@ pub struct Enum {
 }
 
 impl Enum {
-    /// Every file that it is written in: that which owns it, those that add entries, and the overlays.
+    /// Every file that it is written in: the defining one, those that add entries, and the overlays.
     pub fn files(&self) -> BTreeSet<FileIndex> {
         let entries = self.entries.iter().flat_map(|entry| entry.origin.files());
         self.origin.files().chain(entries).chain([self.defined_in]).collect()

@@ -38,8 +38,8 @@ macro_rules! visits {
             let View { access, condition, invalid, switch, members, name: _, words: _, width: _, origin: _ } = view;
             $access(access);
             $condition(condition, visit);
-            for blank in invalid {
-                match blank {
+            for sentinel in invalid {
+                match sentinel {
                     ViewSentinel::Field(_, _) | ViewSentinel::Words(_) => {}
                 }
             }

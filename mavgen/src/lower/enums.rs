@@ -135,8 +135,8 @@ fn entries<'d>(named: NamedEnum<'d>) -> Vec<(u64, &'d str)> {
 
 /// Whether there is more than a description.
 fn is_known(param: &Param) -> bool {
-    let Param { index: _, label, units, enum_: values, limits, default, reserved, origin: _ } = param;
-    let named = label.is_some() || units.is_some() || values.is_some();
+    let Param { index: _, label, units, enum_, limits, default, reserved, origin: _ } = param;
+    let named = label.is_some() || units.is_some() || enum_.is_some();
     named || *limits != Limits::default() || default.is_some() || *reserved
 }
 

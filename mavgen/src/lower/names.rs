@@ -101,7 +101,7 @@ impl Names {
         let mut messages: Vec<_> = dialect.messages.iter().map(MessageNames::of).collect();
         let lost = lost.iter().map(|message| spelling::type_name(&message.name.text));
         let taken: HashSet<String> = messages.iter().map(|message| message.ty.clone()).chain(lost).collect();
-        let enums: Vec<_> = dialect.enums.iter().map(|values| EnumNames::of(values, &taken)).collect();
+        let enums: Vec<_> = dialect.enums.iter().map(|enum_| EnumNames::of(enum_, &taken)).collect();
         let types = check::types(partial, &messages, &enums, diagnostics);
         let dialect_name = check::dialect(&dialect.name, &types, diagnostics);
         check::fields(partial, &messages, diagnostics);
@@ -165,15 +165,15 @@ impl ViewNames {
 }
 
 impl EnumNames {
-    fn of(values: &Enum, messages: &HashSet<String>) -> Self {
-        let ty = spelling::type_name(&values.name.text);
-        let entries = values.entries.iter().map(|entry| entry.name.text.as_str());
-        let own = values.entries.iter().filter(|entry| entry.origin.file == values.defined_in);
+    fn of(enum_: &Enum, messages: &HashSet<String>) -> Self {
+        let ty = spelling::type_name(&enum_.name.text);
+        let entries = enum_.entries.iter().map(|entry| entry.name.text.as_str());
+        let own = enum_.entries.iter().filter(|entry| entry.origin.file == enum_.defined_in);
         let own: Vec<&str> = own.map(|entry| entry.name.text.as_str()).collect();
         Self {
             ty: if messages.contains(&ty) { spelling::suffixed(&ty, "Enum") } else { ty },
-            module: spelling::item_module_name(&values.name.text),
-            constants: spelling::constant_names(&values.name.text, &own, &entries.collect::<Vec<_>>()),
+            module: spelling::item_module_name(&enum_.name.text),
+            constants: spelling::constant_names(&enum_.name.text, &own, &entries.collect::<Vec<_>>()),
             renamed: Vec::new(),
         }
     }

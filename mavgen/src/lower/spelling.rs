@@ -271,9 +271,9 @@ mod tests {
 
     #[test]
     fn an_entry_of_another_file_renames_nothing() {
-        let owner = ["MAV_CMD_NAV_WAYPOINT", "MAV_CMD_NAV_LAND"];
+        let own = ["MAV_CMD_NAV_WAYPOINT", "MAV_CMD_NAV_LAND"];
         let merged = ["MAV_CMD_NAV_WAYPOINT", "MAV_CMD_NAV_LAND", "MAV_CMD_AQ_TELEMETRY", "ACME_CMD_SPRAY"];
-        let names = constant_names("MAV_CMD", &owner, &merged);
+        let names = constant_names("MAV_CMD", &own, &merged);
         assert_eq!(names, ["NAV_WAYPOINT", "NAV_LAND", "AQ_TELEMETRY", "ACME_CMD_SPRAY"]);
     }
 }

@@ -35,7 +35,7 @@ pub(super) fn resolve<'a>(
     let condition = condition(scope, &element.condition, diagnostics);
     let words = words::resolve(scope, &element.words, diagnostics)?;
     let access = slots::access(scope, element, &words, diagnostics);
-    let invalid = sentinel::blanks(scope, element, &words, condition, diagnostics);
+    let invalid = sentinel::sentinels(scope, element, &words, condition, diagnostics);
     let layout = layout::resolve(scope, element, &words, enum_uses, diagnostics);
     Some(View {
         name: spelling::name(&element.name),

@@ -140,7 +140,7 @@ impl<'d> Mentions<'d> {
         self.made(&slot.source);
         let elements = slot.keys.iter().filter(|key| matches!(key.place, Place::Element(_)));
         elements.filter_map(|key| key.invalid).for_each(|literal| self.literal(literal));
-        if let Stored::Field(_, literal) = slot.blank {
+        if let Stored::Field(_, literal) = slot.sentinel {
             self.literal(literal);
         }
     }

@@ -176,7 +176,7 @@ pub(crate) struct Slot<'d> {
     pub(crate) elements: Vec<SlotElement<'d>>,
     pub(crate) keys: Vec<Key<'d>>,
     /// What is written where the bits mean nothing.
-    pub(crate) blank: Stored<'d>,
+    pub(crate) sentinel: Stored<'d>,
 }
 
 /// An array that slots have elements of, and the local variable for one.

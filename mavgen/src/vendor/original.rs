@@ -124,7 +124,7 @@ impl<'t> Original<'t> {
         let (part, syntax::File { messages, enums, .. }) = (part?, &*self.syntax);
         let starts = messages.iter().filter(|message| !part.has_message(message)).map(|message| message.span);
         let messages_gone: Vec<usize> = starts.map(|span| span.range().start).collect();
-        let starts = enums.iter().filter(|values| !part.has_enum(values)).map(|values| values.span);
+        let starts = enums.iter().filter(|enum_| !part.has_enum(enum_)).map(|enum_| enum_.span);
         let enums_gone: Vec<usize> = starts.map(|span| span.range().start).collect();
         let share = Share {
             messages: (messages.len() - messages_gone.len(), messages.len()),

@@ -3,7 +3,7 @@
 //! [`Builder::messages`](crate::Builder::messages) cuts a model, in which everything is decided. The files of a part are resolved
 //! anew, and there what decides could be missing:
 //!
-//! - the integer of an enum is that of the widest field of the file that owns it, and which file owns it can hang on whose
+//! - the integer of an enum is that of the widest field of its defining file, and which file that is can hang on whose
 //!   fields carry it: a message with such a field stays, if its enum would become another one without it;
 //! - a sentinel can be an entry of any enum (`invalid="MAV_LANDED_STATE_UNDEFINED"`): that enum stays;
 //! - an enum that is named where it has no say, like that of a `float`, has to exist all the same: it stays;
@@ -63,7 +63,7 @@ impl Part {
         loop {
             let before = part.retained.len();
             let model = part.model(whole);
-            part.enums.extend(model.dialect.enums.iter().map(|values| values.name.text.clone()));
+            part.enums.extend(model.dialect.enums.iter().map(|enum_| enum_.name.text.clone()));
             part.keep_named(dialect, loaded);
             part.keep_names(whole, &model);
             if part.retained.len() == before {
@@ -79,13 +79,13 @@ impl Part {
         self.messages.contains(&message.name.value)
     }
 
-    pub(super) fn has_enum(&self, values: &syntax::Enum) -> bool {
-        self.enums.contains(&values.name.value)
+    pub(super) fn has_enum(&self, enum_: &syntax::Enum) -> bool {
+        self.enums.contains(&enum_.name.value)
     }
 
     /// The model as it should be: cut out of that of the whole.
     fn model(&self, whole: &Named) -> Named {
-        let wants_enum = |values: &Enum| self.enums.contains(&values.name.text);
+        let wants_enum = |enum_: &Enum| self.enums.contains(&enum_.name.text);
         let mut model = whole.clone();
         model.cut(&Kept::of(&whole.dialect, |message| self.messages.contains(&message.name.text), wants_enum));
         model
@@ -102,14 +102,14 @@ impl Part {
             }
             if let Some(invalid) = &field.invalid {
                 let name = invalid.value.trim_matches(['[', ']', ':', ',', ' ']);
-                let named = |values: &&Enum| values.entries.iter().any(|entry| entry.name.text == name);
-                for values in whole.enums.iter().filter(named) {
-                    self.keep_enum(values, format!("`invalid` of `{}` is an entry of it", place()));
+                let named = |enum_: &&Enum| enum_.entries.iter().any(|entry| entry.name.text == name);
+                for enum_ in whole.enums.iter().filter(named) {
+                    self.keep_enum(enum_, format!("`invalid` of `{}` is an entry of it", place()));
                 }
             }
         }
         let enums = loaded.files.iter().flat_map(|file| &file.enums);
-        let entries: Vec<_> = enums.filter(|values| self.has_enum(values)).flat_map(|values| &values.entries).collect();
+        let entries: Vec<_> = enums.filter(|enum_| self.has_enum(enum_)).flat_map(|enum_| &enum_.entries).collect();
         for (entry, param) in entries.iter().flat_map(|one| one.params.iter().map(move |param| (one, param))) {
             if let Some(name) = &param.enum_ {
                 self.keep_enum_named(&name.value, whole, || format!("a param of `{}` names it", entry.name.value));
@@ -123,9 +123,9 @@ impl Part {
 
     /// Keeps what enums and the dialect are not called after.
     fn keep_names(&mut self, whole: &Named, model: &Named) {
-        for (values, names) in model.dialect.enums.iter().zip(&model.names.enums) {
-            let rust = spelling::type_name(&values.name.text);
-            let why = || format!("without it, enum `{}` would have another name in Rust", values.name.text);
+        for (enum_, names) in model.dialect.enums.iter().zip(&model.names.enums) {
+            let rust = spelling::type_name(&enum_.name.text);
+            let why = || format!("without it, enum `{}` would have another name in Rust", enum_.name.text);
             if rust != names.ty {
                 self.keep_called(&rust, whole, why);
             }
@@ -142,10 +142,10 @@ impl Part {
         let messages = dialect.messages.iter().zip(&names.messages).filter(|(_, names)| names.ty == rust);
         messages.for_each(|(message, _)| self.keep_message(message, why()));
         let enums = dialect.enums.iter().zip(&names.enums).filter(|(_, names)| names.ty == rust);
-        enums.for_each(|(values, _)| self.keep_enum(values, why()));
+        enums.for_each(|(enum_, _)| self.keep_enum(enum_, why()));
     }
 
-    /// Keeps a message that decides on the integer or the owner of an enum, for each that would have others.
+    /// Keeps a message that decides on the integer or the defining file of an enum, for each that would have others.
     fn keep_owners(
         &mut self,
         whole: &Dialect,
@@ -158,11 +158,11 @@ impl Part {
             let (sources, watched) = (sources.clone(), loaded.watched.clone());
             return Err(Failure::Definitions(Box::new(Problems { diagnostics, sources, watched })));
         };
-        for (values, anew) in model.enums.iter().zip(&anew.dialect.enums) {
-            if (values.repr, values.defined_in) != (anew.repr, anew.defined_in)
-                && let Some(message) = decider(whole, values)
+        for (enum_, anew) in model.enums.iter().zip(&anew.dialect.enums) {
+            if (enum_.repr, enum_.defined_in) != (anew.repr, anew.defined_in)
+                && let Some(message) = decider(whole, enum_)
             {
-                let name = &values.name.text;
+                let name = &enum_.name.text;
                 self.keep_message(message, format!("without it, enum `{name}` would be another integer in Rust"));
             }
         }
@@ -175,7 +175,7 @@ impl Part {
         for file in &mut loaded.files {
             let file = Arc::make_mut(file);
             file.messages.retain(|message| self.has_message(message));
-            file.enums.retain(|values| self.has_enum(values));
+            file.enums.retain(|enum_| self.has_enum(enum_));
         }
         loaded
     }
@@ -187,22 +187,22 @@ impl Part {
         }
     }
 
-    fn keep_enum(&mut self, values: &Enum, why: String) {
-        let name = &values.name.text;
+    fn keep_enum(&mut self, enum_: &Enum, why: String) {
+        let name = &enum_.name.text;
         if self.enums.insert(name.clone()) {
             self.retained.push(Retained { name: format!("enum {name}"), why });
         }
     }
 }
 
-/// The first message that decides on the integer of an enum: with the widest field that carries it, in the file that owns it.
-fn decider<'d>(whole: &'d Dialect, values: &Enum) -> Option<&'d Message> {
+/// The first message that decides on the integer of an enum: with the widest field that carries it, in its defining file.
+fn decider<'d>(whole: &'d Dialect, enum_: &Enum) -> Option<&'d Message> {
     let carries = |message: &&Message| -> Option<(usize, bool)> {
-        let carried = |id| whole.enum_by_id(id).is_some_and(|found| found.name.text == values.name.text);
+        let carried = |id| whole.enum_by_id(id).is_some_and(|found| found.name.text == enum_.name.text);
         let fields = message.fields.iter().filter(|field| field.values.is_some_and(|values| carried(values.id())));
         let integers = fields.filter_map(|field| field.ty.scalar.repr());
         integers.map(|integer| (integer.size(), !integer.is_signed())).max()
     };
-    let own = whole.messages.iter().rev().filter(|message| message.origin.file == values.defined_in);
+    let own = whole.messages.iter().rev().filter(|message| message.origin.file == enum_.defined_in);
     own.filter(|message| carries(message).is_some()).max_by_key(carries)
 }

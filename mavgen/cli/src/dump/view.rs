@@ -77,7 +77,7 @@ impl Overlaid<'_> {
     }
 
     fn member_json(&self, member: &Member) -> Value {
-        let (values, units, scaled) = match &member.meaning {
+        let (enum_, units, scaled) = match &member.meaning {
             Meaning::Flag => (None, None, None),
             Meaning::Values(id) => (self.enum_name(*id), None, None),
             Meaning::Number { units } => (None, units.as_deref(), None),
@@ -90,7 +90,7 @@ impl Overlaid<'_> {
             "width": member.width,
             "signed": member.signed,
             "flag": member.meaning == Meaning::Flag,
-            "enum": values,
+            "enum": enum_,
             "units": units,
             "scale": scaled.map(|scaled| {
                 json!({ "factor": scaled.factor, "bias": scaled.bias, "divisor": scaled.divisor })
@@ -125,9 +125,9 @@ impl Overlaid<'_> {
     }
 
     fn binding_line(&self, binding: &Binding) -> String {
-        let Binding { name, field, enum_: values, condition, .. } = binding;
-        let values = self.enum_name(*values).unwrap_or_default();
-        format!("binding {name}: {} as {values}{}", self.field(*field), self.condition(condition.as_ref()))
+        let Binding { name, field, enum_, condition, .. } = binding;
+        let enum_ = self.enum_name(*enum_).unwrap_or_default();
+        format!("binding {name}: {} as {enum_}{}", self.field(*field), self.condition(condition.as_ref()))
     }
 
     fn view_lines(&self, lines: &mut Vec<String>, view: &View) {
@@ -182,14 +182,14 @@ impl Overlaid<'_> {
 
     fn condition(&self, condition: Option<&Condition>) -> String {
         let Some(condition) = condition else { return String::new() };
-        let values = condition.enum_.and_then(|id| self.dialect.enum_by_id(id));
-        let entry = values.and_then(|values| values.entries.iter().find(|entry| entry.value == condition.value));
+        let enum_ = condition.enum_.and_then(|id| self.dialect.enum_by_id(id));
+        let entry = enum_.and_then(|enum_| enum_.entries.iter().find(|entry| entry.value == condition.value));
         let value = entry.map_or_else(|| condition.value.to_string(), |entry| entry.name.text.clone());
         format!(", if {} is {value}", self.field(condition.field))
     }
 
     fn enum_name(&self, id: EnumId) -> Option<&str> {
-        self.dialect.enum_by_id(id).map(|values| values.name.text.as_str())
+        self.dialect.enum_by_id(id).map(|enum_| enum_.name.text.as_str())
     }
 
     fn field(&self, index: FieldIndex) -> &str {

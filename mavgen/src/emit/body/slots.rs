@@ -122,9 +122,9 @@ fn used(count: Count<'_>) -> TokenStream {
 
 /// The assignments that put a slot into the arrays.
 pub(in crate::emit) fn store(slot: &Slot<'_>) -> TokenStream {
-    let Slot { source, keys, blank, .. } = slot;
+    let Slot { source, keys, sentinel, .. } = slot;
     let (view, optional) = (ident(source.view), !source.when.is_empty());
-    let (blank, mark) = match blank {
+    let (sentinel, mark) = match sentinel {
         Stored::Words(value) => (Literal::u128_unsuffixed(*value), None),
         // A field has to say so, whatever the key and the switch have put into it.
         Stored::Field(place, value) => {
@@ -139,7 +139,7 @@ pub(in crate::emit) fn store(slot: &Slot<'_>) -> TokenStream {
         let number = if optional { quote!(slot.status.map_or(0, #view::#get)) } else { quote!(slot.status.#get()) };
         assign(place, &value_of(*as_int, &number))
     });
-    let bits = if optional { quote!(slot.status.map_or(#blank, #view::bits)) } else { quote!(slot.status.bits()) };
+    let bits = if optional { quote!(slot.status.map_or(#sentinel, #view::bits)) } else { quote!(slot.status.bits()) };
     quote! {
         let bits = #bits;
         #(#keys)*

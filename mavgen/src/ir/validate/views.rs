@@ -29,8 +29,8 @@ pub(super) fn check(item: &Item, message: &Message, view: &View, faults: &mut Fa
     };
     check_slots(&item, message, words, access, faults);
     check_condition(&item, message, condition.as_ref(), faults);
-    for blank in invalid {
-        check_blank(&item, message, *blank, (*width, length), faults);
+    for sentinel in invalid {
+        check_sentinel(&item, message, *sentinel, (*width, length), faults);
     }
     if let Some(switch) = switch {
         check_switch(&item, message, switch, (*width, length), faults);
@@ -136,14 +136,14 @@ fn check_compared(item: &Item, field: &Field, value: i128, faults: &mut Faults<'
     );
 }
 
-fn check_blank(
+fn check_sentinel(
     item: &Item,
     message: &Message,
-    blank: ViewSentinel,
+    sentinel: ViewSentinel,
     (width, slots): (u8, Option<NonZeroU8>),
     faults: &mut Faults<'_>,
 ) {
-    match blank {
+    match sentinel {
         ViewSentinel::Field(place, value) => {
             if let Some(field) = check_place(item, message, place, slots, faults) {
                 check_compared(item, field, value, faults);

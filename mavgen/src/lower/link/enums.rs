@@ -32,13 +32,13 @@ impl Enums {
         diagnostics: &mut Diagnostics,
     ) -> Result<Vec<EnumId>, Internal> {
         let ids = self.ids(dialect, &enums, diagnostics);
-        for ((mut values, names), id) in enums.into_iter().zip(&ids) {
+        for ((mut enum_, names), id) in enums.into_iter().zip(&ids) {
             let mut links = Links::new(&ids);
-            enums_of_enum_mut(&mut values, &mut |id| links.follow(id));
-            links.check(&values.name)?;
+            enums_of_enum_mut(&mut enum_, &mut |id| links.follow(id));
+            links.check(&enum_.name)?;
             match self.list.get_mut(id.0) {
-                None => self.list.push(Class { item: values, names, roots: vec![root] }),
-                Some(class) => class.add(root, values, names),
+                None => self.list.push(Class { item: enum_, names, roots: vec![root] }),
+                Some(class) => class.add(root, enum_, names),
             }
         }
         Ok(ids)
@@ -48,11 +48,11 @@ impl Enums {
     fn ids(&mut self, dialect: &str, enums: &[(Enum, EnumNames)], diagnostics: &mut Diagnostics) -> Vec<EnumId> {
         let mut ids = Vec::with_capacity(enums.len());
         let mut next = self.list.len();
-        for (values, names) in enums {
-            let kind = (values.name.text.clone(), names.ty.clone(), values.repr, values.bitmask);
+        for (enum_, names) in enums {
+            let kind = (enum_.name.text.clone(), names.ty.clone(), enum_.repr, enum_.bitmask);
             let known = self.by_kind.entry(kind).or_default();
             let classes = known.iter().filter_map(|id| Some((*id, self.list.get(id.0)?)));
-            let conflicts = classes.map(|(id, class)| (id, class.conflict(values, names))).collect::<Vec<_>>();
+            let conflicts = classes.map(|(id, class)| (id, class.conflict(enum_, names))).collect::<Vec<_>>();
             let agrees = conflicts.iter().find(|(_, conflict)| conflict.is_none());
             ids.push(agrees.map_or(EnumId(next), |(id, _)| *id));
             if agrees.is_none() {

@@ -43,11 +43,11 @@ impl Files {
 
 /// Changes every mention of a file.
 fn each(dialect: &mut Dialect, mut change: impl FnMut(&mut FileIndex)) {
-    for values in &mut dialect.enums {
-        change(&mut values.named_in);
-        change(&mut values.defined_in);
-        values.origin.map_files(&mut change);
-        for entry in &mut values.entries {
+    for enum_ in &mut dialect.enums {
+        change(&mut enum_.named_in);
+        change(&mut enum_.defined_in);
+        enum_.origin.map_files(&mut change);
+        for entry in &mut enum_.entries {
             entry.origin.map_files(&mut change);
             let params = entry.command.iter_mut().flat_map(|command| &mut command.params);
             params.for_each(|param| param.origin.map_files(&mut change));

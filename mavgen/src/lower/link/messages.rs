@@ -122,11 +122,11 @@ fn same_binding(a: &Binding, b: &Binding) -> bool {
 /// Whether two views of one message are the same element of an overlay, with the same enums.
 fn same_view(a: &View, b: &View) -> bool {
     let enums =
-        |view: &View| -> Vec<EnumId> { view.members.iter().filter_map(|member| values(&member.meaning)).collect() };
+        |view: &View| -> Vec<EnumId> { view.members.iter().filter_map(|member| enum_of(&member.meaning)).collect() };
     a.origin.span == b.origin.span && a.condition == b.condition && enums(a) == enums(b)
 }
 
-fn values(meaning: &Meaning) -> Option<EnumId> {
+fn enum_of(meaning: &Meaning) -> Option<EnumId> {
     match meaning {
         Meaning::Values(id) => Some(*id),
         _ => None,

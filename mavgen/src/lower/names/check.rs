@@ -26,8 +26,8 @@ pub(super) fn types<'a>(
             }
         }
     }
-    for (values, names) in dialect.enums.iter().zip(enums) {
-        claims.push((names.ty.clone(), claim(What::Enum, &values.name, values.named_in)));
+    for (enum_, names) in dialect.enums.iter().zip(enums) {
+        claims.push((names.ty.clone(), claim(What::Enum, &enum_.name, enum_.named_in)));
     }
     let lost = lost.iter().map(|lost| (&lost.name, lost.file, What::Message));
     let lost_views = lost_views.iter().map(|lost| (&lost.name, lost.file, What::View));
@@ -67,8 +67,8 @@ pub(super) fn fields(partial: &Partial, messages: &[MessageNames], diagnostics: 
 
 /// Checks the constants of all enums.
 pub(super) fn constants(dialect: &Dialect, enums: &[EnumNames], diagnostics: &mut Diagnostics) {
-    for (values, names) in dialect.enums.iter().zip(enums) {
-        let claims = values.entries.iter().zip(&names.constants).map(|(entry, own)| {
+    for (enum_, names) in dialect.enums.iter().zip(enums) {
+        let claims = enum_.entries.iter().zip(&names.constants).map(|(entry, own)| {
             (own.clone(), Claim { age: dialect.age(entry.origin.file), ..claim(What::Entry, &entry.name) })
         });
         apart(Scope::Constants, claims, diagnostics);

@@ -65,13 +65,13 @@ impl<'d> Items<'d> {
             count: count.transpose()?,
             elements: elements(message, view, slots)?,
             keys: keys.collect::<Result<_, Internal>>()?,
-            blank: self.blank(message, view)?,
+            sentinel: self.sentinel(message, view)?,
         })
     }
 
     /// How a message says that the bits of a slot mean nothing: by words if it can, else by a field.
-    fn blank(self, message: NamedMessage<'d>, view: NamedView<'d>) -> Result<Stored<'d>, Internal> {
-        let words = view.model.invalid.iter().find_map(|blank| match blank {
+    fn sentinel(self, message: NamedMessage<'d>, view: NamedView<'d>) -> Result<Stored<'d>, Internal> {
+        let words = view.model.invalid.iter().find_map(|sentinel| match sentinel {
             ViewSentinel::Words(value) => Some(*value),
             ViewSentinel::Field(..) => None,
         });
@@ -95,7 +95,7 @@ fn elements<'d>(
         ir::Word::One(place) => Some(*place),
         ir::Word::Joined(_) => None,
     });
-    let blanks = view.model.invalid.iter().filter_map(|blank| match blank {
+    let sentinels = view.model.invalid.iter().filter_map(|sentinel| match sentinel {
         ViewSentinel::Field(place, _) => Some(*place),
         ViewSentinel::Words(_) => None,
     });
@@ -103,7 +103,7 @@ fn elements<'d>(
         SwitchOn::Field(place, _) => Some(place),
         SwitchOn::Bits { .. } => None,
     });
-    let places = slots.model.keys.iter().map(|key| key.place).chain(words).chain(blanks).chain(switch);
+    let places = slots.model.keys.iter().map(|key| key.place).chain(words).chain(sentinels).chain(switch);
     let mut fields: Vec<_> = places.filter(|place| place.element).map(|place| place.field).collect();
     fields.sort_by_key(|field| field.0);
     fields.dedup();

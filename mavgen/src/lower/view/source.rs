@@ -47,14 +47,14 @@ impl<'d> Items<'d> {
 
     fn tests(self, message: NamedMessage<'d>, view: NamedView<'d>) -> Result<Vec<Test<'d>>, Internal> {
         let condition = view.model.condition.iter().map(|condition| self.holds(message, condition));
-        let blanks = view.model.invalid.iter().map(|blank| match *blank {
+        let sentinels = view.model.invalid.iter().map(|sentinel| match *sentinel {
             ViewSentinel::Words(value) => Ok(Test::WordsAreNot(value)),
             ViewSentinel::Field(at, value) => {
                 let literal = self.literal(message.field(at.field)?, value)?;
                 Ok(Test::IsNot(place(message, at)?, literal))
             }
         });
-        condition.chain(blanks).collect()
+        condition.chain(sentinels).collect()
     }
 
     /// `self.autopilot == MavAutopilot::AUTOQUAD`

@@ -69,7 +69,7 @@ fn param(
         index,
         label: text::non_empty(element.label.as_ref()),
         units: text::non_empty(element.units.as_ref()),
-        enum_: element.enum_.as_ref().and_then(|name| values(name, enums, diagnostics)),
+        enum_: element.enum_.as_ref().and_then(|name| enum_id(name, enums, diagnostics)),
         limits: limits::resolve(ranges, is_float, diagnostics),
         default: element.default.as_ref().and_then(|text| default(index, text, diagnostics)),
         reserved: boolean::read(element.reserved.as_ref(), Attribute::AnyText("reserved"), diagnostics),
@@ -77,7 +77,7 @@ fn param(
     }
 }
 
-fn values(name: &Text, enums: &Enums<'_>, diagnostics: &mut Diagnostics) -> Option<EnumId> {
+fn enum_id(name: &Text, enums: &Enums<'_>, diagnostics: &mut Diagnostics) -> Option<EnumId> {
     let id = enums.id(&name.value);
     if id.is_none() && enums.complete && !name.value.is_empty() {
         let message = format!("enum `{}` of a param does not exist", name.value);

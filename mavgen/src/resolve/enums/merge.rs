@@ -160,7 +160,7 @@ impl<'a> Merged<'a> {
         named.min_by_key(|(file, _)| loaded.age(*file)).unwrap_or((self.file, self.name))
     }
 
-    /// Whether the values are combined bit by bit: as an overlay says, or else the file that owns the enum.
+    /// Whether the values are combined bit by bit: as an overlay says, or else the defining file.
     pub(in crate::resolve) fn bitmask(&self, defining_file: FileIndex) -> bool {
         self.refined.bitmask.unwrap_or_else(|| self.declared_bitmask(defining_file))
     }

@@ -11,7 +11,7 @@ use crate::syntax::Text;
 use crate::syntax::overlay::{Invalid, View};
 
 /// Resolves all `<invalid>` of a view. Each says something new, and none that the view is never there.
-pub(super) fn blanks(
+pub(super) fn sentinels(
     scope: &MessageScope<'_, '_>,
     element: &View,
     words: &Words,
@@ -24,25 +24,25 @@ pub(super) fn blanks(
         (ViewSentinel::Field(place, condition.value.into()), text.span)
     });
     for invalid in &element.invalids {
-        let Some(blank) = blank(scope, invalid, words, diagnostics) else { continue };
+        let Some(sentinel) = sentinel(scope, invalid, words, diagnostics) else { continue };
         let span = invalid.value.span;
-        let (first, message, label) = match (found.iter().find(|first| first.0 == blank), demanded) {
+        let (first, message, label) = match (found.iter().find(|first| first.0 == sentinel), demanded) {
             (Some(first), _) => (first.1, "the view is unknown by this value already", "the first time"),
-            (None, Some(demanded)) if demanded.0 == blank => {
+            (None, Some(demanded)) if demanded.0 == sentinel => {
                 (demanded.1, "the view is unknown by the value on which it is there", "the condition")
             }
             (None, _) => {
-                found.push((blank, span));
+                found.push((sentinel, span));
                 continue;
             }
         };
         let problem = Diagnostic::new(Code::Sentinel, span, message).related(first, label);
         diagnostics.push(problem.help("leave it out, or correct it"));
     }
-    found.into_iter().map(|(blank, _)| blank).collect()
+    found.into_iter().map(|(sentinel, _)| sentinel).collect()
 }
 
-fn blank(
+fn sentinel(
     scope: &MessageScope<'_, '_>,
     element: &Invalid,
     words: &Words,

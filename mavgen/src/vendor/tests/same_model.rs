@@ -67,9 +67,9 @@ pub(super) fn shown(mut dialect: Dialect, prose: bool) -> String {
 
 fn origins(dialect: &mut Dialect) -> Vec<&mut Origin> {
     let mut origins = Vec::new();
-    for values in &mut dialect.enums {
-        origins.push(&mut values.origin);
-        for entry in &mut values.entries {
+    for enum_ in &mut dialect.enums {
+        origins.push(&mut enum_.origin);
+        for entry in &mut enum_.entries {
             origins.push(&mut entry.origin);
             origins.extend(
                 entry.command.iter_mut().flat_map(|command| &mut command.params).map(|param| &mut param.origin),
