@@ -17,7 +17,7 @@ pub(crate) use accessor::{Convert, Extent, Sentinel, Unknown};
 pub(crate) use docs::{Cell, Docs, ListItem, Paragraph};
 pub(crate) use enums::{Constant, DialectEnum, Enum, ParamInfo, Variant};
 pub(crate) use mentions::Mentions;
-pub(crate) use message::{Default, Field, Frame, Struct, Target};
+pub(crate) use message::{Default, Field, Frame, Gives, Seen, Struct, Target};
 pub(crate) use method::{Kind, Method, Param, Receiver, Sig};
 pub(crate) use tree::{Alias, Child, ChildAccess, Content, Export, File, Use};
 pub(crate) use ty::{AsInt, Element, EnumType, Error, Int, Literal, Shape, Through, Ty};

@@ -28,6 +28,7 @@ pub use crate::glue::defmt;
 #[doc(hidden)]
 pub mod serde {
     pub use serde_core::de::{EnumAccess, MapAccess, SeqAccess, Visitor};
+    pub use serde_core::ser::SerializeMap;
     pub use serde_core::{Deserialize, Deserializer, Serialize, Serializer};
 
     pub use crate::glue::serde::dialect::{deserialize_dialect, serialize_dialect};
@@ -37,6 +38,7 @@ pub mod serde {
     };
     pub use crate::glue::serde::message::{deserialize_message, serialize_message};
     pub use crate::glue::serde::value::{deserialize_enum, serialize_enum};
+    pub use crate::glue::serde::views::{HasViews, Views};
 }
 
 /// What implements the traits of mavlink-core.

@@ -174,9 +174,15 @@ pub trait Targeted: Message {
 }
 
 /// Completes a message: `Default`, `Display` ([its text](crate::reflect#the-text)), and what the optional features add.
+///
+/// `message!(AqEscTelemetry { each escs, maybe status })` also takes the getters of what overlays see in the message, each by what it
+/// gives: `one` value, `maybe` one under a condition, or `each` slot.
 #[macro_export]
 macro_rules! message {
     ($name:ident) => {
+        $crate::message!($name {});
+    };
+    ($name:ident { $($kind:ident $getter:ident),* }) => {
         impl ::core::default::Default for $name {
             #[inline]
             fn default() -> Self {
@@ -192,6 +198,7 @@ macro_rules! message {
         }
 
         $crate::__serde!($name, serialize_message, deserialize_message);
+        $crate::__serde_message_views!($name { $($kind $getter),* });
         $crate::__defmt!($name, message);
         $crate::__arbitrary!($name, message, message_size);
     };

@@ -36,7 +36,7 @@ use quote::quote;
 use super::method::method;
 use super::token::{decimal, ident};
 use super::{doc, field, secret};
-use crate::rust::{Frame, Struct, Target};
+use crate::rust::{Frame, Gives, Seen, Struct, Target};
 
 /// The items of a message's file, without its imports.
 pub(super) fn message(message: &Struct<'_>) -> TokenStream {
@@ -46,13 +46,27 @@ pub(super) fn message(message: &Struct<'_>) -> TokenStream {
     let message_impl = message_impl(message);
     let Frame { target_system, target_component, .. } = message.frame;
     let targeted = target_system.and(target_component).map(|_| quote!(impl wire::Targeted for #name {}));
+    let seen = seen(&message.seen);
     quote! {
         #declaration
         #methods
         #message_impl
         #targeted
-        wire::message!(#name);
+        wire::message!(#name #seen);
     }
+}
+
+/// `{ each escs, maybe mode }`: what overlays see in the message; nothing for most.
+fn seen(all: &[Seen<'_>]) -> Option<TokenStream> {
+    let seen = all.iter().map(|Seen { getter, gives }| {
+        let getter = ident(getter);
+        match gives {
+            Gives::One => quote!(one #getter),
+            Gives::Maybe => quote!(maybe #getter),
+            Gives::Each => quote!(each #getter),
+        }
+    });
+    (!all.is_empty()).then(|| quote!({ #(#seen),* }))
 }
 
 /// The struct, in the order of the XML.

@@ -6,7 +6,7 @@ use super::{docs, types};
 use crate::docs::line;
 use crate::internal::Internal;
 use crate::ir::{self, Invalid, Message, Scalar, Scope, Sentinel, Values};
-use crate::rust::{Alias, Cell, Default, Docs, Field, Frame, Paragraph, Struct, Target};
+use crate::rust::{Alias, Cell, Default, Docs, Field, Frame, Gives, Paragraph, Seen, Struct, Target};
 
 impl<'d> Items<'d> {
     /// The items of a message; `conflicts` are lines about what other dialects have in its place.
@@ -21,6 +21,7 @@ impl<'d> Items<'d> {
             deprecated: self.deprecation(&message.model.origin),
             fields: message.fields().map(|field| self.message_field(message, field)).collect::<Result<_, _>>()?,
             methods,
+            seen: seen(message)?,
             frame: frame(message),
         })
     }
@@ -120,6 +121,21 @@ pub(super) fn alias<'d>(message: &Struct<'d>, module: &'d str) -> Option<Alias<'
     let told = docs.0.iter().filter(|paragraph| !matches!(paragraph, Paragraph::Table(..)));
     let (docs, deprecated) = (Docs(told.cloned().collect()), deprecated.clone()?);
     Some(Alias { ident, alias: *alias, docs, deprecated, module })
+}
+
+/// The getters of what overlays see in the message.
+fn seen(message: NamedMessage<'_>) -> Result<Vec<Seen<'_>>, Internal> {
+    let under = |condition: bool| if condition { Gives::Maybe } else { Gives::One };
+    let bound =
+        message.bindings().map(|(binding, getter)| Ok(Seen { getter, gives: under(binding.condition.is_some()) }));
+    let views = (0..message.model.views.len()).map(|at| {
+        let view = message.view(at)?;
+        Ok(match view.access()? {
+            NamedAccess::Once(getter) => Seen { getter, gives: under(view.model.condition.is_some()) },
+            NamedAccess::Slots(slots) => Seen { getter: slots.items, gives: Gives::Each },
+        })
+    });
+    bound.chain(views).collect()
 }
 
 fn frame(message: NamedMessage<'_>) -> Frame<'_> {

@@ -15,6 +15,8 @@ pub(crate) struct Struct<'d> {
     /// In the order of the XML.
     pub(crate) fields: Vec<Field<'d>>,
     pub(crate) methods: Vec<Method<'d>>,
+    /// What overlays see in it: first the enums that are bound to fields.
+    pub(crate) seen: Vec<Seen<'d>>,
     pub(crate) frame: Frame<'d>,
 }
 
@@ -25,6 +27,24 @@ impl<'d> Struct<'d> {
         fields.sort_by_key(|field| field.wire.offset);
         fields
     }
+}
+
+/// The getter of what an overlay sees in a message, and what it gives.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Seen<'d> {
+    pub(crate) getter: &'d str,
+    pub(crate) gives: Gives,
+}
+
+/// What the getter of a view or of a bound enum gives.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Gives {
+    /// A value, or `None` where it is not known.
+    One,
+    /// Nothing where a condition does not hold.
+    Maybe,
+    /// Every slot in use.
+    Each,
 }
 
 /// A public field.

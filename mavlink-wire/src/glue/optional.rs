@@ -12,6 +12,20 @@ macro_rules! __serde {
 #[cfg(not(feature = "serde"))]
 #[doc(hidden)]
 #[macro_export]
+macro_rules! __serde_message_views {
+    ($($any:tt)*) => {};
+}
+
+#[cfg(not(feature = "serde"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __serde_dialect_views {
+    ($($any:tt)*) => {};
+}
+
+#[cfg(not(feature = "serde"))]
+#[doc(hidden)]
+#[macro_export]
 macro_rules! __serde_view {
     ($($any:tt)*) => {};
 }

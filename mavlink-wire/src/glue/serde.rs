@@ -28,6 +28,12 @@
 //! know them. Fields that the message does not have are ignored. `type` may come after other fields, as long as those take no
 //! more than 8 KiB: they are kept on the stack, since there may be no allocator.
 //!
+//! # Views
+//!
+//! [`WithViews`] writes a message, or a dialect's enum, and behind the fields the object `views`: what overlays see in the message,
+//! by the names that `mavgen decode` has for it. A message by itself stays without them, and either is read as the message: `views`
+//! is ignored, since the fields say it all. `Envelope::new(header, WithViews(&message))` has the header as well.
+//!
 //! # Other formats (postcard, bincode, MessagePack, CBOR)
 //!
 //! A message is a tuple of its fields in the order of the XML, an enum or flags value the number on the wire, a `char` array
@@ -56,8 +62,10 @@ pub(crate) mod message;
 mod named;
 mod record;
 pub(crate) mod value;
+pub(crate) mod views;
 
 pub use facts::{Envelope, Header};
+pub use views::{HasViews, WithViews};
 
 /// Implements serde's traits by two of the functions above: `(type, serialize, deserialize, arguments…)`.
 #[doc(hidden)]

@@ -132,6 +132,7 @@ macro_rules! dialect {
         }
 
         $crate::__serde!($dialect, serialize_dialect, deserialize_dialect, ::core::stringify!($dialect));
+        $crate::__serde_dialect_views!($dialect { $($message)* });
         $crate::__defmt!($dialect, dialect);
         $crate::__arbitrary!($dialect, dialect, dialect_size);
         $crate::__mavlink_core!($dialect { $($message)* });

@@ -66,7 +66,14 @@ impl wire::Message for Copied {
         wire::generated::put(payload, 0, self.debug);
     }
 }
-wire::message!(Copied);
+
+impl Copied {
+    pub(crate) fn seen(&self) -> Debug {
+        self.debug
+    }
+}
+
+wire::message!(Copied { one seen });
 
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) enum Any {

@@ -4,6 +4,7 @@ mod facts;
 
 use mavlink_wire as wire;
 use mavlink_wire::Message;
+use mavlink_wire::serde::WithViews;
 
 use crate::hygiene::{Any, Copied, Debug, Display};
 use crate::small::{Heartbeat, Small};
@@ -76,10 +77,42 @@ fn fields_called_like_the_tag_have_other_keys() {
     assert_eq!(text, r#"{"mavtype":5,"mavmavtype":6,"mask":"MASK_ONE | 0x2"}"#);
 }
 
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Crowded {
+    views: u8,
+}
+
+impl wire::Message for Crowded {
+    type Payload = [u8; 1];
+    const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(78, "CROWDED", 1, 1);
+    const FIELDS: &'static [wire::FieldInfo] = &[wire::FieldInfo::new("views", wire::Kind::U8, 0)];
+    const DEFAULT: Self = Self { views: 0 };
+
+    fn read(p: &[u8; 1]) -> Self {
+        Self { views: p[0] }
+    }
+
+    fn store(&self, p: &mut [u8; 1]) {
+        p[0] = self.views;
+    }
+}
+
+wire::message!(Crowded);
+
+#[test]
+fn a_field_called_like_the_views_is_not_written_twice() {
+    let message = Crowded { views: 7 };
+    assert_eq!(serde_json::to_string(&message).unwrap(), r#"{"views":7}"#);
+    let error = serde_json::to_string(&WithViews(&message)).unwrap_err().to_string();
+    assert_eq!(error, "CROWDED has a field `views`: no place for its views");
+}
+
 #[test]
 fn covered_names_do_no_harm() {
     let any = Any::Copied(Copied { debug: Debug(9) });
     assert_eq!(serde_json::to_string(&any).unwrap(), r#"{"type":"COPIED","debug":9}"#);
+    let expected = r#"{"type":"COPIED","debug":9,"views":{"seen":9}}"#;
+    assert_eq!(serde_json::to_string(&WithViews(&any)).unwrap(), expected);
     assert_eq!(serde_json::from_str::<Any>(r#"{"debug":"DEBUG_ONE","type":"COPIED"}"#).unwrap().debug(), 1);
     assert_eq!(serde_json::to_string(&Display::all()).unwrap(), r#""DISPLAY_TOP""#);
 }

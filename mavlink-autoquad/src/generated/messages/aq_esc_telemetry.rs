@@ -131,4 +131,4 @@ impl wire::Message for AqEscTelemetry {
     }
 }
 
-wire::message!(AqEscTelemetry);
+wire::message!(AqEscTelemetry { each escs, each legacy_escs });

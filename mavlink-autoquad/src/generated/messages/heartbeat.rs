@@ -116,4 +116,4 @@ impl wire::Message for Heartbeat {
     }
 }
 
-wire::message!(Heartbeat);
+wire::message!(Heartbeat { maybe nav_status });

@@ -94,4 +94,4 @@ impl wire::Message for Beat {
     }
 }
 
-wire::message!(Beat);
+wire::message!(Beat { maybe mode, one activity });

@@ -102,4 +102,4 @@ impl wire::Message for Drive {
     }
 }
 
-wire::message!(Drive);
+wire::message!(Drive { one bound_mode, one bits_of });

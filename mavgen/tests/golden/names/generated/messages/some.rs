@@ -52,4 +52,4 @@ impl wire::Message for Some_ {
     }
 }
 
-wire::message!(Some_);
+wire::message!(Some_ { each ok });

@@ -53,4 +53,4 @@ impl wire::Message for Status {
     }
 }
 
-wire::message!(Status);
+wire::message!(Status { one flags, one part });

@@ -70,4 +70,4 @@ impl wire::Message for Gauges {
     }
 }
 
-wire::message!(Gauges);
+wire::message!(Gauges { one joined, each gauges });

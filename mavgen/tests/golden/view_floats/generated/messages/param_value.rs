@@ -55,4 +55,4 @@ impl wire::Message for ParamValue {
     }
 }
 
-wire::message!(ParamValue);
+wire::message!(ParamValue { one int });

@@ -44,4 +44,4 @@ impl wire::Message for Battery {
     }
 }
 
-wire::message!(Battery);
+wire::message!(Battery { one state });

@@ -86,4 +86,4 @@ impl wire::Message for Wheels {
     }
 }
 
-wire::message!(Wheels);
+wire::message!(Wheels { each all });

@@ -65,4 +65,4 @@ impl wire::Message for Report {
     }
 }
 
-wire::message!(Report);
+wire::message!(Report { one details, maybe other_details });
