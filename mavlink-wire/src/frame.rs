@@ -53,42 +53,47 @@ pub(crate) struct Facts {
     pub(crate) verified: bool,
 }
 
-/// What may be a frame, by its header.
+/// What may be a frame, by its header. Its message is looked up only where it matters: most false frames fail before.
 #[derive(Clone, Copy)]
-pub(crate) struct Candidate<'t> {
+pub(crate) struct Candidate {
     pub(crate) header: Header,
     pub(crate) id: u32,
-    known: Option<&'t MessageInfo>,
 }
 
-impl<'t> Candidate<'t> {
+impl Candidate {
     /// Reads a header.
     #[inline]
-    pub(crate) fn read(bytes: &[u8], table: &Table<'t>) -> Result<Self, FrameError> {
+    pub(crate) fn read(bytes: &[u8]) -> Result<Self, FrameError> {
         let header = Header::read(bytes)?;
         let id = header.id(bytes).ok_or(FrameError::Incomplete { needed: header.frame_length() })?;
-        Ok(Self { header, id, known: table.get(id) })
+        Ok(Self { header, id })
     }
 
     /// The facts of the frame, if it is whole, and its checksum is right; `checksum` calculates that of its first bytes.
     #[inline]
-    pub(crate) fn verify(self, bytes: &[u8], checksum: impl FnOnce(usize) -> u16) -> Result<Facts, FrameError> {
+    pub(crate) fn verify(
+        self,
+        bytes: &[u8],
+        table: &Table<'_>,
+        checksum: impl FnOnce(usize) -> u16,
+    ) -> Result<Facts, FrameError> {
         let (end, length) = (self.header.checked_length(), self.header.frame_length());
         let Some(sent) = bytes.get(..length).and_then(|frame| frame.get(end..)).and_then(<[u8]>::first_chunk) else {
             return Err(FrameError::Incomplete { needed: length });
         };
-        match crc::byte_between(checksum(end), u16::from_le_bytes(*sent)) {
-            Some(crc_extra) if self.known.map_or(crc_extra, |info| info.crc_extra) == crc_extra => {
-                Ok(Facts { id: self.id, crc_extra, verified: self.known.is_some() })
-            }
-            _ => Err(FrameError::Checksum { message_id: self.id }),
+        let wrong = FrameError::Checksum { message_id: self.id };
+        let crc_extra = crc::byte_between(checksum(end), u16::from_le_bytes(*sent)).ok_or(wrong)?;
+        let known = table.get(self.id);
+        if known.is_some_and(|info| info.crc_extra != crc_extra) {
+            return Err(wrong);
         }
+        Ok(Facts { id: self.id, crc_extra, verified: known.is_some() })
     }
 
     /// Whether the message is known, and has this length: a payload of MAVLink 2 leaves zeros out, and the sender may know
     /// more fields.
-    pub(crate) fn is_likely(&self) -> bool {
-        self.known.is_some_and(|info| self.header.is_v2() || self.header.payload_length() == usize::from(info.len_v1))
+    pub(crate) fn is_likely(self, table: &Table<'_>) -> bool {
+        table.get(self.id).is_some_and(|info| self.header.is_v2() || self.header.payload_length() == usize::from(info.len_v1))
     }
 }
 
@@ -101,8 +106,8 @@ impl<'a> Frame<'a> {
     /// The bytes do not start with a whole, undamaged frame that may be read.
     #[inline]
     pub fn parse(bytes: &'a [u8], table: &Table<'_>) -> Result<Self, FrameError> {
-        let candidate = Candidate::read(bytes, table)?;
-        let facts = candidate.verify(bytes, |end| crc::checksum(bytes.get(1..end).unwrap_or_default()))?;
+        let candidate = Candidate::read(bytes)?;
+        let facts = candidate.verify(bytes, table, |end| crc::checksum(bytes.get(1..end).unwrap_or_default()))?;
         let length = candidate.header.frame_length();
         Ok(Self::with_facts(bytes.get(..length).unwrap_or_default(), candidate.header, facts))
     }

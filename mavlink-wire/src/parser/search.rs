@@ -43,7 +43,8 @@ pub(super) enum Step {
 /// What there is at a place.
 enum Examined {
     Frame(Header, Facts),
-    /// It takes so many bytes to know. It is likely to be a frame if it is of a known message, and has its length.
+    /// It takes so many bytes to know. It is likely to be a frame if it is of a known message, and has its length; said where
+    /// it was asked.
     Incomplete {
         needed: usize,
         likely: bool,
@@ -94,7 +95,7 @@ impl<'t> Search<'t> {
         at_end: bool,
         bad_checksum: &mut impl FnMut(u32),
     ) -> Result<(Header, Facts), Step> {
-        match self.examine(bytes, 0) {
+        match self.examine(bytes, 0, false) {
             Examined::Frame(header, facts) => {
                 let length = self.length;
                 if !facts.verified {
@@ -114,19 +115,20 @@ impl<'t> Search<'t> {
     /// The frame so many bytes behind the start of these.
     #[cfg_attr(feature = "fast-crc", inline)]
     #[cfg_attr(not(feature = "fast-crc"), inline(never))]
-    fn examine(&mut self, bytes: &[u8], at: usize) -> Examined {
+    fn examine(&mut self, bytes: &[u8], at: usize, is_likely_asked: bool) -> Examined {
         work::count(4);
         let Some(there) = bytes.get(at..) else { return Examined::Nothing };
-        let candidate = match Candidate::read(there, self.table) {
+        let candidate = match Candidate::read(there) {
             Ok(candidate) => candidate,
             Err(FrameError::Incomplete { needed }) => return Examined::Incomplete { needed, likely: false },
             Err(_) => return Examined::Nothing,
         };
         self.length = candidate.header.frame_length();
         if there.len() < self.length {
-            return Examined::Incomplete { needed: self.length, likely: candidate.is_likely() };
+            let likely = is_likely_asked && candidate.is_likely(self.table);
+            return Examined::Incomplete { needed: self.length, likely };
         }
-        match candidate.verify(there, |end| self.prefixes.checksum(bytes, at + 1, at + end)) {
+        match candidate.verify(there, self.table, |end| self.prefixes.checksum(bytes, at + 1, at + end)) {
             Ok(facts) => Examined::Frame(candidate.header, facts),
             Err(_) => Examined::Damaged { id: candidate.id },
         }

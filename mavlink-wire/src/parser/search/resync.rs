@@ -43,7 +43,7 @@ impl Search<'_> {
         }
         while at < length {
             self.searched = place.wrapping_add(at);
-            let found = match self.examine(bytes.get(..length).unwrap_or_default(), at) {
+            let found = match self.examine(bytes.get(..length).unwrap_or_default(), at, false) {
                 Examined::Frame(_, facts) => facts.verified,
                 // A known frame may end behind this one; but not if another one starts there, nor at the end.
                 Examined::Incomplete { .. } => match self.starts(bytes, at, at_end) {
@@ -69,7 +69,7 @@ impl Search<'_> {
     /// Whether a known frame seems to start so many bytes behind the start of these; `None` if it takes more to know.
     fn starts(&mut self, bytes: &[u8], at: usize, at_end: bool) -> Option<bool> {
         let needed = at + LONGEST;
-        match self.examine(bytes.get(..needed).unwrap_or(bytes), at) {
+        match self.examine(bytes.get(..needed).unwrap_or(bytes), at, true) {
             Examined::Incomplete { .. } if bytes.len() < needed && !at_end => None,
             Examined::Incomplete { likely, .. } => Some(likely),
             Examined::Frame(_, facts) => Some(facts.verified),
