@@ -93,7 +93,9 @@ impl Candidate {
     /// Whether the message is known, and has this length: a payload of MAVLink 2 leaves zeros out, and the sender may know
     /// more fields.
     pub(crate) fn is_likely(self, table: &Table<'_>) -> bool {
-        table.get(self.id).is_some_and(|info| self.header.is_v2() || self.header.payload_length() == usize::from(info.len_v1))
+        table
+            .get(self.id)
+            .is_some_and(|info| self.header.is_v2() || self.header.payload_length() == usize::from(info.len_v1))
     }
 }
 

@@ -55,7 +55,8 @@ impl<'t> Scan<'t> {
             return if at_end { self.pass(bytes.len()) } else { Sight::Unfinished };
         };
         let parsed = Candidate::read(rest).and_then(|candidate| {
-            let facts = candidate.verify(rest, self.table, |end| self.prefixes.checksum(bytes, TIME + 1, TIME + end))?;
+            let facts =
+                candidate.verify(rest, self.table, |end| self.prefixes.checksum(bytes, TIME + 1, TIME + end))?;
             let frame = rest.get(..candidate.header.frame_length()).unwrap_or_default();
             Ok(Frame::with_facts(frame, candidate.header, facts))
         });
