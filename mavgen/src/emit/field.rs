@@ -12,17 +12,7 @@ use crate::rust::{Default, Element, Field, Shape};
 /// `pub cog: u16,` with its documentation.
 pub(super) fn declaration(field: &Field<'_>) -> TokenStream {
     let (docs, name, element) = (doc::documentation(&field.docs), ident(field.ident), ty(&field.element.ty()));
-    let ty = match field.shape {
-        Shape::One => element,
-        Shape::Array(n) => {
-            let n = Literal::u8_unsuffixed(n);
-            quote!([#element; #n])
-        }
-        Shape::Chars(n) => {
-            let n = Literal::u8_unsuffixed(n);
-            quote!(wire::Chars<#n>)
-        }
-    };
+    let ty = shaped(field.shape, &element, |n| quote!(wire::Chars<#n>));
     quote!(#docs pub #name: #ty,)
 }
 
@@ -38,18 +28,20 @@ pub(super) fn default(field: &Field<'_>) -> TokenStream {
             if one.flags { quote!(#ty::empty()) } else { quote!(#ty(0)) }
         }
     };
-    let value = match field.shape {
-        Shape::One => element,
+    let value = shaped(field.shape, &element, |n| quote!(wire::Chars([0; #n])));
+    quote!(#name: #value,)
+}
+
+/// One element, or an array of it: as a type, or as a value.
+fn shaped(shape: Shape, element: &TokenStream, chars: impl Fn(Literal) -> TokenStream) -> TokenStream {
+    match shape {
+        Shape::One => element.clone(),
         Shape::Array(n) => {
             let n = Literal::u8_unsuffixed(n);
             quote!([#element; #n])
         }
-        Shape::Chars(n) => {
-            let n = Literal::u8_unsuffixed(n);
-            quote!(wire::Chars([0; #n]))
-        }
-    };
-    quote!(#name: #value,)
+        Shape::Chars(n) => chars(Literal::u8_unsuffixed(n)),
+    }
 }
 
 /// `cog: get(p, 26),`
