@@ -14,28 +14,19 @@ if ! cargo mutants --version >/dev/null 2>&1; then
     PATH=$work/tools/bin:$PATH
 fi
 
-# A sample that depends on the seed and the mutants alone.
-sample() {
-    cargo mutants --list "$@" 2>/dev/null | while IFS= read -r mutant; do
-        printf '%s\t%s\n' "$(printf '%s %s' "$seed" "$mutant" | sha256sum | cut -c1-16)" "$mutant"
-    done | sort | head -n "$count" | cut -f2-
-}
-
-# Tries the mutants of some files of a package with the tests of some packages.
+# Tries a sample of the mutants of some files of a package, with the tests of some packages. The sample is a shard: every
+# so-manyth mutant, the seed says from which one on.
 try() {
     local package=$1 tests=$2; shift 2
-    local files=() names=() mutant
+    local files=() packages=() total shards
     for file in "$@"; do files+=(--file "$file"); done
-    while IFS= read -r mutant; do
-        # The list says `path:line:column: what`; the expression has to match that alone.
-        names+=(--re "^$(printf '%s' "$mutant" | sed 's/[][\.*^$+?(){}|/]/\\&/g')\$")
-    done < <(sample --package "$package" "${files[@]}")
-    rm -rf "$work/$package"
+    for name in $tests; do packages+=(--test-package "$name"); done
+    total=$(cargo mutants --list --package "$package" "${files[@]}" | wc -l)
+    shards=$(((total + count - 1) / count))
+    rm -rf "${work:?}/$package"
     mkdir -p "$work/$package"
-    local options=()
-    for name in $tests; do options+=(--test-package "$name"); done
-    cargo mutants --package "$package" "${files[@]}" "${names[@]}" "${options[@]}" --output "$work/$package" \
-        --jobs "${MUTANTS_JOBS:-1}" --timeout 300 --no-shuffle --colors never || true
+    cargo mutants --package "$package" "${files[@]}" "${packages[@]}" --shard "$((seed % shards))/$shards" --sharding round-robin \
+        --output "$work/$package" --jobs "${MUTANTS_JOBS:-1}" --timeout 300 --colors never || true
     judge "$package"
 }
 
