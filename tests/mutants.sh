@@ -25,7 +25,7 @@ try() {
     shards=$(((total + count - 1) / count))
     rm -rf "${work:?}/$package"
     mkdir -p "$work/$package"
-    cargo mutants --package "$package" "${files[@]}" "${packages[@]}" --shard "$((seed % shards))/$shards" --sharding round-robin \
+    cargo mutants --package "$package" "${files[@]}" "${packages[@]}" --all-features --shard "$((seed % shards))/$shards" --sharding round-robin \
         --output "$work/$package" --jobs "${MUTANTS_JOBS:-1}" --timeout 300 --colors never || true
     judge "$package"
 }
