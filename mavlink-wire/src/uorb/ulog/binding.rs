@@ -11,12 +11,13 @@ use crate::uorb::{Element, Field, Place, Topic, places};
 /// message id.
 ///
 /// ```
-/// # use mavlink_wire::uorb::{Field, Kind, Place, Topic, ulog::Binding};
+/// # use mavlink_wire::uorb::{CdrError, Definition, Field, Kind, Place, Topic, ulog::Binding};
 /// # #[derive(Clone, Copy, Debug, PartialEq)]
 /// # struct CpuLoad { timestamp: u64, load: f32 }
 /// # impl Topic for CpuLoad {
 /// #     const NAME: &'static str = "Cpuload";
 /// #     const TOPICS: &'static [&'static str] = &["cpuload"];
+/// #     const DEFINITIONS: &'static [Definition] = &[];
 /// #     const FIELDS: &'static [Field] = &[Field::new("timestamp", Kind::U64), Field::new("load", Kind::F32)];
 /// #     const UNKNOWN: Self = Self { timestamp: 0, load: f32::NAN };
 /// #     type Places = [Place; 2];
@@ -25,6 +26,9 @@ use crate::uorb::{Element, Field, Place, Topic, places};
 /// #         let [timestamp, load, ..] = places else { return Self::UNKNOWN };
 /// #         Self { timestamp: timestamp.get(record).unwrap_or(0), load: load.get(record).unwrap_or(f32::NAN) }
 /// #     }
+/// #     fn store_record(&self, _: &mut [u8]) {}
+/// #     fn read_cdr(_: usize, _: &[u8]) -> Result<Self, CdrError> { Err(CdrError::Definition) }
+/// #     fn store_cdr(&self, _: usize, _: &mut [u8]) -> Result<(), CdrError> { Err(CdrError::Definition) }
 /// # }
 /// let formats = |name: &str| (name == "cpuload").then_some("uint64_t timestamp;float load;float ram_usage;");
 /// let binding = Binding::<CpuLoad>::of("cpuload", formats).ok_or("this log does not have it")?;
