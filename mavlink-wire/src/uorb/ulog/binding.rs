@@ -11,7 +11,7 @@ use crate::uorb::{Element, Field, Place, Topic, places};
 /// message id.
 ///
 /// ```
-/// # use mavlink_wire::uorb::{CdrError, Definition, Field, Kind, Place, Topic, ulog::Binding};
+/// # use mavlink_wire::uorb::{Definition, Field, Kind, Place, Topic, cdr::CdrError, ulog::Binding};
 /// # #[derive(Clone, Copy, Debug, PartialEq)]
 /// # struct CpuLoad { timestamp: u64, load: f32 }
 /// # impl Topic for CpuLoad {
