@@ -5,8 +5,8 @@ mod views;
 use std::fmt::Debug;
 
 use mavlink_autoquad::autoquad::{
-    AqEscTelemetry, Attitude, Autoquad, BatteryStatus, Esc, Esc32State, Esc32Status, GpsRawInt, GpsStatus, Heartbeat,
-    MavAutopilot, MavModeFlag, MavState, MavType, NamedValueFloat, ParamSet, Statustext,
+    AqEscTelemetry, Attitude, Autoquad, BatteryStatus, CommandAck, Esc, Esc32State, Esc32Status, GpsRawInt, GpsStatus,
+    Heartbeat, MavAutopilot, MavModeFlag, MavState, MavType, NamedValueFloat, ParamSet, Statustext,
 };
 use mavlink_autoquad::esc::{DisarmReason, EscTable};
 use mavlink_conformance::payload::{Canonical, Fill};
@@ -362,6 +362,14 @@ fn a_field_may_come_once() {
     }
     let error = serde_json::from_str::<Autoquad>(r#"{"type":"HEARTBEAT","type":"HEARTBEAT"}"#).unwrap_err().to_string();
     assert!(error.starts_with("duplicate field `type`"), "{error}");
+}
+
+#[test]
+fn a_sequence_may_end_before_the_extensions() {
+    let acknowledged = |fields: Value| serde_json::from_value::<CommandAck>(fields);
+    assert_eq!(acknowledged(json!([400, 4, 0, 0, 0, 0])).unwrap().result.0, 4);
+    assert_eq!(acknowledged(json!([400, 4])).unwrap(), acknowledged(json!([400, 4, 0, 0, 0, 0])).unwrap());
+    assert!(acknowledged(json!([400])).unwrap_err().to_string().contains("invalid length 1"));
 }
 
 #[test]
