@@ -11,7 +11,8 @@ use mavlink_wire::generated::serde::Deserialize;
 use mavlink_wire::serde::{Envelope, HasViews, Header, WithViews};
 use serde_json::{Value, json};
 
-use super::{BEAT, decoded, messages, same};
+use super::others::decoded;
+use super::{BEAT, messages, same};
 
 /// Writes a message with its views, checks that it is read as the message, and gives the views.
 fn views<M: HasViews + Debug + PartialEq + for<'de> Deserialize<'de>>(message: &M) -> Value {
