@@ -1,7 +1,7 @@
 //! CDR, the form in which uORB messages leave a PX4 for ROS 2: through uXRCE-DDS or zenoh, and into rosbag2 and MCAP files.
 //!
 //! A payload is a header of four bytes and a body: each scalar little-endian, aligned to its size from the start of the body.
-//! Which definition it is of is not in it: only its length tells. [`from_cdr`](super::Topic::from_cdr) goes by that.
+//! Which definition it is of is not in it: only its length tells. [`from_cdr`](super::TopicByLength::from_cdr) goes by that.
 
 use core::fmt;
 
