@@ -119,7 +119,12 @@ impl<'d> Items<'d> {
 pub(super) fn alias<'d>(message: &Struct<'d>, module: &'d str) -> Option<Alias<'d>> {
     let Struct { ident, alias, docs, deprecated, .. } = message;
     let told = docs.0.iter().filter(|paragraph| !matches!(paragraph, Paragraph::Table(..)));
-    let (docs, deprecated) = (Docs(told.cloned().collect()), deprecated.clone()?);
+    // It stands one module higher than the file that its docs are made for, and so do its links.
+    let higher = told.cloned().map(|paragraph| match paragraph {
+        Paragraph::Lines(lines) => Paragraph::Lines(lines.iter().map(|line| line.replace("](super::", "](")).collect()),
+        other => other,
+    });
+    let (docs, deprecated) = (Docs(higher.collect()), deprecated.clone()?);
     Some(Alias { ident, alias: *alias, docs, deprecated, module })
 }
 
