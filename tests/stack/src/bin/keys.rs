@@ -26,12 +26,12 @@ fn main() -> ExitCode {
     let signed = sender.encode(&Heartbeat::DEFAULT, &mut buffer).expect("a frame").to_vec();
     let frame = Frame::parse(&signed, Autoquad::TABLE).expect("the frame");
     let mut verifier = Box::new(Verifier::<16>::new(Some(Key::new(*secret))));
-    let check = &mut || drop(black_box(verifier.check(&frame, Timestamp::ZERO)));
+    let check = &mut || _ = black_box(verifier.check(&frame, Timestamp::ZERO));
     report("Verifier::check of a genuine frame", left(&secret, check), false);
     report("Verifier::check of a replay", left(&secret, check), false);
-    let encode = &mut || drop(black_box(sender.encode(&Heartbeat::DEFAULT, &mut buffer)));
+    let encode = &mut || _ = black_box(sender.encode(&Heartbeat::DEFAULT, &mut buffer));
     report("Sender::encode with a signature", left(&secret, encode), false);
-    let renumber = &mut || drop(black_box(sender.renumber(&frame)));
+    let renumber = &mut || _ = black_box(sender.renumber(&frame));
     report("Sender::renumber with a signature", left(&secret, renumber), false);
     let (mut buf, mut signer) = (Box::new(FrameBuf::from(frame)), Box::new(signer()));
     report(
@@ -44,7 +44,7 @@ fn main() -> ExitCode {
 
     let setup = Box::new(Setup::new(1, 1, Key::new(*secret), Timestamp::new(1)).expect("it is named"));
     let mut writer = made(|| io::FrameWriter::new(sink(), Sender::v2(255, 190)));
-    let send = &mut || drop(black_box(writer.send(&*setup)));
+    let send = &mut || _ = black_box(writer.send(&*setup));
     report("the stack of FrameWriter::send", left(&secret, send), false);
     report("FrameWriter", kept(&secret, &*writer), false);
     let mut refusing = made(|| io::FrameWriter::new(sink(), Sender::v1(255, 190)));
