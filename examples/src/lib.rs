@@ -1,5 +1,5 @@
-//! What one would write first: the programs are in `src/bin`. The library only holds the examples of README.md and of `docs` to their
-//! word.
+//! What one would write first: the programs are in `src/bin`. The library only holds the examples of each README.md and of `docs` to
+//! their word.
 
 #[cfg(doctest)]
 #[doc = include_str!("../../README.md")]
@@ -28,3 +28,15 @@ mod px4 {}
 #[cfg(doctest)]
 #[doc = include_str!("../../docs/rust-mavlink.md")]
 mod rust_mavlink {}
+
+#[cfg(doctest)]
+#[doc = include_str!("../../mavgen/README.md")]
+mod mavgen_readme {}
+
+#[cfg(doctest)]
+#[doc = include_str!("../../mavlink-wire/README.md")]
+mod mavlink_wire_readme {}
+
+#[cfg(doctest)]
+#[doc = include_str!("../../mavlink-autoquad/README.md")]
+mod mavlink_autoquad_readme {}

@@ -10,9 +10,9 @@ use pulldown_cmark::{Event, Parser, Tag, TagEnd};
 /// Those whose every path is one of this repository. Others show paths of a reader's project as well.
 const DOCUMENTS: [&str; 5] = ["ARCHITECTURE.md", "CONTRIBUTING.md", "README.md", "docs/firmware.md", "docs/proof.md"];
 
-/// All that a reader may open: the documents of the top folder, and the pages of `docs`.
+/// All that a reader may open: the documents of the top folder, the pages of `docs`, and what a registry shows of each package.
 fn documents() -> Vec<String> {
-    let folders = ["", "docs/"].into_iter();
+    let folders = ["", "docs/", "mavgen/", "mavgen/cli/", "mavlink-wire/", "mavlink-autoquad/"].into_iter();
     let names = folders.flat_map(|folder| {
         let files = fs::read_dir(top(folder)).unwrap();
         files.map(move |file| format!("{folder}{}", file.unwrap().file_name().to_str().unwrap()))
@@ -88,6 +88,14 @@ fn every_example_is_compiled() {
         let has_rust = text(&document).lines().any(|line| line.starts_with("```rust") && !line.contains("ignore"));
         assert_eq!(compiled.contains(&format!("/{document}\")")), has_rust, "{document}");
     }
+}
+
+/// A package is read where the rest of the repository is not.
+#[test]
+fn the_readme_of_a_package_needs_nothing_beside_it() {
+    let packages = documents().into_iter().filter(|document| document != "README.md" && document.ends_with("/README.md"));
+    let links: Vec<_> = packages.flat_map(|document| links(&text(&document))).filter(|link| !link.contains("://")).collect();
+    assert!(links.is_empty(), "{links:?}");
 }
 
 /// The door stays small.
