@@ -93,8 +93,10 @@ fn every_example_is_compiled() {
 /// A package is read where the rest of the repository is not.
 #[test]
 fn the_readme_of_a_package_needs_nothing_beside_it() {
-    let packages = documents().into_iter().filter(|document| document != "README.md" && document.ends_with("/README.md"));
-    let links: Vec<_> = packages.flat_map(|document| links(&text(&document))).filter(|link| !link.contains("://")).collect();
+    let packages =
+        documents().into_iter().filter(|document| document != "README.md" && document.ends_with("/README.md"));
+    let links: Vec<_> =
+        packages.flat_map(|document| links(&text(&document))).filter(|link| !link.contains("://")).collect();
     assert!(links.is_empty(), "{links:?}");
 }
 
