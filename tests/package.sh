@@ -18,7 +18,7 @@ CARGO_TARGET_DIR=$packaging cargo package --workspace --exclude mavlink-examples
 unpack() { tar -xzf "$packaging/package/$1-$version.crate" -C "$scratch"; }
 holds() { for file; do [ -s "$scratch/$file" ] || { echo "$file is missing from the archive" >&2; exit 1; }; done; }
 
-for crate in mavgen mavgen-cli mavlink-wire mavlink-autoquad; do
+for crate in mavgen mavgen-cli mavlink-wire mavlink-services mavlink-autoquad; do
     unpack "$crate"
     holds "$crate-$version/README.md" "$crate-$version/LICENSE-MIT" "$crate-$version/LICENSE-APACHE"
 done
@@ -33,7 +33,7 @@ cargo check --quiet --manifest-path "$scratch/$autoquad/Cargo.toml" --no-default
 
 if cargo +nightly --version >/dev/null 2>&1; then
     export RUSTDOCFLAGS="--cfg docsrs -Dwarnings"
-    cargo +nightly doc --quiet --no-deps -p mavgen -p mavlink-wire --all-features
+    cargo +nightly doc --quiet --no-deps -p mavgen -p mavlink-wire -p mavlink-services --all-features
     cargo +nightly doc --quiet --no-deps -p mavlink-autoquad --no-default-features --features fast-crc
 else
     echo "without a nightly toolchain the documentation is not built as docs.rs does"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Writes anew what is committed and comes from mavgen: the dialect of mavlink-autoquad and the goldens. Review it like code.
+# Writes anew what is committed and comes from mavgen: the dialect of mavlink-autoquad, the messages of mavlink-services and the goldens. Review it like code.
 # usage: regenerate.sh [MAVGEN]; without one it is built.
 set -euo pipefail
 
@@ -18,6 +18,7 @@ generate() {
 }
 
 generate xml/autoquad.xml --overlay xml/overlay/autoquad.xml --out mavlink-autoquad/src/generated
+generate xml/common.xml --messages "$(cat mavlink-services/messages.txt)" --out mavlink-services/src/generated
 for main in mavgen/tests/golden/*/main.xml; do
     folder=$(dirname "$main")
     overlays=() roots=()

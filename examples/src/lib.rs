@@ -38,5 +38,9 @@ mod mavgen_readme {}
 mod mavlink_wire_readme {}
 
 #[cfg(doctest)]
+#[doc = include_str!("../../mavlink-services/README.md")]
+mod mavlink_services_readme {}
+
+#[cfg(doctest)]
 #[doc = include_str!("../../mavlink-autoquad/README.md")]
 mod mavlink_autoquad_readme {}

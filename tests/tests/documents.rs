@@ -12,7 +12,8 @@ const DOCUMENTS: [&str; 5] = ["ARCHITECTURE.md", "CONTRIBUTING.md", "README.md",
 
 /// All that a reader may open: the documents of the top folder, the pages of `docs`, and what a registry shows of each package.
 fn documents() -> Vec<String> {
-    let folders = ["", "docs/", "mavgen/", "mavgen/cli/", "mavlink-wire/", "mavlink-autoquad/"].into_iter();
+    let folders =
+        ["", "docs/", "mavgen/", "mavgen/cli/", "mavlink-wire/", "mavlink-services/", "mavlink-autoquad/"].into_iter();
     let names = folders.flat_map(|folder| {
         let files = fs::read_dir(top(folder)).unwrap();
         files.map(move |file| format!("{folder}{}", file.unwrap().file_name().to_str().unwrap()))

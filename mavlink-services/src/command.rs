@@ -1,0 +1,87 @@
+//! Commands: `COMMAND_LONG` or `COMMAND_INT` goes there, `COMMAND_ACK` comes back, perhaps after reports of progress.
+//!
+//! [`Station`] sends one command at a time, repeats it until it is acknowledged, and can cancel it. [`Component`] hands out what
+//! it is told to do, once each, and answers.
+
+mod component;
+mod failure;
+mod station;
+
+pub use component::{Component, Event as ComponentEvent, Request, Ticket};
+pub use failure::{Failure, StartError};
+pub use station::{Accepted, Event, Options, Station};
+
+use mavlink_wire::{Encode, Frame, Message};
+
+use crate::common::{CommandInt, CommandLong, MavCmd};
+use crate::{Address, Outgoing, convert};
+
+/// A command in one of its two forms. `COMMAND_INT` has a frame, and its place in integers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Command {
+    /// Seven floats.
+    Long(CommandLong),
+    /// Four floats, latitude and longitude in 1e-7 degrees (or x and y in 1e-4 m), and a height.
+    Int(CommandInt),
+}
+
+impl Command {
+    /// What is to be done.
+    #[must_use]
+    pub fn command(&self) -> MavCmd {
+        match self {
+            Self::Long(long) => long.command,
+            Self::Int(int) => int.command,
+        }
+    }
+
+    /// The command as the message of another dialect that has it, to be read as a typed command; `None` if that is the other form.
+    #[must_use]
+    pub fn to_message<M: Message>(&self) -> Option<M> {
+        match self {
+            Self::Long(long) => convert(long),
+            Self::Int(int) => convert(int),
+        }
+    }
+
+    /// The parameters 1 to 4, which both forms have as floats.
+    #[must_use]
+    pub fn params(&self) -> [f32; 4] {
+        match self {
+            Self::Long(long) => [long.param1, long.param2, long.param3, long.param4],
+            Self::Int(int) => [int.param1, int.param2, int.param3, int.param4],
+        }
+    }
+
+    /// Reads a message of any dialect.
+    pub(crate) fn from_message(message: &(impl Encode + ?Sized)) -> Option<Self> {
+        convert(message).map(Self::Long).or_else(|| convert(message).map(Self::Int))
+    }
+
+    /// Reads a frame.
+    fn from_frame(frame: &Frame<'_>) -> Option<Self> {
+        frame.decode().map(Self::Long).or_else(|| frame.decode().map(Self::Int))
+    }
+
+    /// Whether it is for this component.
+    fn is_for(&self, own: Address) -> bool {
+        match self {
+            Self::Long(long) => own.is_target(long.target_system, long.target_component),
+            Self::Int(int) => own.is_target(int.target_system, int.target_component),
+        }
+    }
+
+    /// The message to this one; `COMMAND_LONG` counts how often it was sent before.
+    fn to(self, peer: Address, confirmation: u8) -> Outgoing {
+        let (target_system, target_component) = peer.target();
+        match self {
+            Self::Long(long) => CommandLong { target_system, target_component, confirmation, ..long }.into(),
+            Self::Int(int) => CommandInt { target_system, target_component, ..int }.into(),
+        }
+    }
+}
+
+/// A progress in percent, as the wire has it; 255 is unknown, and so is what cannot be.
+fn percent(progress: u8) -> Option<u8> {
+    if progress > 100 { None } else { Some(progress) }
+}

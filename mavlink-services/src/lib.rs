@@ -1,0 +1,57 @@
+//! MAVLink's protocols: what two components have to say to each other, as state machines, for any dialect that includes `common`.
+//!
+//! A machine does no io and has no clock: the caller gives it the frames that come and the time, and sends what it says. One shape
+//! serves all of them, [`Service`]. Nothing allocates; where a protocol moves lists, the storage is the caller's.
+//!
+//! | protocol | station: who asks | component: who answers |
+//! |---|---|---|
+
+//! | [`command`] | [`Station`](command::Station) | [`Component`](command::Component) |
+//!
+//! ```
+//! use mavlink_services::common::{CommandLong, MavCmd};
+//! use mavlink_services::{Address, Instant, Output, Service, command};
+//! use mavlink_wire::Message;
+//!
+//! let mut station = command::Station::new(Address::new(255, 190), Address::new(1, 1));
+//! let arm = CommandLong { command: MavCmd::COMPONENT_ARM_DISARM, param1: 1.0, ..CommandLong::DEFAULT };
+//! station.start(&arm, Instant::ZERO)?;
+//!
+//! // What is to be sent, and until when nothing else happens unless a frame comes.
+//! let Some(Output::Send(sent)) = station.poll(Instant::ZERO) else { panic!() };
+//! assert_eq!(sent.decode::<CommandLong>().unwrap().target_system, 1);
+//! assert_eq!(station.deadline(), Some(Instant::from_millis(1000)));
+//! # Ok::<(), command::StartError>(())
+//! ```
+//!
+//! # Bounds
+//!
+//! Every operation ends: done, refused by the peer with its reason, or timed out. A machine keeps what it is to send as flags, not
+//! as a queue: whatever a peer sends, and however much of it, nothing grows and nothing stalls. Frames of others are no answers.
+//!
+//! # Messages of your dialect
+//!
+//! What goes in is any [`Encode`](mavlink_wire::Encode): a `CommandLong` of your dialect is the one of [`common`] to the byte. What
+//! comes out are types of this crate, and messages of [`common`].
+
+#![no_std]
+#![forbid(unsafe_code)]
+#![deny(missing_docs)]
+
+mod address;
+pub mod command;
+/// The messages of `common` that the protocols are made of, as mavgen generates them; another dialect's are the same to the byte.
+#[rustfmt::skip]
+#[path = "generated/mod.rs"]
+pub mod common;
+mod instant;
+mod outgoing;
+mod retry;
+mod service;
+
+pub use address::Address;
+pub use instant::Instant;
+pub use outgoing::Outgoing;
+pub(crate) use outgoing::convert;
+pub use retry::Retry;
+pub use service::{Output, Service, earliest};

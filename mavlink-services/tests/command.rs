@@ -1,0 +1,261 @@
+//! Commands: both ends, over links that are fine and bad, and against peers that do not play by the rules.
+
+mod simulated;
+
+use std::ops::ControlFlow;
+use std::time::Duration;
+
+use mavlink_services::command::{Component, ComponentEvent, Event, Failure, Options, StartError, Station};
+use mavlink_services::common::{CommandAck, CommandCancel, CommandInt, CommandLong, Heartbeat, MavCmd, MavResult};
+use mavlink_services::{Instant, Service};
+use mavlink_wire::Message;
+use simulated::{COMPONENT, STATION, Simulation, Weather, component, give, outputs, station};
+
+const ARM: CommandLong = CommandLong { command: MavCmd::COMPONENT_ARM_DISARM, param1: 1.0, ..CommandLong::DEFAULT };
+const REPOSITION: CommandInt = CommandInt { command: MavCmd::DO_REPOSITION, x: 473_977_420, ..CommandInt::DEFAULT };
+
+const fn ack(result: MavResult, progress: u8) -> CommandAck {
+    CommandAck { command: MavCmd::COMPONENT_ARM_DISARM, result, progress, ..CommandAck::DEFAULT }
+}
+
+/// How one command ends, how often it was carried out, and the bytes that went over the link.
+type Run = (Option<Event>, usize, Vec<(Instant, simulated::End, Vec<u8>)>);
+
+/// Sends one command over a link; the component takes two seconds for it, and reports.
+#[expect(clippy::unwrap_used, reason = "a part of tests")]
+fn run(seed: u64, weather: Weather, command: &dyn mavlink_wire::Encode) -> Run {
+    let mut simulation = Simulation::new(seed, weather);
+    let (mut sender, mut receiver) = (Station::new(station(), component()), Component::<4>::new(component()));
+    sender.start(command, simulation.now).unwrap();
+    let (mut end, mut executions, mut open) = (None, 0, None);
+    for second in 0..60 {
+        let _ = simulation.run(
+            (&mut sender, &mut |_, event, _| {
+                if let Event::Finished(_) = event {
+                    end = Some(event);
+                }
+                ControlFlow::Continue(())
+            }),
+            (&mut receiver, &mut |machine, event, now| {
+                if let ComponentEvent::Request(request) = event {
+                    executions += 1;
+                    open = Some((request.ticket, second));
+                    machine.progress(request.ticket, Some(10), now);
+                }
+            }),
+            Duration::from_secs(1),
+        );
+        if let Some((ticket, since)) = open
+            && second >= since + 2
+        {
+            receiver.finish(ticket, MavResult::ACCEPTED, simulation.now);
+            open = None;
+        }
+    }
+    (end, executions, simulation.trace)
+}
+
+#[test]
+fn a_command_is_carried_out_once_over_a_fine_link() {
+    for command in [&ARM as &dyn mavlink_wire::Encode, &REPOSITION] {
+        let (end, executions, trace) = run(1, Weather::FINE, command);
+        assert!(matches!(end, Some(Event::Finished(Ok(_)))), "{end:?}");
+        assert_eq!(executions, 1);
+        assert!(trace.len() <= 6, "{trace:?}");
+    }
+}
+
+#[test]
+fn a_bad_link_ends_every_command_and_a_long_one_runs_once() {
+    let mut accepted = 0;
+    for seed in 0..200 {
+        let (end, executions, _) = run(seed, Weather::BAD, &ARM);
+        assert!(executions <= 1, "seed {seed}: {executions}");
+        match end {
+            Some(Event::Finished(Ok(_))) => {
+                assert_eq!(executions, 1, "seed {seed}");
+                accepted += 1;
+            }
+            Some(Event::Finished(Err(Failure::Timeout { .. }))) => {}
+            other => panic!("seed {seed}: {other:?}"),
+        }
+    }
+    assert!(accepted > 140, "{accepted} of 200");
+}
+
+#[test]
+fn the_same_seed_gives_the_same_run() {
+    for seed in [3, 4, 5] {
+        assert_eq!(run(seed, Weather::BAD, &ARM), run(seed, Weather::BAD, &ARM));
+    }
+    assert_ne!(run(3, Weather::BAD, &ARM).2, run(4, Weather::BAD, &ARM).2);
+}
+
+#[test]
+fn without_an_answer_it_is_sent_six_times_counting() {
+    let mut machine = Station::new(station(), component());
+    machine.start(&ARM, Instant::ZERO).unwrap();
+    let mut confirmations = Vec::new();
+    let end = loop {
+        let now = machine
+            .deadline()
+            .map_or(Instant::ZERO, |next| if confirmations.is_empty() { Instant::ZERO } else { next });
+        let (sent, events) = outputs(&mut machine, now);
+        confirmations.extend(sent.iter().map(|sent| sent.decode::<CommandLong>().unwrap().confirmation));
+        if let Some(event) = events.first() {
+            break (*event, now);
+        }
+    };
+    assert_eq!(confirmations, [0, 1, 2, 3, 4, 5]);
+    let timeout = Failure::Timeout { command: MavCmd::COMPONENT_ARM_DISARM, sent: 6, progress: None };
+    assert_eq!(end, (Event::Finished(Err(timeout)), Instant::from_millis(6000)));
+    assert_eq!(timeout.to_string(), "MAV_CMD_COMPONENT_ARM_DISARM was sent 6 times, and the answer never came");
+    assert_eq!((machine.deadline(), machine.active()), (None, None));
+}
+
+#[test]
+fn a_refusal_says_why_and_how_far_it_came() {
+    let mut machine = Station::new(station(), component());
+    machine.start(&ARM, Instant::ZERO).unwrap();
+    outputs(&mut machine, Instant::ZERO);
+    give(&mut machine, COMPONENT, &ack(MavResult::IN_PROGRESS, 30), Instant::ZERO);
+    give(&mut machine, COMPONENT, &CommandAck { result_param2: 7, ..ack(MavResult::FAILED, 0) }, Instant::ZERO);
+    let (_, events) = outputs(&mut machine, Instant::ZERO);
+    let command = MavCmd::COMPONENT_ARM_DISARM;
+    let refused = Failure::Refused { command, result: MavResult::FAILED, reason: 7, progress: Some(30) };
+    assert_eq!(events, [Event::Progress { command, progress: Some(30) }, Event::Finished(Err(refused))]);
+    assert_eq!(refused.to_string(), "MAV_CMD_COMPONENT_ARM_DISARM was refused: MAV_RESULT_FAILED, reason 7, at 30 %");
+}
+
+#[test]
+fn answers_of_others_and_to_others_are_none() {
+    let mut machine = Station::new(station(), component());
+    give(&mut machine, COMPONENT, &ack(MavResult::ACCEPTED, 0), Instant::ZERO);
+    machine.start(&ARM, Instant::ZERO).unwrap();
+    // What comes before the command was even sent is no answer to it.
+    give(&mut machine, COMPONENT, &ack(MavResult::ACCEPTED, 0), Instant::ZERO);
+    outputs(&mut machine, Instant::ZERO);
+    give(&mut machine, (2, 1), &ack(MavResult::ACCEPTED, 0), Instant::ZERO);
+    give(&mut machine, (1, 2), &ack(MavResult::ACCEPTED, 0), Instant::ZERO);
+    give(
+        &mut machine,
+        COMPONENT,
+        &CommandAck { command: MavCmd::NAV_LAND, ..ack(MavResult::ACCEPTED, 0) },
+        Instant::ZERO,
+    );
+    let other = CommandAck { target_system: 254, target_component: 190, ..ack(MavResult::ACCEPTED, 0) };
+    give(&mut machine, COMPONENT, &other, Instant::ZERO);
+    give(&mut machine, COMPONENT, &Heartbeat::DEFAULT, Instant::ZERO);
+    assert!(outputs(&mut machine, Instant::ZERO).1.is_empty());
+    assert_eq!(machine.active(), Some(MavCmd::COMPONENT_ARM_DISARM));
+    assert_eq!(
+        machine.start(&REPOSITION, Instant::ZERO),
+        Err(StartError::Busy { command: MavCmd::COMPONENT_ARM_DISARM })
+    );
+    give(&mut machine, COMPONENT, &ack(MavResult::ACCEPTED, 0), Instant::ZERO);
+    assert!(matches!(outputs(&mut machine, Instant::ZERO).1[..], [Event::Finished(Ok(_))]));
+    assert_eq!(machine.start(&Heartbeat::DEFAULT, Instant::ZERO), Err(StartError::NoCommand { message_id: 0 }));
+}
+
+#[test]
+fn endless_progress_comes_to_an_end() {
+    let mut machine =
+        Station::with_options(station(), component(), Options { limit: Duration::from_secs(20), ..Options::DEFAULT });
+    machine.start(&ARM, Instant::ZERO).unwrap();
+    let (mut now, mut sent) = (Instant::ZERO, 0);
+    let end = loop {
+        let (out, events) = outputs(&mut machine, now);
+        sent += out.len();
+        if let Some(Event::Finished(end)) = events.last() {
+            break *end;
+        }
+        give(&mut machine, COMPONENT, &ack(MavResult::IN_PROGRESS, 255), now);
+        now += Duration::from_millis(100);
+    };
+    assert_eq!(end, Err(Failure::Endless { command: MavCmd::COMPONENT_ARM_DISARM, progress: None }));
+    assert_eq!((sent, now), (1, Instant::from_millis(20_000)));
+}
+
+#[test]
+fn silence_ends_what_runs() {
+    let mut machine = Station::new(station(), component());
+    machine.start(&ARM, Instant::ZERO).unwrap();
+    outputs(&mut machine, Instant::ZERO);
+    give(&mut machine, COMPONENT, &ack(MavResult::IN_PROGRESS, 50), Instant::ZERO);
+    outputs(&mut machine, Instant::ZERO);
+    assert_eq!(machine.deadline(), Some(Instant::from_millis(5000)));
+    let (sent, events) = outputs(&mut machine, Instant::from_millis(5000));
+    let timeout = Failure::Timeout { command: MavCmd::COMPONENT_ARM_DISARM, sent: 1, progress: Some(50) };
+    assert_eq!((sent.len(), events), (0, vec![Event::Finished(Err(timeout))]));
+}
+
+#[test]
+fn a_running_command_can_be_cancelled() {
+    let (mut sender, mut receiver) = (Station::new(station(), component()), Component::<4>::new(component()));
+    let mut simulation = Simulation::new(9, Weather::BAD);
+    sender.start(&ARM, Instant::ZERO).unwrap();
+    let (mut end, mut cancelled) = (None, false);
+    let _ = simulation.run(
+        (&mut sender, &mut |machine, event, now| match event {
+            Event::Progress { .. } => {
+                machine.cancel(now);
+                ControlFlow::Continue(())
+            }
+            _ => {
+                end = Some(event);
+                ControlFlow::Break(())
+            }
+        }),
+        (&mut receiver, &mut |machine, event, now| match event {
+            ComponentEvent::Request(request) => assert!(machine.progress(request.ticket, None, now)),
+            ComponentEvent::Cancel(ticket) => {
+                assert!(machine.finish(ticket, MavResult::CANCELLED, now));
+                assert!(!machine.finish(ticket, MavResult::ACCEPTED, now), "it has ended");
+                cancelled = true;
+            }
+            _ => unreachable!(),
+        }),
+        Duration::from_secs(60),
+    );
+    assert!(cancelled);
+    assert!(
+        matches!(end, Some(Event::Finished(Err(Failure::Refused { result: MavResult::CANCELLED, .. })))),
+        "{end:?}"
+    );
+    assert!(!sender.cancel(simulation.now), "there is nothing to cancel");
+}
+
+#[test]
+fn a_component_answers_repeats_and_turns_away_what_it_cannot_hold() {
+    let mut machine = Component::<1>::new(component());
+    let long =
+        |param1, confirmation| CommandLong { target_system: 1, target_component: 1, param1, confirmation, ..ARM };
+    give(&mut machine, STATION, &CommandLong { target_system: 2, ..long(1.0, 0) }, Instant::ZERO);
+    assert!(outputs(&mut machine, Instant::ZERO).1.is_empty(), "that was for another system");
+
+    give(&mut machine, STATION, &long(1.0, 0), Instant::ZERO);
+    let (_, events) = outputs(&mut machine, Instant::ZERO);
+    let [ComponentEvent::Request(request)] = events[..] else { panic!("{events:?}") };
+    assert_eq!((request.from, request.command.params()[0]), (station(), 1.0));
+
+    let answers = |machine: &mut Component<1>, now| {
+        let (sent, events) = outputs(machine, now);
+        assert!(events.is_empty(), "{events:?}");
+        sent.iter().map(|sent| sent.decode::<CommandAck>().unwrap().result).collect::<Vec<_>>()
+    };
+    // With other parameters, and another command from somebody else: there is no room.
+    give(&mut machine, STATION, &long(0.0, 0), Instant::ZERO);
+    assert_eq!(answers(&mut machine, Instant::ZERO), [MavResult::TEMPORARILY_REJECTED]);
+    give(&mut machine, (254, 1), &long(1.0, 0), Instant::ZERO);
+    assert_eq!(answers(&mut machine, Instant::ZERO), [MavResult::TEMPORARILY_REJECTED]);
+
+    assert!(machine.finish(request.ticket, MavResult::ACCEPTED, Instant::ZERO));
+    assert_eq!(answers(&mut machine, Instant::ZERO), [MavResult::ACCEPTED]);
+    give(&mut machine, STATION, &long(1.0, 1), Instant::from_millis(1000));
+    assert_eq!(answers(&mut machine, Instant::from_millis(1000)), [MavResult::ACCEPTED], "acknowledged again");
+    let cancel = CommandCancel { target_system: 1, target_component: 1, command: ARM.command };
+    give(&mut machine, STATION, &cancel, Instant::from_millis(1000));
+    assert_eq!(answers(&mut machine, Instant::from_millis(1000)), [MavResult::ACCEPTED], "it is too late");
+    give(&mut machine, STATION, &long(1.0, 2), Instant::from_millis(9000));
+    assert_eq!(outputs(&mut machine, Instant::from_millis(9000)).1.len(), 1, "that is a new one");
+}
