@@ -17,10 +17,14 @@ mod prose;
 mod range;
 mod schema;
 mod tag;
+#[cfg(feature = "uorb")]
+mod uorb_overlay;
 mod xml;
 
 pub use include::{Loaded, load, load_all};
 pub use overlay::read as read_overlay;
+#[cfg(feature = "uorb")]
+pub use uorb_overlay::read as read_uorb_overlay;
 #[cfg(feature = "vendor")]
 pub(crate) use xml::MAX_DEPTH;
 

@@ -44,6 +44,8 @@ use crate::source::Sources;
 use build::{Links, build_enum, build_message};
 use enums::Enums;
 use invalid::Entries;
+#[cfg(feature = "uorb")]
+pub(crate) use invalid::{Refusal, sentinel_of};
 use message_scope::{EnumUse, check_enum_uses};
 use notes::Notes;
 use poisoned::Poisoned;

@@ -1,9 +1,12 @@
 //! The spanned syntax: what a file says, spelled as it is spelled.
 //!
-//! One type per element of `mavlink.xsd`; those of overlays are in [`overlay`]. Nothing is defaulted, converted or checked beyond what XML and the presence of
+//! One type per element of `mavlink.xsd`; those of overlays are in [`overlay`] and `uorb_overlay`. Nothing is defaulted, converted or
+//! checked beyond what XML and the presence of
 //! required attributes demand; that is the work of [`crate::resolve`].
 
 pub mod overlay;
+#[cfg(feature = "uorb")]
+pub mod uorb_overlay;
 
 pub use overlay::Overlay;
 

@@ -6,13 +6,17 @@
 
 mod comment;
 mod constant;
+mod enums;
 mod folder;
 mod hash;
+mod invalid;
 mod layout;
 mod line;
 pub mod model;
 mod names;
+mod overlay;
 mod read;
+mod refine;
 mod resolve;
 mod scalar;
 pub mod syntax;
@@ -21,20 +25,26 @@ mod tests;
 
 use std::path::Path;
 
+pub use overlay::overlays;
 pub use read::read;
 pub use scalar::Scalar;
 
 use crate::diag::Diagnostics;
 use crate::source::Sources;
+use crate::syntax::uorb_overlay::Overlay;
 use folder::Folder;
+use overlay::Said;
 use resolve::Resolver;
 
 /// Reads the messages that `wanted` says of a folder of `.msg` files, and what they nest; other files are not opened. If `path`
 /// is a file, it is the one that is wanted, and what it nests stands beside it.
 ///
+/// [Overlays](overlays) that are for the folder say what the files cannot; others are left out.
+///
 /// What is wrong goes to `diagnostics`; a message with a mistake is left out, and so is what nests it.
 pub fn load(
     path: &Path,
+    overlays: &[Overlay],
     wanted: impl Fn(&str) -> bool,
     sources: &mut Sources,
     diagnostics: &mut Diagnostics,
@@ -51,7 +61,8 @@ pub fn load(
     } else {
         path.file_stem().and_then(|name| name.to_str()).map(str::to_owned).into_iter().collect()
     };
-    let mut resolver = Resolver::new(folder, sources, diagnostics);
+    let said = Said::of(overlays, &folder, diagnostics);
+    let mut resolver = Resolver::new(folder, said, sources, diagnostics);
     for name in &names {
         resolver.message(name);
     }

@@ -93,6 +93,13 @@ fn add_files(code: Code, blocks: &[Block], wrong: bool, files: &mut Files) -> Op
             "msg" => {
                 files.insert("A.msg".to_owned(), block.text.clone().into_bytes());
             }
+            "xml" if code.number() >= 900 => {
+                let text = match block.text.strip_prefix("<message") {
+                    Some(_) => format!("<uorb-overlay version='1' for='msg'>{}</uorb-overlay>", block.text),
+                    None => block.text.clone(),
+                };
+                files.insert("acme.overlay.xml".to_owned(), text.into_bytes());
+            }
             "xml" => {
                 let (name, text) = named(code, &block.text);
                 add(files, name, text);
@@ -117,6 +124,23 @@ fn add(files: &mut Files, name: &str, text: &str) {
     files.insert(name.to_owned(), wrapped(name, text).into_bytes());
 }
 
+/// The problems of an example of `.msg` files, which stand in a folder `msg`.
+#[cfg(feature = "uorb")]
+fn problems_of_uorb(files: &Files) -> Diagnostics {
+    let above = tempfile::tempdir().unwrap();
+    let folder = above.path().join("msg");
+    fs::create_dir(&folder).unwrap();
+    for (name, text) in files {
+        fs::write(folder.join(name), text).unwrap();
+    }
+    let overlays: Vec<PathBuf> =
+        files.keys().filter(|name| name.ends_with(".overlay.xml")).map(|name| folder.join(name)).collect();
+    let (mut sources, mut diagnostics) = (Sources::default(), Diagnostics::default());
+    let overlays = mavgen::uorb::overlays(&overlays, &[&folder], &mut sources, &mut diagnostics);
+    mavgen::uorb::load(&folder.join("A.msg"), &overlays, |_| true, &mut sources, &mut diagnostics);
+    diagnostics
+}
+
 /// A part of a file in the elements where it belongs.
 fn wrapped(name: &str, text: &str) -> String {
     let starts = |tags: &[&str]| tags.iter().any(|tag| text.starts_with(&format!("<{tag}")));
@@ -139,6 +163,10 @@ fn wrapped(name: &str, text: &str) -> String {
 
 /// The problems of an example: of the dialect `top` or, for a code about several, of all of them together.
 fn problems(code: Code, files: &Files, top: &str) -> Diagnostics {
+    #[cfg(feature = "uorb")]
+    if code.number() >= 900 {
+        return problems_of_uorb(files);
+    }
     let folder = tempfile::tempdir().unwrap();
     for (name, text) in files {
         match name.split_once(" is a link to ") {
@@ -149,12 +177,6 @@ fn problems(code: Code, files: &Files, top: &str) -> Diagnostics {
     }
     let overlay: Vec<PathBuf> =
         files.keys().filter(|name| name.ends_with(".overlay.xml")).map(|name| folder.path().join(name)).collect();
-    #[cfg(feature = "uorb")]
-    if code.number() >= 900 {
-        let (mut sources, mut diagnostics) = (Sources::default(), Diagnostics::default());
-        mavgen::uorb::load(&folder.path().join("A.msg"), |_| true, &mut sources, &mut diagnostics);
-        return diagnostics;
-    }
     if code.number() >= 800 {
         let roots = files.keys().filter(|name| !name.ends_with(".overlay.xml") && *name != top);
         let builder = roots.fold(Builder::new(folder.path().join(top)), |all, name| all.root(folder.path().join(name)));

@@ -1,5 +1,6 @@
 //! Every diagnostic as a user sees it: each `ui/*.xml`, and each folder with a `main.xml`, has its rendering beside it. The
-//! `*.overlay.xml` of a folder are overlays of its `main.xml`, the `*.root.xml` are dialects beside it. So has each `ui/*.msg`.
+//! `*.overlay.xml` of a folder are overlays of its `main.xml`, the `*.root.xml` are dialects beside it. So has each `ui/*.msg`,
+//! and each folder with a `Main.msg` and its overlays.
 //!
 //! Some are recorded in colour as well, as `*.coloured`.
 //!
@@ -31,7 +32,9 @@ fn problems(top: &Path) -> (Diagnostics, Sources) {
     #[cfg(feature = "uorb")]
     if top.extension().is_some_and(|extension| extension == "msg") {
         let (mut sources, mut diagnostics) = (Sources::default(), Diagnostics::default());
-        mavgen::uorb::load(top, |_| true, &mut sources, &mut diagnostics);
+        let overlays = beside(top, ".overlay.xml");
+        let overlays = mavgen::uorb::overlays(&overlays, &[top], &mut sources, &mut diagnostics);
+        mavgen::uorb::load(top, &overlays, |_| true, &mut sources, &mut diagnostics);
         return (diagnostics, sources);
     }
     match beside(top, ".root.xml").as_slice() {
@@ -78,7 +81,7 @@ fn of_several(top: &Path, others: &[PathBuf]) -> (Diagnostics, Sources) {
 
 /// The files in the folder of a `main.xml` whose names end so, by name.
 fn beside(top: &Path, end: &str) -> Vec<PathBuf> {
-    if !top.ends_with("main.xml") {
+    if !top.ends_with("main.xml") && !top.ends_with("Main.msg") {
         return Vec::new();
     }
     let files = fs::read_dir(top.parent().unwrap()).unwrap().map(|entry| entry.unwrap().path());
@@ -94,7 +97,8 @@ fn cases() -> Vec<(PathBuf, PathBuf)> {
         let path = entry.unwrap().path();
         let golden = path.with_extension("stderr");
         if path.is_dir() {
-            cases.push((path.join("main.xml"), golden));
+            let top = if path.join("Main.msg").exists() { "Main.msg" } else { "main.xml" };
+            cases.push((path.join(top), golden));
         } else if path.extension().is_some_and(|extension| extension == "xml" || extension == "msg") {
             cases.push((path, golden));
         }

@@ -213,8 +213,14 @@ catalogue! {
     906 UorbDuplicate Error "Two things of a `.msg` file have one name.";
     907 UorbTimestamp Error "A `.msg` file has no `uint64 timestamp`.";
     908 UorbEncoding Error "A `.msg` file begins with a byte order mark.";
-    909 UorbEnum Warning "No constant belongs to an `[@enum]`.";
+    909 UorbEnum Warning "An `[@enum]` has no constants, or its field cannot carry them.";
     910 UorbGroup Warning "A bracket group in a comment says nothing that is known.";
+    911 UorbOverlayFolder Error "An overlay belongs to a folder of which nothing is read.";
+    912 UorbRefinement Error "A field of an overlay says nothing, or half of something.";
+    913 UorbCarrier Error "A field cannot carry the enum or flags that an overlay gives it.";
+    914 UorbConstants Error "An overlay takes constants that do not exist, or leaves them out.";
+    915 UorbEnumTwice Error "Two different enums of `.msg` files have one name.";
+    916 UorbFormerName Error "The former name of a field is that of another.";
 }
 
 impl Code {

@@ -283,6 +283,29 @@ pub(super) static CASE: Element = container("case", &[text("value")], CASES, fal
 pub(super) static DEFAULT: Element = container("default", &[], CASES, false);
 static NESTED_SWITCH: Element = container("switch", &[text("field"), text("bits")], &[], false);
 
+#[cfg(feature = "uorb")]
+pub(super) static UORB_OVERLAY: Element =
+    container("uorb-overlay", &[text("version"), text("for")], &[any(0, &UORB_MESSAGE)], false);
+#[cfg(feature = "uorb")]
+pub(super) static UORB_MESSAGE: Element = container("message", &[text("name")], &[any(0, &UORB_FIELD)], false);
+#[cfg(feature = "uorb")]
+pub(super) static UORB_FIELD: Element = container(
+    "field",
+    &[
+        text("name"),
+        text("enum"),
+        text("flags"),
+        text("constants"),
+        text("bits"),
+        text("except"),
+        text("units"),
+        text("invalid"),
+        text("was"),
+    ],
+    &[],
+    false,
+);
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -313,5 +336,14 @@ mod tests {
         let overlay =
             problems(complete(&OVERLAY), |id, sources, diagnostics| drop(read_overlay(id, sources, diagnostics)));
         assert_eq!((dialect, overlay), (Vec::new(), Vec::new()));
+    }
+
+    #[cfg(feature = "uorb")]
+    #[test]
+    fn the_reader_of_uorb_overlays_knows_all_of_it() {
+        let read = |id, sources: &Sources, diagnostics: &mut Diagnostics| {
+            drop(crate::read::read_uorb_overlay(id, sources, diagnostics));
+        };
+        assert_eq!(problems(complete(&UORB_OVERLAY), read), Vec::<String>::new());
     }
 }

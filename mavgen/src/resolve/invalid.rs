@@ -62,6 +62,14 @@ pub(super) fn check(lost: &[Lost<'_>], entries: &Entries<'_>, diagnostics: &mut 
     }
 }
 
+/// What a text says of a field of that type, where no enum is known.
+#[cfg(feature = "uorb")]
+pub(crate) fn sentinel_of(text: &str, ty: FieldType) -> Result<Invalid, Refusal> {
+    let (scope, value) = scope(text.trim(), ty)?;
+    let entries = Entries { values: HashMap::new(), complete: true };
+    Ok(Invalid { scope, sentinel: sentinel(value.trim(), ty.scalar, &entries)? })
+}
+
 /// The `invalid` attribute; an empty one says nothing.
 fn attribute(field: &syntax::Field) -> Option<&Text> {
     field.invalid.as_ref().filter(|text| !text.value.is_empty())
@@ -96,7 +104,7 @@ fn resolve(text: &Text, ty: FieldType, entries: &Entries<'_>, diagnostics: &mut 
 
 /// Why an attribute means nothing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Refusal {
+pub(crate) enum Refusal {
     /// The value is no number and no name of one.
     Unknown,
     /// The field cannot have the value.

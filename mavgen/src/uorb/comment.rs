@@ -41,9 +41,7 @@ fn kind(inside: &str) -> Result<Option<GroupKind>, &'static str> {
             let (low, high) = value.split_once(',').ok_or("write both ends: `[@range 0, 1]`")?;
             GroupKind::Range(low.trim().to_owned(), high.trim().to_owned())
         }
-        "invalid" if !value.is_empty() => {
-            GroupKind::Invalid(value.split_whitespace().next().unwrap_or_default().to_owned())
-        }
+        "invalid" if !value.is_empty() => GroupKind::Invalid(value.to_owned()),
         "frame" if !value.is_empty() => GroupKind::Frame(value.to_owned()),
         "enum" | "invalid" | "frame" => {
             return Err("it needs a value: `[@enum NAME]`, `[@invalid NaN]`, `[@frame NED]`");
@@ -68,7 +66,7 @@ mod tests {
     fn leading_groups_count_and_others_are_prose() {
         let (found, prose, problems) = groups(" [m/s] [@range -1, 1] [@invalid NaN if unknown] Speed [RPM] ");
         let range = GroupKind::Range("-1".into(), "1".into());
-        assert_eq!(found, [GroupKind::Units("m/s".into()), range, GroupKind::Invalid("NaN".into())]);
+        assert_eq!(found, [GroupKind::Units("m/s".into()), range, GroupKind::Invalid("NaN if unknown".into())]);
         assert_eq!((prose.as_str(), problems), ("Speed [RPM]", 0));
     }
 

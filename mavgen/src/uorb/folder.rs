@@ -11,17 +11,14 @@ use crate::source::{FileId, Sources, Span};
 /// The files of a folder by name, `EscStatus` for `EscStatus.msg`.
 #[derive(Clone, Debug)]
 pub(super) struct Folder {
+    path: PathBuf,
     files: BTreeMap<String, PathBuf>,
 }
 
 impl Folder {
     /// The `.msg` files of a folder, or the one file and those beside it.
     pub(super) fn of(path: &Path) -> Result<Self, Diagnostic> {
-        let folder = if path.is_dir() {
-            path
-        } else {
-            path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
-        };
+        let folder = Self::path_of(path);
         let unreadable = |error: std::io::Error| {
             Diagnostic::without_place(Code::Unreadable, format!("cannot read {}: {error}", folder.display()))
         };
@@ -34,7 +31,19 @@ impl Folder {
                 files.insert(name.to_owned(), path);
             }
         }
-        Ok(Self { files })
+        Ok(Self { path: folder.to_owned(), files })
+    }
+
+    /// The folder that this is, or that this `.msg` file is in.
+    pub(super) fn path_of(path: &Path) -> &Path {
+        if path.is_dir() || path.extension().is_none_or(|extension| extension != "msg") {
+            return path;
+        }
+        path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
+    }
+
+    pub(super) fn path(&self) -> &Path {
+        &self.path
     }
 
     pub(super) fn names(&self) -> impl Iterator<Item = &str> {

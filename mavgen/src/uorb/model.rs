@@ -1,6 +1,7 @@
 //! uORB messages, resolved: what the bytes are, in both forms that leave a PX4.
 
 use super::scalar::Scalar;
+use crate::ir::{Invalid, Name, Repr};
 use crate::source::{FileId, Span};
 
 /// Messages of one folder of `.msg` files: those that were asked for, and what they nest.
@@ -8,6 +9,51 @@ use crate::source::{FileId, Span};
 pub struct Package {
     /// The messages; what a message nests stands before it.
     pub messages: Vec<Message>,
+    /// The enums and flags that their fields carry.
+    pub enums: Vec<Enum>,
+}
+
+impl Package {
+    /// The message behind an index of this package.
+    pub fn message(&self, index: MessageIndex) -> Option<&Message> {
+        self.messages.get(index.0)
+    }
+
+    /// The enum behind an index of this package.
+    pub fn enum_(&self, index: EnumIndex) -> Option<&Enum> {
+        self.enums.get(index.0)
+    }
+}
+
+/// Index of an enum in [`Package::enums`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct EnumIndex(pub usize);
+
+/// Constants that are the values of a field or, with [`Enum::flags`], its bits.
+#[derive(Clone, Debug)]
+pub struct Enum {
+    /// Its name: as an overlay says, or that of the message and the prefix of the constants: `EscReportFailure`. No other enum
+    /// of the package has it.
+    pub name: Name,
+    /// The message whose constants they are.
+    pub message: MessageIndex,
+    /// Whether values are combined bit by bit; then the type is unsigned.
+    pub flags: bool,
+    /// The type of the fields that carry it.
+    pub repr: Repr,
+    /// The entries, in the order of the file. Two may have one value: then the later is another name for it.
+    pub entries: Vec<Entry>,
+}
+
+/// An entry of an enum.
+#[derive(Clone, Debug)]
+pub struct Entry {
+    /// The name of the constant without what all of them begin with, `OVER_RPM`; no other entry of the enum has it.
+    pub label: String,
+    /// The value, which fits the type of the enum. Of a constant that is the number of a bit, that bit: 8 for bit 3.
+    pub value: i128,
+    /// The constant.
+    pub constant: Constant,
 }
 
 /// Index of a message in [`Package::messages`].
@@ -31,7 +77,7 @@ pub struct Message {
     pub queue: Option<u32>,
     /// Its fields, in the order of the file.
     pub fields: Vec<Field>,
-    /// Its other constants, in the order of the file.
+    /// Its other constants that no enum has, in the order of the file.
     pub constants: Vec<Constant>,
     /// FNV-1a over types and names, what is nested included: what PX4 calls the message hash.
     pub hash: u32,
@@ -58,6 +104,12 @@ pub struct Field {
     pub array: Option<u16>,
     /// Its offset in the C struct.
     pub struct_offset: u32,
+    /// The enum that it carries.
+    pub enum_: Option<EnumIndex>,
+    /// Which value means "not known".
+    pub invalid: Option<Invalid>,
+    /// Its name in older definitions.
+    pub was: Option<String>,
     /// What the comments say.
     pub docs: Docs,
 }
@@ -98,13 +150,13 @@ pub struct Constant {
 pub struct Docs {
     /// Prose, line by line.
     pub lines: Vec<String>,
-    /// `[m/s]`
+    /// `[m/s]`, or what an overlay says.
     pub units: Option<String>,
     /// `[@enum P Q]`: the prefixes of the constants that the field takes.
     pub constants: Vec<String>,
     /// `[@range a, b]`, as it is written.
     pub range: Option<(String, String)>,
-    /// `[@invalid V]`: the value that says "not known", as it is written.
+    /// `[@invalid V text]`, as it is written: the value that says "not known", and what is said of it.
     pub invalid: Option<String>,
     /// `[@frame F]`: the frame of reference.
     pub frame: Option<String>,

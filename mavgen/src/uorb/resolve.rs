@@ -6,11 +6,12 @@ use super::folder::Folder;
 use super::hash::{message_hash, type_hash};
 use super::layout::{Nested, arrange, cdr_end};
 use super::model::{Constant, Docs, Element, Field, Message, MessageIndex, Package};
+use super::overlay::Said;
 use super::scalar::Scalar;
 use super::syntax::{Comment, ConstantSyntax, FieldSyntax, GroupKind, MsgFile};
-use super::{names, topic_name};
+use super::{names, refine, topic_name};
 use crate::diag::{Code, Diagnostic, Diagnostics, nearest};
-use crate::source::{Sources, Span, Spanned};
+use crate::source::{FileId, Sources, Span, Spanned};
 
 /// What is known of a message by its name.
 enum Known {
@@ -24,6 +25,7 @@ enum Known {
 
 pub(super) struct Resolver<'s> {
     folder: Folder,
+    said: Said<'s>,
     sources: &'s mut Sources,
     diagnostics: &'s mut Diagnostics,
     known: BTreeMap<String, Known>,
@@ -31,8 +33,13 @@ pub(super) struct Resolver<'s> {
 }
 
 impl<'s> Resolver<'s> {
-    pub(super) fn new(folder: Folder, sources: &'s mut Sources, diagnostics: &'s mut Diagnostics) -> Self {
-        Self { folder, sources, diagnostics, known: BTreeMap::new(), package: Package::default() }
+    pub(super) fn new(
+        folder: Folder,
+        said: Said<'s>,
+        sources: &'s mut Sources,
+        diagnostics: &'s mut Diagnostics,
+    ) -> Self {
+        Self { folder, said, sources, diagnostics, known: BTreeMap::new(), package: Package::default() }
     }
 
     pub(super) fn finish(self) -> Package {
@@ -58,21 +65,36 @@ impl<'s> Resolver<'s> {
 
     fn read(&mut self, name: &str) -> Option<Message> {
         let id = self.folder.open(name, self.sources, self.diagnostics)?;
+        if !names::is_message(name) {
+            let message = format!("`{name}` is not a name of a message");
+            let problem = Diagnostic::new(Code::UorbName, Span::new(id, 0..0), message);
+            self.diagnostics.push(
+                problem.help("a file is called as its message, in words that begin with capitals: `EscStatus.msg`"),
+            );
+        }
         let file = super::read(id, self.sources, self.diagnostics);
         names::check(&file, self.diagnostics);
-        let fields: Vec<Field> = file.fields.iter().filter_map(|field| self.field(field, &file)).collect();
+        let fields: Vec<Field> = file.fields.iter().filter_map(|field| self.field(field)).collect();
         let constants: Vec<Constant> = file.constants.iter().filter_map(|constant| self.constant(constant)).collect();
         self.check_timestamp(&file, &fields);
         if self.diagnostics.broken_files().any(|broken| broken == Some(id)) {
             return None;
         }
-        self.lay_out(name, file, fields, constants)
+        let mut message = self.lay_out(name, file.id, fields, constants)?;
+        message.topics = match file.topics.as_slice() {
+            [] => vec![topic_name(name)],
+            named => named.iter().map(|topic| topic.value.clone()).collect(),
+        };
+        message.about.clone_from(&file.about);
+        refine::apply(&mut message, &file, self.said.message(name), &mut self.package, self.diagnostics);
+        Some(message)
     }
 
+    /// The message with these fields; what comments say of it is not in it.
     fn lay_out(
         &mut self,
         name: &str,
-        file: MsgFile,
+        file: FileId,
         mut fields: Vec<Field>,
         constants: Vec<Constant>,
     ) -> Option<Message> {
@@ -80,19 +102,18 @@ impl<'s> Resolver<'s> {
         let layouts = arrange(&mut fields, &Nested(nested)).zip(cdr_end(&fields, &Nested(nested), 0));
         let Some(((struct_len, struct_padding), cdr_len)) = layouts else {
             let message = format!("`{name}` is longer than 4 GiB");
-            self.diagnostics.push(Diagnostic::new(Code::UorbArray, Span::new(file.id, 0..0), message));
+            self.diagnostics.push(Diagnostic::new(Code::UorbArray, Span::new(file, 0..0), message));
             return None;
         };
         let number = |wanted: &str| {
             let constant = constants.iter().find(|constant| constant.name == wanted)?;
             u32::try_from(constant.value).ok()
         };
-        let named: Vec<String> = file.topics.iter().map(|topic| topic.value.clone()).collect();
         Some(Message {
             name: name.to_owned(),
-            file: file.id,
-            about: file.about,
-            topics: if named.is_empty() { vec![topic_name(name)] } else { named },
+            file,
+            about: Vec::new(),
+            topics: Vec::new(),
             version: number(VERSION),
             queue: number(QUEUE),
             hash: message_hash(&fields, nested),
@@ -105,19 +126,18 @@ impl<'s> Resolver<'s> {
         })
     }
 
-    fn field(&mut self, field: &FieldSyntax, file: &MsgFile) -> Option<Field> {
-        let element = self.element(&field.element)?;
-        let docs = docs(&field.comment);
-        for prefix in &docs.constants {
-            if !file.constants.iter().any(|constant| constant.name.value.starts_with(&format!("{prefix}_"))) {
-                let span = field.comment.groups.iter().find(|group| matches!(group.kind, GroupKind::Enum(_)));
-                let span = span.map_or(field.name.span, |group| group.span);
-                let message = format!("no constant of this file begins with `{prefix}_`");
-                self.diagnostics.push(Diagnostic::new(Code::UorbEnum, span, message));
-            }
-        }
-        let (name, array) = (field.name.value.clone(), field.array.as_ref().map(|array| array.value));
-        Some(Field { name, span: field.name.span, element, array, struct_offset: 0, docs })
+    fn field(&mut self, field: &FieldSyntax) -> Option<Field> {
+        Some(Field {
+            name: field.name.value.clone(),
+            span: field.name.span,
+            element: self.element(&field.element)?,
+            array: field.array.as_ref().map(|array| array.value),
+            struct_offset: 0,
+            enum_: None,
+            invalid: None,
+            was: None,
+            docs: docs(&field.comment),
+        })
     }
 
     /// The type of this name: a scalar, or the message of another file.

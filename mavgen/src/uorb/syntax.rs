@@ -70,7 +70,7 @@ pub enum GroupKind {
     Enum(Vec<String>),
     /// `[@range a, b]`: the smallest and the largest value, either of which may be missing.
     Range(String, String),
-    /// `[@invalid V text]`: the value that says "not known".
+    /// `[@invalid V text]`: the value that says "not known", and what is said of it.
     Invalid(String),
     /// `[@frame F]`: the frame of reference.
     Frame(String),

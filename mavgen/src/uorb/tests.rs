@@ -6,6 +6,7 @@ use std::{env, fs};
 use super::model::Package;
 use super::{load, log_format, topic_name};
 use crate::diag::{Code, Diagnostics, Severity};
+use crate::ir::{Invalid, Repr, Scope, Sentinel};
 use crate::source::Sources;
 
 fn package(files: &[(&str, &str)]) -> (Package, Vec<Code>) {
@@ -14,7 +15,7 @@ fn package(files: &[(&str, &str)]) -> (Package, Vec<Code>) {
         fs::write(folder.path().join(format!("{name}.msg")), text).unwrap();
     }
     let (mut sources, mut diagnostics) = (Sources::default(), Diagnostics::default());
-    let package = load(folder.path(), |_| true, &mut sources, &mut diagnostics);
+    let package = load(folder.path(), &[], |_| true, &mut sources, &mut diagnostics);
     (package, diagnostics.iter().map(|problem| problem.code).collect())
 }
 
@@ -109,6 +110,85 @@ fn comments_belong_to_what_follows_or_stands_before_them() {
 }
 
 #[test]
+fn a_file_is_called_as_its_message() {
+    for name in ["esc_status", "Esc-Status", "Esc.Status", "1Esc", "Üsc"] {
+        assert_eq!(package(&[(name, "uint64 timestamp\n")]).1, [Code::UorbName], "{name}");
+    }
+}
+
+/// An enum: its name, whether it is flags, and its entries.
+type EnumFacts<'p> = (&'p str, bool, Vec<(&'p str, i128)>);
+
+/// The enum of a field.
+fn enum_of(package: &Package, field: usize) -> Option<EnumFacts<'_>> {
+    let enum_ = package.enum_(package.messages[0].fields[field].enum_?).unwrap();
+    let entries = enum_.entries.iter().map(|entry| (entry.label.as_str(), entry.value));
+    Some((&enum_.name.text, enum_.flags, entries.collect()))
+}
+
+#[test]
+fn brackets_make_enums_of_constants() {
+    let (package, codes) = package(&[(
+        "BatteryStatus",
+        "uint64 timestamp\nint8 warning # [@enum WARNING STATE] [@invalid -1]\nint8[4] each # [@enum WARNING STATE]\nuint16 rest\n\
+         int8 WARNING_LOW = -1\nint8 WARNING_3S = 1\nint8 STATE_LOW = 4\nuint8 STATE_OFF = 1\nuint8 MAX = 9\n",
+    )]);
+    assert_eq!(codes, []);
+    let entries = vec![("WARNING_LOW", -1), ("WARNING_3S", 1), ("STATE_LOW", 4), ("OFF", 1)];
+    let expected = Some(("BatteryStatusWarning", false, entries));
+    assert_eq!((enum_of(&package, 1), enum_of(&package, 2), enum_of(&package, 3)), (expected.clone(), expected, None));
+    let message = &package.messages[0];
+    assert_eq!((package.enums.len(), package.enums[0].repr, package.enums[0].message.0), (1, Repr::I8, 0));
+    assert_eq!(message.constants.iter().map(|one| one.name.as_str()).collect::<Vec<_>>(), ["MAX"]);
+    assert_eq!(message.fields[1].invalid.map(|invalid| invalid.sentinel), Some(Sentinel::Integer(-1)));
+}
+
+#[test]
+fn prose_says_which_elements_tell_that_an_array_is_unknown() {
+    let lines = "float32[3] a # [@invalid NaN First value if unknown]\nfloat32[3] b # [@invalid NaN]\n\
+                 uint8[3] c # [@invalid 0 All bytes]\nchar[3] d # [@invalid empty if not there]\n";
+    let (package, codes) = package(&[("A", &format!("uint64 timestamp\n{lines}"))]);
+    assert_eq!(codes, []);
+    let said: Vec<_> = package.messages[0].fields.iter().skip(1).map(|field| field.invalid).collect();
+    let expected = [(Scope::Whole, Sentinel::NotANumber), (Scope::Each, Sentinel::NotANumber)];
+    assert_eq!(said[..2], expected.map(|(scope, sentinel)| Some(Invalid { scope, sentinel })));
+    assert_eq!(said[2..], [None, Some(Invalid { scope: Scope::Whole, sentinel: Sentinel::Integer(0) })]);
+}
+
+#[test]
+fn an_overlay_says_what_files_cannot() {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).unwrap();
+    write(
+        "A.msg",
+        "uint64 timestamp\nuint16 failures # [@enum FAILURE]\nuint8 mode\nfloat32 speed # [m/s]\n\
+         uint8 FAILURE_RPM = 3\nuint8 FAILURE_HEAT = 9\nuint8 FAILURE_COUNT = 10\nuint8 MODE_A = 1\nuint8 OFF = 0\n",
+    );
+    let base = folder.path().file_name().unwrap().to_str().unwrap().to_owned();
+    let fields = "<field name='failures' flags='Failures' bits='FAILURE_*' except='FAILURE_COUNT'/>\
+                  <field name='mode' enum='Mode' constants='MODE_* OFF' invalid='OFF'/>\
+                  <field name='speed' units='km/h' invalid='NaN' was='velocity'/>";
+    let overlay = |base: &str| {
+        format!("<uorb-overlay version='1' for='{base}'><message name='A'>{fields}</message></uorb-overlay>")
+    };
+    write("own.xml", &overlay(&base));
+    write("other.xml", &overlay("v1_14"));
+    let (mut sources, mut diagnostics) = (Sources::default(), Diagnostics::default());
+    let paths = ["own.xml", "other.xml"].map(|name| folder.path().join(name));
+    let folders = [folder.path(), Path::new("v1_14")];
+    let overlays = super::overlays(&paths, &folders, &mut sources, &mut diagnostics);
+    let package = load(folder.path(), &overlays, |_| true, &mut sources, &mut diagnostics);
+    assert!(diagnostics.is_empty(), "{diagnostics:?}");
+    assert_eq!(enum_of(&package, 1), Some(("Failures", true, vec![("RPM", 8), ("HEAT", 512)])));
+    assert_eq!(enum_of(&package, 2), Some(("Mode", false, vec![("A", 1), ("OFF", 0)])));
+    let [_, _, mode, speed] = &package.messages[0].fields[..] else { panic!() };
+    assert_eq!(mode.invalid.map(|invalid| invalid.sentinel), Some(Sentinel::Integer(0)));
+    assert_eq!(speed.invalid.map(|invalid| invalid.sentinel), Some(Sentinel::NotANumber));
+    assert_eq!((speed.docs.units.as_deref(), speed.was.as_deref()), (Some("km/h"), Some("velocity")));
+    assert_eq!(package.messages[0].constants[0].name, "FAILURE_COUNT");
+}
+
+#[test]
 fn layouts_and_hashes_of_esc_status() {
     let report = "uint64 timestamp\nuint32 esc_errorcount\nint32 esc_rpm\nfloat32 esc_voltage\nfloat32 esc_current\nfloat32 esc_temperature\n\
                   int16 motor_temperature\nuint8 esc_state\nuint8 actuator_function\nuint16 failures\nint8 esc_power\n";
@@ -148,7 +228,7 @@ fn names_of_topics() {
 fn all_messages_of_a_release() {
     let [table, release, folder] = ["UORB_TABLE", "UORB_RELEASE", "UORB_MESSAGES"].map(|name| env::var(name).unwrap());
     let (mut sources, mut diagnostics) = (Sources::default(), Diagnostics::default());
-    let package = load(Path::new(&folder), |_| true, &mut sources, &mut diagnostics);
+    let package = load(Path::new(&folder), &[], |_| true, &mut sources, &mut diagnostics);
     let errors: Vec<_> = diagnostics.iter().filter(|problem| problem.severity() == Severity::Error).collect();
     assert!(errors.is_empty(), "{errors:?}");
     let mut compared = 0;

@@ -1,0 +1,195 @@
+//! The enum that a field carries: by `[@enum P]`, or as an overlay says.
+
+use std::collections::BTreeMap;
+
+use super::super::enums::{self, Claim, NameTaken};
+use super::super::model::{Constant, Element, EnumIndex, Field, Message};
+use super::super::scalar::Scalar;
+use super::super::syntax::{FieldSyntax, GroupKind};
+use super::{Scope, bad_name, meant};
+use crate::diag::{Code, Diagnostic, Diagnostics};
+use crate::ir::{Name, Repr};
+use crate::source::{Span, Spanned};
+use crate::syntax::Text;
+use crate::syntax::uorb_overlay as overlay;
+
+/// Constants, each with the beginning of its name that entries do not have.
+type Constants<'m> = Vec<(&'m Constant, &'m str)>;
+
+/// The enum that a comment gives to a field. What is wrong with it leaves the field a number.
+pub(super) fn of_comment(scope: &mut Scope<'_>, field: &Field, syntax: &FieldSyntax) -> Option<EnumIndex> {
+    let mut first: Option<(&str, Span)> = None;
+    let mut found: BTreeMap<usize, &str> = BTreeMap::new();
+    let mut problem = |span, message| scope.diagnostics.push(Diagnostic::new(Code::UorbEnum, span, message));
+    for group in &syntax.comment.groups {
+        let GroupKind::Enum(prefixes) = &group.kind else { continue };
+        for prefix in prefixes {
+            let before = found.len();
+            for (i, constant) in scope.message.constants.iter().enumerate() {
+                if let Some(rest) = constant.name.strip_prefix(prefix.as_str()).filter(|rest| rest.starts_with('_')) {
+                    let stem = constant.name.get(..=constant.name.len() - rest.len()).unwrap_or_default();
+                    found.entry(i).or_insert(stem);
+                }
+            }
+            if found.len() == before {
+                problem(group.span, format!("no constant of this file begins with `{prefix}_`"));
+            } else {
+                first = first.or(Some((prefix, group.span)));
+            }
+        }
+    }
+    let (prefix, span) = first?;
+    let Some(repr) = carrier(field) else {
+        problem(span, format!("`{}` is {}, which cannot carry an enum", field.name, type_of(field)));
+        return None;
+    };
+    let name = Name { text: enums::name_of(&scope.message.name, prefix), span };
+    let constants = found.into_iter().filter_map(|(i, stem)| Some((scope.message.constants.get(i)?, stem))).collect();
+    let mut claim = Claim { name, flags: false, bits: false, repr, constants };
+    for (constant, _) in claim.constants.iter().filter(|(constant, _)| claim.value(constant).is_none()) {
+        problem(span, format!("`{}` is {}, which `{}` cannot hold", constant.name, constant.value, field.name));
+    }
+    claim.constants = claim.constants.iter().copied().filter(|(one, _)| claim.value(one).is_some()).collect();
+    add(scope, claim).map_err(|taken| scope.diagnostics.push(taken.as_warning(span, field))).ok()
+}
+
+/// The enum or flags that an overlay gives to a field.
+pub(super) fn of_overlay(scope: &mut Scope<'_>, said: &overlay::Field, field: &Field) -> Option<EnumIndex> {
+    let name = said.enum_.as_ref().or(said.flags.as_ref())?;
+    let patterns = said.constants.as_ref().or(said.bits.as_ref())?;
+    let (flags, bits) = (said.flags.is_some(), said.bits.is_some());
+    if Name::fault(&name.value).is_some() || !name.value.starts_with(|first: char| first.is_ascii_uppercase()) {
+        scope.diagnostics.push(bad_name(name, "an enum").help("write it as a type: `EscFailures`"));
+    }
+    let mut constants = matching(scope.message, patterns, scope.diagnostics);
+    leave_out(scope.message, said.except.as_ref(), &mut constants, scope.diagnostics);
+    let Some(repr) = carrier(field).filter(|repr| !flags || !repr.is_signed()) else {
+        scope.diagnostics.push(unsuitable(name, field, flags));
+        return None;
+    };
+    let claim = Claim { name: Name { text: name.value.clone(), span: name.span }, flags, bits, repr, constants };
+    let beyond: Vec<&Constant> =
+        claim.constants.iter().map(|(one, _)| *one).filter(|one| claim.value(one).is_none()).collect();
+    if !beyond.is_empty() {
+        let problems = beyond.into_iter().map(|constant| self::beyond(bits, constant, field, patterns.span));
+        scope.diagnostics.extend(problems);
+        return None;
+    }
+    add(scope, claim).map_err(|taken| scope.diagnostics.push(taken.as_error(name))).ok()
+}
+
+/// Puts an enum into the package, and takes its constants.
+fn add(scope: &mut Scope<'_>, claim: Claim<'_>) -> Result<EnumIndex, NameTaken> {
+    let names: Vec<String> = claim.constants.iter().map(|(constant, _)| constant.name.clone()).collect();
+    let index = enums::add(claim.into_enum(scope.index), &mut scope.package.enums)?;
+    scope.taken.extend(names);
+    Ok(index)
+}
+
+impl NameTaken {
+    fn as_warning(&self, span: Span, field: &Field) -> Diagnostic {
+        let message = match self.type_alone {
+            true => format!("`{}` is {}, and another field of these constants is not", field.name, type_of(field)),
+            false => format!("`{}` would carry an enum of the name of another", field.name),
+        };
+        let problem = Diagnostic::new(Code::UorbEnum, span, message).related(self.first, "the other one");
+        problem.help("this field stays a number; an overlay can name its enum")
+    }
+
+    fn as_error(&self, name: &Text) -> Diagnostic {
+        let message = match self.type_alone {
+            true => format!("`{}` is of another type here", name.value),
+            false => format!("`{}` has other constants here", name.value),
+        };
+        Diagnostic::new(Code::UorbEnumTwice, name.span, message)
+            .related(self.first, "the first one")
+            .help("give each a name of its own")
+    }
+}
+
+/// The words of an attribute, each with its place.
+fn words(text: &Text) -> impl Iterator<Item = Text> {
+    let start = text.span.range().start;
+    text.value.split_whitespace().map(move |word| {
+        let at = start + word.as_ptr().addr() - text.value.as_ptr().addr();
+        Spanned::new(word.to_owned(), Span::new(text.span.file, at..at + word.len()))
+    })
+}
+
+/// The constants that `NAME` and `PREFIX_*` mean, in the order of the file.
+fn matching<'m>(message: &'m Message, patterns: &'m Text, diagnostics: &mut Diagnostics) -> Constants<'m> {
+    let mut found: BTreeMap<usize, &str> = BTreeMap::new();
+    for (pattern, word) in words(patterns).zip(patterns.value.split_whitespace()) {
+        let stem = word.strip_suffix('*');
+        let is_meant = |name: &str| stem.map_or(name == word, |stem| name.starts_with(stem));
+        let meant: Vec<usize> =
+            (0..).zip(&message.constants).filter(|(_, one)| is_meant(&one.name)).map(|(i, _)| i).collect();
+        if meant.is_empty() {
+            diagnostics.push(missing(&pattern, message));
+        }
+        for i in meant {
+            found.entry(i).or_insert(stem.unwrap_or_default());
+        }
+    }
+    found.into_iter().filter_map(|(i, stem)| Some((message.constants.get(i)?, stem))).collect()
+}
+
+fn leave_out(message: &Message, except: Option<&Text>, from: &mut Constants<'_>, diagnostics: &mut Diagnostics) {
+    for name in except.into_iter().flat_map(words) {
+        let before = from.len();
+        from.retain(|(constant, _)| constant.name != name.value);
+        if from.len() == before {
+            diagnostics.push(missing(&name, message));
+        }
+    }
+}
+
+fn missing(pattern: &Text, message: &Message) -> Diagnostic {
+    let name = &message.name;
+    let text = match pattern.value.strip_suffix('*') {
+        Some(stem) => format!("no constant of `{name}` begins with `{stem}`"),
+        None => format!("`{}` is none of the constants of `{name}` that are meant", pattern.value),
+    };
+    let problem = Diagnostic::new(Code::UorbConstants, pattern.span, text);
+    meant(problem, &pattern.value, message.constants.iter().map(|constant| constant.name.as_str()))
+}
+
+/// The type of the values that a field can have names for.
+fn carrier(field: &Field) -> Option<Repr> {
+    let Element::Scalar(scalar) = field.element else { return None };
+    Some(match scalar {
+        Scalar::I8 => Repr::I8,
+        Scalar::U8 => Repr::U8,
+        Scalar::I16 => Repr::I16,
+        Scalar::U16 => Repr::U16,
+        Scalar::I32 => Repr::I32,
+        Scalar::U32 => Repr::U32,
+        Scalar::I64 => Repr::I64,
+        Scalar::U64 => Repr::U64,
+        Scalar::F32 | Scalar::F64 | Scalar::Char | Scalar::Bool => return None,
+    })
+}
+
+fn type_of(field: &Field) -> String {
+    match field.element {
+        Element::Scalar(scalar) => format!("`{}`", scalar.name()),
+        Element::Message(_) => "a message".to_owned(),
+    }
+}
+
+fn unsuitable(name: &Text, field: &Field, flags: bool) -> Diagnostic {
+    let (what, wanted) = if flags { ("flags", "an unsigned integer") } else { ("an enum", "an integer") };
+    let message = format!("`{}` is {}, which cannot carry {what}", field.name, type_of(field));
+    let problem = Diagnostic::new(Code::UorbCarrier, name.span, message).related(field.span, "the field");
+    problem.help(format!("{what} can be on {wanted}, or an array of them"))
+}
+
+fn beyond(bits: bool, constant: &Constant, field: &Field, patterns: Span) -> Diagnostic {
+    let (name, value) = (&constant.name, constant.value);
+    let message = match bits {
+        true => format!("`{name}` is bit {value}, which a field that is {} does not have", type_of(field)),
+        false => format!("`{name}` is {value}, which a field that is {} cannot hold", type_of(field)),
+    };
+    let problem = Diagnostic::new(Code::UorbCarrier, patterns, message).related(constant.span, "the constant");
+    problem.help(format!("leave it out: `except=\"{name}\"`"))
+}
