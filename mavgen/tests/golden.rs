@@ -3,7 +3,7 @@
 //! `main.xml` is the dialect, `*.overlay.xml` are its overlays and `*.root.xml` the dialects beside it; `generated` is what
 //! mavgen writes. The package `mavlink-conformance` compiles and runs it.
 //!
-//! `MAVGEN_BLESS=1 cargo test -p mavgen --test golden` writes the goldens anew, and `tests/regenerate.sh` those and
+//! `MAVGEN_BLESS=1 cargo test -p mavgen --test library golden::` writes the goldens anew, and `tests/regenerate.sh` those and
 //! everything else that is committed and generated; review them like code.
 
 #![expect(clippy::unwrap_used, reason = "a test may panic")]

@@ -4,7 +4,7 @@
 //!
 //! Some are recorded in colour as well, as `*.coloured`.
 //!
-//! `MAVGEN_BLESS=1 cargo test -p mavgen --test ui` writes the renderings anew; review them like code.
+//! `MAVGEN_BLESS=1 cargo test -p mavgen --test library ui::` writes the renderings anew; review them like code.
 
 #![expect(clippy::unwrap_used, clippy::indexing_slicing, reason = "a test may panic")]
 

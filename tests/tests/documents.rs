@@ -101,6 +101,30 @@ fn the_readme_of_a_package_needs_nothing_beside_it() {
     assert!(links.is_empty(), "{links:?}");
 }
 
+/// Tests are modules of few programs: a file that no program names would never run.
+#[test]
+fn every_file_of_tests_is_run() {
+    for package in ["tests", "mavgen"] {
+        let manifest = text(&format!("{package}/Cargo.toml"));
+        let names = fs::read_dir(top(&format!("{package}/tests"))).unwrap().filter_map(|entry| {
+            let name = entry.unwrap().file_name().into_string().unwrap();
+            let folder = top(&format!("{package}/tests/{name}/main.rs")).exists();
+            name.strip_suffix(".rs").map(str::to_owned).or(folder.then_some(name))
+        });
+        let names: Vec<_> = names.collect();
+        let programs: String = ["conformance", "library"]
+            .iter()
+            .filter(|program| names.iter().any(|name| name == *program))
+            .map(|program| text(&format!("{package}/tests/{program}.rs")))
+            .collect();
+        assert!(names.len() > 9, "{names:?}");
+        for name in names {
+            let run = programs.contains(&format!("mod {name};")) || manifest.contains(&format!("name = \"{name}\""));
+            assert!(run, "{package}/tests/{name} is never run");
+        }
+    }
+}
+
 /// The door stays small.
 #[test]
 fn the_readme_has_at_most_900_words() {

@@ -3,7 +3,7 @@
 use mavlink_autoquad::autoquad::{Esc, Esc32Status, EscConnectionType, EscFailureFlags};
 use mavlink_autoquad::esc::{Conversion, EscTable, InfoBits, Silent};
 
-use crate::{batch, cycle, running};
+use super::{batch, cycle, running};
 
 /// Ten motors; number 7 is silent, number 10 has not been heard of.
 fn table() -> EscTable {

@@ -8,7 +8,7 @@ use proptest::array::uniform4;
 use proptest::collection::vec;
 use proptest::prelude::*;
 
-use crate::cycle;
+use super::cycle;
 
 /// Messages that are mostly consistent, from few motors and times, so that they meet.
 fn telemetry() -> impl Strategy<Value = AqEscTelemetry> {

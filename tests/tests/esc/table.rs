@@ -4,7 +4,7 @@ use mavlink_autoquad::autoquad::{AqEscTelemetry, Esc};
 use mavlink_autoquad::esc::{Counts, EscTable, MAX_ESCS, ONLINE_LIMIT_MS, Update};
 use mavlink_autoquad::wire::Message;
 
-use crate::{batch, cycle, running};
+use super::{batch, cycle, running};
 
 fn speeds(table: &EscTable) -> Vec<(u8, u16)> {
     table.iter().map(|row| (row.id, row.status.unwrap().rpm())).collect()

@@ -19,8 +19,8 @@ use mavgen::diag::Diagnostics;
 use mavgen::read::{Loaded, read, read_overlay};
 use mavgen::source::Sources;
 
-const BASE: &str = include_str!("base.xml");
-const OVERLAY: &str = include_str!("base.overlay.xml");
+const BASE: &str = include_str!("malformed/base.xml");
+const OVERLAY: &str = include_str!("malformed/base.overlay.xml");
 
 /// Marks the place of the diagnostic.
 const MARK: char = '‸';
