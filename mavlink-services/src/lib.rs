@@ -7,6 +7,7 @@
 //! |---|---|---|
 
 //! | [`command`] | [`Station`](command::Station) | [`Component`](command::Component) |
+//! | [`param`] | [`List`](param::List), [`Read`](param::Read), [`Write`](param::Write) | [`Component`](param::Component) |
 //!
 //! ```
 //! use mavlink_services::common::{CommandLong, MavCmd};
@@ -45,12 +46,15 @@ pub mod command;
 #[path = "generated/mod.rs"]
 pub mod common;
 mod instant;
+mod operation;
 mod outgoing;
+pub mod param;
 mod retry;
 mod service;
 
 pub use address::Address;
 pub use instant::Instant;
+pub use operation::{Operation, Update};
 pub use outgoing::Outgoing;
 pub(crate) use outgoing::convert;
 pub use retry::Retry;
