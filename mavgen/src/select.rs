@@ -41,7 +41,21 @@ impl Selection {
     /// With a sentence that lists those that do not.
     pub(crate) fn check(&self, dialects: &[&Dialect]) -> Result<(), String> {
         let messages = || dialects.iter().flat_map(|dialect| &dialect.messages);
-        let names = || messages().map(|message| message.name.text.as_str());
+        let mut files: Vec<&str> = dialects.iter().filter_map(|dialect| Some(&*dialect.files.first()?.name)).collect();
+        // Two states of a dialect are mostly called the same.
+        files.dedup();
+        self.check_names(|| messages().map(|message| message.name.text.as_str()), &files.join(", "))
+    }
+
+    /// Whether each name means one of these, which are those of the messages of `files`.
+    ///
+    /// # Errors
+    /// With a sentence that lists those that do not.
+    pub(crate) fn check_names<'n, I: Iterator<Item = &'n str>>(
+        &self,
+        names: impl Fn() -> I,
+        files: &str,
+    ) -> Result<(), String> {
         let unmatched = self.patterns.iter().filter(|pattern| !names().any(|name| pattern.matches(name)));
         let unmatched: Vec<String> = unmatched
             .map(|pattern| match nearest(pattern.text(), names()) {
@@ -52,10 +66,7 @@ impl Selection {
         if unmatched.is_empty() {
             return Ok(());
         }
-        let mut files: Vec<&str> = dialects.iter().filter_map(|dialect| Some(&*dialect.files.first()?.name)).collect();
-        // Two states of a dialect are mostly called the same.
-        files.dedup();
-        Err(format!("no message of {} is called {}", files.join(", "), unmatched.join(", ")))
+        Err(format!("no message of {files} is called {}", unmatched.join(", ")))
     }
 
     /// The selected messages, their views and bindings, and the enums that those need.
@@ -65,7 +76,12 @@ impl Selection {
 
     /// Whether the message is one of them.
     pub(crate) fn means(&self, message: &Message) -> bool {
-        self.patterns.iter().any(|pattern| pattern.matches(&message.name.text))
+        self.has(&message.name.text)
+    }
+
+    /// Whether it is called so.
+    pub(crate) fn has(&self, name: &str) -> bool {
+        self.patterns.iter().any(|pattern| pattern.matches(name))
     }
 }
 

@@ -30,6 +30,7 @@ pub use read::read;
 pub use scalar::Scalar;
 
 use crate::diag::Diagnostics;
+use crate::select::Selection;
 use crate::source::Sources;
 use crate::syntax::uorb_overlay::Overlay;
 use folder::Folder;
@@ -37,7 +38,8 @@ use overlay::Said;
 use resolve::Resolver;
 
 /// Reads the messages that `wanted` says of a folder of `.msg` files, and what they nest; other files are not opened. If `path`
-/// is a file, it is the one that is wanted, and what it nests stands beside it.
+/// is a file, it is the only one that may be wanted, and what it nests stands beside it. As in PX4's own tree, messages may also
+/// stand in a folder `versioned` in the folder.
 ///
 /// [Overlays](overlays) that are for the folder say what the files cannot; others are left out.
 ///
@@ -56,11 +58,7 @@ pub fn load(
             return model::Package::default();
         }
     };
-    let names: Vec<String> = if path.is_dir() {
-        folder.names().filter(|name| wanted(name)).map(str::to_owned).collect()
-    } else {
-        path.file_stem().and_then(|name| name.to_str()).map(str::to_owned).into_iter().collect()
-    };
+    let names: Vec<String> = folder.meant(path).filter(|name| wanted(name)).map(str::to_owned).collect();
     let said = Said::of(overlays, &folder, diagnostics);
     let mut resolver = Resolver::new(folder, said, sources, diagnostics);
     for name in &names {
@@ -69,6 +67,23 @@ pub fn load(
     let package = resolver.finish();
     diagnostics.arrange();
     package
+}
+
+/// The messages of a folder of `.msg` files, or of the one file, that are meant by `names`: names as `EscStatus`, and patterns in
+/// which `*` stands for any characters. Without names, all. Nothing is opened.
+///
+/// # Errors
+///
+/// With a sentence: a name is empty or means no message, or the folder cannot be read.
+pub fn selected(path: &Path, names: &[String]) -> Result<Vec<String>, String> {
+    let folder = Folder::of(path).map_err(|problem| problem.message)?;
+    let all = || folder.meant(path);
+    if names.is_empty() {
+        return Ok(all().map(str::to_owned).collect());
+    }
+    let selection = Selection::new(names.iter().map(String::as_str))?;
+    selection.check_names(all, &path.display().to_string())?;
+    Ok(all().filter(|name| selection.has(name)).map(str::to_owned).collect())
 }
 
 /// The fields of a message as PX4's logs define them: `uint64_t timestamp;uint8_t[2] _padding0;`.

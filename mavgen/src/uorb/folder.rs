@@ -8,11 +8,16 @@ use std::path::{Path, PathBuf};
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::source::{FileId, Sources, Span};
 
+/// PX4's own tree has the messages that have versions in a folder of this name, below that of the others.
+const VERSIONED: &str = "versioned";
+
 /// The files of a folder by name, `EscStatus` for `EscStatus.msg`.
 #[derive(Clone, Debug)]
 pub(super) struct Folder {
     path: PathBuf,
     files: BTreeMap<String, PathBuf>,
+    /// What its messages may nest as well.
+    beside: BTreeMap<String, PathBuf>,
 }
 
 impl Folder {
@@ -23,15 +28,16 @@ impl Folder {
             Diagnostic::without_place(Code::Unreadable, format!("cannot read {}: {error}", folder.display()))
         };
         let mut files = BTreeMap::new();
-        for entry in fs::read_dir(folder).map_err(unreadable)? {
-            let path = entry.map_err(unreadable)?.path();
-            if path.extension().is_some_and(|extension| extension == "msg")
-                && let Some(name) = path.file_stem().and_then(|name| name.to_str())
-            {
-                files.insert(name.to_owned(), path);
-            }
+        let versioned = folder.join(VERSIONED);
+        if versioned.is_dir() {
+            collect(&versioned, &mut files).map_err(unreadable)?;
         }
-        Ok(Self { path: folder.to_owned(), files })
+        collect(folder, &mut files).map_err(unreadable)?;
+        let mut beside = BTreeMap::new();
+        if folder.ends_with(VERSIONED) {
+            collect(&folder.join(".."), &mut beside).map_err(unreadable)?;
+        }
+        Ok(Self { path: folder.to_owned(), files, beside })
     }
 
     /// The folder that this is, or that this `.msg` file is in.
@@ -46,17 +52,28 @@ impl Folder {
         &self.path
     }
 
+    /// The messages that `path` means, from which this was made: all of the folder, or the one.
+    pub(super) fn meant<'f>(&'f self, path: &'f Path) -> impl Iterator<Item = &'f str> {
+        let one = path.file_stem().and_then(|name| name.to_str()).filter(|_| !path.is_dir());
+        let all = path.is_dir().then(|| self.files.keys().map(String::as_str));
+        one.into_iter().chain(all.into_iter().flatten())
+    }
+
     pub(super) fn names(&self) -> impl Iterator<Item = &str> {
-        self.files.keys().map(String::as_str)
+        self.files.keys().chain(self.beside.keys()).map(String::as_str)
     }
 
     pub(super) fn has(&self, name: &str) -> bool {
-        self.files.contains_key(name)
+        self.get(name).is_some()
+    }
+
+    fn get(&self, name: &str) -> Option<&Path> {
+        self.files.get(name).or_else(|| self.beside.get(name)).map(PathBuf::as_path)
     }
 
     /// Adds the file of this message to the sources. `None` if there is none, or if it cannot be read, which is told.
     pub(super) fn open(&self, name: &str, sources: &mut Sources, diagnostics: &mut Diagnostics) -> Option<FileId> {
-        let path = self.files.get(name)?;
+        let path = self.get(name)?;
         let id = crate::read::open(path, sources, diagnostics)?;
         if begins_with_mark(path) {
             let problem =
@@ -65,6 +82,18 @@ impl Folder {
         }
         Some(id)
     }
+}
+
+fn collect(folder: &Path, files: &mut BTreeMap<String, PathBuf>) -> std::io::Result<()> {
+    for entry in fs::read_dir(folder)? {
+        let path = entry?.path();
+        if path.extension().is_some_and(|extension| extension == "msg")
+            && let Some(name) = path.file_stem().and_then(|name| name.to_str())
+        {
+            files.insert(name.to_owned(), path);
+        }
+    }
+    Ok(())
 }
 
 /// Whether the first bytes are a byte order mark; the text in the sources never has it.

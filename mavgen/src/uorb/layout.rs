@@ -46,9 +46,30 @@ pub(super) fn struct_order(fields: &[Field]) -> Vec<(u32, usize)> {
     order
 }
 
+/// Gives each field of a message its offset in the CDR body; returns the length. `None` if it is longer than 4 GiB.
+pub(super) fn arrange_cdr(fields: &mut [Field], nested: &Nested<'_>) -> Option<u32> {
+    let mut at = 0_u32;
+    for field in fields {
+        field.cdr_offset = at.checked_next_multiple_of(cdr_alignment(field.element, nested))?;
+        at = cdr_end(std::slice::from_ref(field), nested, at)?;
+    }
+    Some(at)
+}
+
+/// Where an element may begin in CDR: that of its first scalar.
+fn cdr_alignment(element: Element, nested: &Nested<'_>) -> u32 {
+    match element {
+        Element::Scalar(scalar) => scalar.size(),
+        Element::Message(index) => {
+            let first = nested.get(index).and_then(|message| message.fields.first());
+            first.map_or(1, |field| cdr_alignment(field.element, nested))
+        }
+    }
+}
+
 /// The offset behind these fields in a CDR body, when they begin at `at`: each scalar is aligned to its size. `None` if that
 /// is behind 4 GiB.
-pub(super) fn cdr_end(fields: &[Field], nested: &Nested<'_>, mut at: u32) -> Option<u32> {
+fn cdr_end(fields: &[Field], nested: &Nested<'_>, mut at: u32) -> Option<u32> {
     for field in fields {
         match field.element {
             Element::Scalar(scalar) => {

@@ -104,6 +104,8 @@ pub struct Field {
     pub array: Option<u16>,
     /// Its offset in the C struct.
     pub struct_offset: u32,
+    /// Its offset in the CDR body of the message, where that is not nested in another.
+    pub cdr_offset: u32,
     /// The enum that it carries.
     pub enum_: Option<EnumIndex>,
     /// Which value means "not known".

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::folder::Folder;
 use super::hash::{message_hash, type_hash};
-use super::layout::{Nested, arrange, cdr_end};
+use super::layout::{Nested, arrange, arrange_cdr};
 use super::model::{Constant, Docs, Element, Field, Message, MessageIndex, Package};
 use super::overlay::Said;
 use super::scalar::Scalar;
@@ -99,7 +99,7 @@ impl<'s> Resolver<'s> {
         constants: Vec<Constant>,
     ) -> Option<Message> {
         let nested = &self.package.messages;
-        let layouts = arrange(&mut fields, &Nested(nested)).zip(cdr_end(&fields, &Nested(nested), 0));
+        let layouts = arrange(&mut fields, &Nested(nested)).zip(arrange_cdr(&mut fields, &Nested(nested)));
         let Some(((struct_len, struct_padding), cdr_len)) = layouts else {
             let message = format!("`{name}` is longer than 4 GiB");
             self.diagnostics.push(Diagnostic::new(Code::UorbArray, Span::new(file, 0..0), message));
@@ -133,6 +133,7 @@ impl<'s> Resolver<'s> {
             element: self.element(&field.element)?,
             array: field.array.as_ref().map(|array| array.value),
             struct_offset: 0,
+            cdr_offset: 0,
             enum_: None,
             invalid: None,
             was: None,

@@ -110,6 +110,46 @@ fn comments_belong_to_what_follows_or_stands_before_them() {
 }
 
 #[test]
+fn names_and_patterns_mean_messages_of_the_folder() {
+    let folder = tempfile::tempdir().unwrap();
+    let versioned = folder.path().join("versioned");
+    fs::create_dir(&versioned).unwrap();
+    for file in ["EscReport.msg", "EscStatus.msg", "notes.txt", "versioned/VehicleStatus.msg"] {
+        fs::write(folder.path().join(file), "uint64 timestamp\n").unwrap();
+    }
+    let selected = |path: &Path, names: &[&str]| {
+        super::selected(path, &names.iter().map(|name| (*name).to_owned()).collect::<Vec<_>>())
+    };
+    let all = ["EscReport", "EscStatus", "VehicleStatus"];
+    assert_eq!(selected(folder.path(), &[]).unwrap(), all);
+    assert_eq!(selected(folder.path(), &["*Status"]).unwrap(), all[1..]);
+    assert_eq!(selected(&versioned, &[]).unwrap(), all[2..]);
+    assert_eq!(selected(&folder.path().join("EscReport.msg"), &[]).unwrap(), all[..1]);
+    let wrong = selected(folder.path(), &["EscStats", "Esc*"]).unwrap_err();
+    assert!(wrong.ends_with("is called `EscStats` (did you mean `EscStatus`?)"), "{wrong}");
+    assert!(selected(folder.path(), &[""]).is_err());
+    assert!(selected(Path::new("no such folder"), &[]).is_err());
+}
+
+/// In PX4's own tree, messages that have versions nest those in the folder above.
+#[test]
+fn what_is_nested_stands_beside_or_above() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::create_dir(folder.path().join("versioned")).unwrap();
+    fs::write(folder.path().join("A.msg"), "uint64 timestamp\nB b\n").unwrap();
+    fs::write(folder.path().join("C.msg"), "uint64 timestamp\n").unwrap();
+    fs::write(folder.path().join("versioned/B.msg"), "uint64 timestamp\nC c\n").unwrap();
+    for (path, names) in [("", &["C", "B", "A"][..]), ("versioned", &["C", "B"]), ("versioned/B.msg", &["C", "B"])] {
+        let (mut sources, mut diagnostics) = (Sources::default(), Diagnostics::default());
+        let package = load(&folder.path().join(path), &[], |_| true, &mut sources, &mut diagnostics);
+        assert!(diagnostics.is_empty(), "{diagnostics:?}");
+        let mut found: Vec<_> = package.messages.iter().map(|message| message.name.as_str()).collect();
+        found.sort_by_key(|name| names.iter().position(|known| known == name));
+        assert_eq!(found, names, "{path}");
+    }
+}
+
+#[test]
 fn a_file_is_called_as_its_message() {
     for name in ["esc_status", "Esc-Status", "Esc.Status", "1Esc", "Üsc"] {
         assert_eq!(package(&[(name, "uint64 timestamp\n")]).1, [Code::UorbName], "{name}");
@@ -198,6 +238,8 @@ fn layouts_and_hashes_of_esc_status() {
     assert_eq!(codes, []);
     let status = &package.messages[1];
     assert_eq!((status.hash, status.cdr_len, status.struct_len), (0x4d8f_7be2, 491, 496));
+    let places = status.fields.iter().map(|field| (field.cdr_offset, field.struct_offset));
+    assert_eq!(places.collect::<Vec<_>>(), [(0, 0), (8, 8), (10, 14), (11, 15), (12, 10), (14, 12), (16, 16)]);
     assert_eq!(status.type_hash, "RIHS01_85dc04703b64002f2a39e5909078ae7b7301da32ef14a04329f4ca9e40e635a2");
     assert_eq!(
         log_format(status, &package),
