@@ -1,0 +1,235 @@
+//! `autoquad csv`: a recording as a table.
+
+use std::collections::BTreeMap;
+use std::io::{self, BufWriter, Write};
+use std::path::PathBuf;
+
+use clap::Args;
+use mavlink_autoquad::autoquad::{AqEscTelemetry, Esc};
+use mavlink_autoquad::esc::{UptimeClock, true_age_ms};
+use mavlink_autoquad::wire::SystemId;
+
+use crate::failure::Failure;
+use crate::output::Overwriting;
+use crate::recording::Recording;
+use crate::telemetry::{Firmware, fault, power_w, state};
+use crate::time;
+
+/// Writes the motor telemetry of a recording as a table: a row for each report of each controller.
+///
+/// The header has the units. Times are there twice, in ISO 8601 and as seconds since 1970, both UTC; the vehicle's own uptime
+/// goes on where its clock wraps after 71 minutes. What a controller did not report is empty: a silent one has no values, and
+/// firmware 2 has no temperature.
+#[derive(Args)]
+#[command(after_help = AFTER_HELP)]
+pub(crate) struct Csv {
+    /// The recording, a tlog.
+    log: PathBuf,
+    /// Writes into this file instead of standard output.
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+    #[command(flatten)]
+    overwriting: Overwriting,
+    /// When the recording began, if the clock that recorded it was wrong: its first entry gets this time, and the others
+    /// follow as they do in the log.
+    #[arg(long, value_name = "TIME", value_parser = time::parse)]
+    epoch: Option<u64>,
+    #[command(flatten)]
+    firmware: Firmware,
+}
+
+const AFTER_HELP: &str = "\
+Examples:
+  autoquad csv flight.tlog > flight.csv
+  autoquad csv flight.tlog --out flight.csv --epoch 2016-04-30T12:00:00Z
+  autoquad csv flight.tlog --epoch 0          (seconds since the recording began)";
+
+/// The columns.
+const HEADER: [&str; 15] = [
+    "time",
+    "unix_time (s)",
+    "uptime (s)",
+    "system_id",
+    "esc",
+    "state",
+    "voltage (V)",
+    "current (A)",
+    "power (W)",
+    "speed (rpm)",
+    "duty (%)",
+    "temperature (degC)",
+    "errors",
+    "fault",
+    "age (ms)",
+];
+
+impl Csv {
+    pub(crate) fn run(&self) -> Result<(), Failure> {
+        let recording = Recording::open(&self.log)?;
+        match &self.out {
+            None => self.write(recording, io::stdout().lock(), Failure::stdout).map(drop),
+            Some(out) => {
+                let file = self.overwriting.create(out)?;
+                let rows = self.write(recording, file, |error| Failure::file(out, error))?;
+                eprintln!("autoquad: {}: {rows} rows written", out.display());
+                Ok(())
+            }
+        }
+    }
+
+    /// Writes the table, and gives the number of its rows.
+    fn write(
+        &self,
+        mut recording: Recording,
+        output: impl Write,
+        refused: impl Fn(io::Error) -> Failure,
+    ) -> Result<u64, Failure> {
+        let mut table = ::csv::Writer::from_writer(BufWriter::new(output));
+        let failed = |error: ::csv::Error| match error.into_kind() {
+            ::csv::ErrorKind::Io(error) => refused(error),
+            other => Failure::new(format!("{other:?}")),
+        };
+        table.write_record(HEADER).map_err(failed)?;
+        let (mut rows, mut begin_us) = (0, None);
+        let mut clocks = BTreeMap::<SystemId, UptimeClock>::new();
+        while let Some(entry) = recording.read()? {
+            if let (Some(time_us), None) = (entry.time_us, begin_us) {
+                begin_us = Some(time_us);
+            }
+            let Some(telemetry) = self.firmware.telemetry(&entry.frame) else { continue };
+            let system = entry.frame.system_id();
+            let uptime_us = clocks.entry(system).or_default().update(telemetry.time_boot_ms);
+            let time_us = entry.time_us.map(|time_us| self.shifted(time_us, begin_us));
+            for row in rows_of(&telemetry, time_us, uptime_us, system) {
+                table.write_record(row).map_err(failed)?;
+                rows += 1;
+            }
+        }
+        table.flush().map_err(&refused)?;
+        recording.finish();
+        if rows == 0 {
+            eprintln!("autoquad: {}: has no motor telemetry (AQ_ESC_TELEMETRY)", self.log.display());
+        }
+        Ok(rows)
+    }
+
+    /// The time of an entry, as if the recording had begun when the user says.
+    fn shifted(&self, time_us: u64, begin_us: Option<u64>) -> u64 {
+        match (self.epoch, begin_us) {
+            (Some(epoch), Some(begin)) => epoch.saturating_add(time_us).saturating_sub(begin),
+            _ => time_us,
+        }
+    }
+}
+
+fn rows_of(
+    telemetry: &AqEscTelemetry,
+    time_us: Option<u64>,
+    uptime_us: u64,
+    system: SystemId,
+) -> impl Iterator<Item = [String; 15]> {
+    let (iso, unix) = (time_us.and_then(time::iso).unwrap_or_default(), time_us.map(time::seconds).unwrap_or_default());
+    let front = [iso, unix, time::seconds(uptime_us), system.to_string()];
+    telemetry.escs().map(move |esc| row(front.clone(), &esc))
+}
+
+fn row([iso, unix, uptime, system]: [String; 4], esc: &Esc) -> [String; 15] {
+    let value = |text: Option<String>| text.unwrap_or_default();
+    let status = esc.status;
+    [
+        iso,
+        unix,
+        uptime,
+        system,
+        esc.id.to_string(),
+        status.map_or_else(|| "SILENT".to_owned(), |status| state(status.state())),
+        value(status.map(|status| format!("{:.2}", status.voltage()))),
+        value(status.map(|status| format!("{:.2}", status.current()))),
+        value(status.map(|status| format!("{:.1}", power_w(status)))),
+        value(status.map(|status| status.rpm().to_string())),
+        value(status.map(|status| format!("{:.1}", status.duty()))),
+        value(status.and_then(|status| status.temperature()).map(|degrees| format!("{degrees:.2}"))),
+        value(status.and_then(|status| status.errors()).map(|errors| errors.to_string())),
+        value(status.and_then(fault).map(|reason| reason.to_string())),
+        value(esc.age_ms.map(|age| true_age_ms(age).to_string())),
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use super::*;
+    use crate::simulate::flight;
+
+    fn table(arguments: impl FnOnce(&mut Csv)) -> Vec<BTreeMap<String, String>> {
+        let folder = tempfile::tempdir().unwrap();
+        let (log, out) = (folder.path().join("flight.tlog"), folder.path().join("flight.csv"));
+        flight(&log, 6, 20, 1_462_017_600_000_000);
+        let mut csv = Csv {
+            log,
+            out: Some(out.clone()),
+            overwriting: Overwriting::default(),
+            epoch: None,
+            firmware: Firmware::default(),
+        };
+        arguments(&mut csv);
+        csv.run().unwrap();
+        let mut reader = ::csv::Reader::from_reader(fs::File::open(out).unwrap());
+        let header = reader.headers().unwrap().clone();
+        assert_eq!(header.iter().collect::<Vec<_>>(), HEADER);
+        let pairs =
+            |row: ::csv::StringRecord| header.iter().map(str::to_owned).zip(row.iter().map(str::to_owned)).collect();
+        reader.records().map(|row| pairs(row.unwrap())).collect()
+    }
+
+    #[test]
+    fn a_row_for_each_report_of_each_controller() {
+        let rows = table(|_| ());
+        // Ten times a second for twenty seconds, and once at their end.
+        assert_eq!(rows.len(), 201 * 6);
+        assert_eq!(
+            (rows[0]["time"].as_str(), rows[0]["unix_time (s)"].as_str()),
+            ("2016-04-30T12:00:00.000000Z", "1462017600.000000")
+        );
+        assert_eq!(rows[6]["uptime (s)"], "12.100000");
+        for row in &rows {
+            let counts = row["esc"] == "4";
+            match row["state"].as_str() {
+                "SILENT" => assert!(row["voltage (V)"].is_empty() && row["speed (rpm)"].is_empty()),
+                _ => assert_eq!((row["errors"].is_empty(), row["temperature (degC)"].is_empty()), (!counts, counts)),
+            }
+        }
+        for state in ["DISARMED", "STARTING", "RUNNING", "SILENT"] {
+            assert!(rows.iter().any(|row| row["state"] == state), "{state}");
+        }
+        assert!(
+            rows.iter()
+                .any(|row| row["fault"] == "no zero crossing in time" || row["fault"] == "zero crossings missed")
+        );
+    }
+
+    #[test]
+    fn a_recording_begins_when_the_user_says() {
+        let rows = table(|csv| csv.epoch = Some(0));
+        assert_eq!(
+            (rows[0]["time"].as_str(), rows[0]["unix_time (s)"].as_str()),
+            ("1970-01-01T00:00:00.000000Z", "0.000000")
+        );
+        assert_eq!(rows[6]["unix_time (s)"], "0.100000");
+    }
+
+    #[test]
+    fn what_is_no_recording_is_said() {
+        let folder = tempfile::tempdir().unwrap();
+        for (bytes, said) in [(&b""[..], "is empty"), (b"a diary", "no MAVLink frame in 7 bytes")] {
+            let log = folder.path().join("flight.tlog");
+            fs::write(&log, bytes).unwrap();
+            let out = Some(folder.path().join(format!("{}.csv", bytes.len())));
+            let csv = Csv { log, out, overwriting: Overwriting::default(), epoch: None, firmware: Firmware::default() };
+            let Err(Failure::Sentence(sentence)) = csv.run() else { panic!("read") };
+            assert!(sentence.contains(said), "{sentence}");
+            assert!(!csv.out.is_some_and(|out| out.exists()));
+        }
+    }
+}

@@ -1,0 +1,88 @@
+//! The program for people who have an AutoQuad: `autoquad --help` says what it does.
+
+mod csv;
+mod failure;
+mod output;
+mod plot;
+mod recording;
+mod salvage;
+mod simulate;
+mod telemetry;
+mod time;
+
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+use failure::Failure;
+
+/// Watches, records, plots and bridges the motor controllers of an AutoQuad.
+#[derive(Parser)]
+#[command(version, after_help = AFTER_HELP, max_term_width = 120)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+const AFTER_HELP: &str = "\
+Try it without a vehicle:
+  autoquad simulate --tlog flight.tlog
+  autoquad plot flight.tlog --out flight.svg
+  autoquad csv flight.tlog --out flight.csv
+
+`autoquad COMMAND --help` has more examples.";
+
+#[derive(Subcommand)]
+enum Command {
+    Simulate(simulate::Simulate),
+    Csv(csv::Csv),
+    Plot(plot::Plot),
+    Salvage(salvage::Salvage),
+}
+
+fn main() -> ExitCode {
+    let result = match Cli::parse().command {
+        Command::Simulate(simulate) => simulate.run(),
+        Command::Csv(csv) => csv.run(),
+        Command::Plot(plot) => plot.run(),
+        Command::Salvage(salvage) => salvage.run(),
+    };
+    match result {
+        Ok(()) | Err(Failure::ReaderGone) => ExitCode::SUCCESS,
+        Err(Failure::Sentence(sentence)) => {
+            eprintln!("autoquad: {sentence}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+
+    use super::*;
+
+    #[test]
+    fn the_commands_are_consistent_and_have_examples() {
+        Cli::command().debug_assert();
+        for command in Cli::command().get_subcommands() {
+            let help = command.get_after_help().map(ToString::to_string).unwrap_or_default();
+            assert!(help.contains(&format!("autoquad {}", command.get_name())), "{}", command.get_name());
+        }
+    }
+
+    /// Every example of the help is a command that the program takes.
+    #[test]
+    fn the_examples_of_the_help_are_taken() {
+        let commands: Vec<clap::Command> =
+            std::iter::once(Cli::command()).chain(Cli::command().get_subcommands().cloned()).collect();
+        let helps = commands.iter().filter_map(|command| Some(command.get_after_help()?.to_string()));
+        let lines: Vec<String> =
+            helps.flat_map(|help| help.lines().map(str::trim).map(str::to_owned).collect::<Vec<_>>()).collect();
+        for line in lines.iter().filter(|line| line.starts_with("autoquad ")) {
+            let words = line.split(" (").next().unwrap_or_default().split(" > ").next().unwrap_or_default();
+            if let Err(error) = Cli::try_parse_from(words.split_whitespace()) {
+                panic!("{line}: {error}");
+            }
+        }
+    }
+}

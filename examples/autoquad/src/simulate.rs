@@ -1,0 +1,107 @@
+//! `autoquad simulate`: a vehicle that is made up.
+
+mod datasets;
+mod flight;
+mod motor;
+mod streams;
+mod vehicle;
+
+use std::io::{self, BufWriter};
+use std::path::PathBuf;
+use std::time::Duration;
+
+use clap::Args;
+use mavlink_autoquad::autoquad::Autoquad;
+use mavlink_autoquad::wire::{Dialect, Frame, MAX_FRAME, Sender, tlog};
+
+use crate::failure::Failure;
+use crate::output::Overwriting;
+use crate::time;
+use streams::Streams;
+use vehicle::{ID, Vehicle};
+
+/// Makes up an AutoQuad that flies: its motors spool up and carry load, one controller fails, one falls silent.
+///
+/// It sends what an AutoQuad sends: heartbeat, attitude, position, motor telemetry (AQ_ESC_TELEMETRY) and the datasets of
+/// AQ_TELEMETRY_F. The seed decides which motors are hit; the same seed makes the same flight. Motor ports 4, 8, 12 and 16 have
+/// controllers with firmware 2.1, which counts errors, the others with 3.0, which measures the temperature.
+#[derive(Args)]
+#[command(after_help = AFTER_HELP)]
+pub(crate) struct Simulate {
+    /// Writes the whole flight into this log, faster than real time.
+    #[arg(long, value_name = "FILE")]
+    tlog: PathBuf,
+    #[command(flatten)]
+    overwriting: Overwriting,
+    /// How many motors it has.
+    #[arg(long, value_name = "1-16", default_value_t = 4, value_parser = clap::value_parser!(u8).range(1..=16))]
+    motors: u8,
+    /// What decides everything that is left to chance.
+    #[arg(long, value_name = "NUMBER", default_value_t = 1)]
+    seed: u64,
+    /// How long the flight takes.
+    #[arg(long, value_name = "TIME", default_value = "2m", value_parser = flight_time)]
+    duration: Duration,
+    /// When the flight starts, in UTC; now if it is not given.
+    #[arg(long, value_name = "TIME", value_parser = time::parse)]
+    start: Option<u64>,
+    /// How many times a second the log has motor telemetry.
+    #[arg(long, value_name = "HZ", default_value_t = 10, value_parser = clap::value_parser!(u16).range(1..=200))]
+    rate: u16,
+}
+
+const AFTER_HELP: &str = "\
+Examples:
+  autoquad simulate --tlog flight.tlog
+  autoquad simulate --tlog fleet.tlog --motors 16 --seed 7 --duration 30m --start 2016-04-30T12:00:00Z";
+
+fn flight_time(text: &str) -> Result<Duration, String> {
+    let duration = humantime::parse_duration(text).map_err(|error| format!("{error}; write it like 90s or 5m"))?;
+    match duration.as_secs() {
+        10..=86_400 => Ok(duration),
+        _ => Err("a flight takes from 10s to 24h".to_owned()),
+    }
+}
+
+impl Simulate {
+    pub(crate) fn run(&self) -> Result<(), Failure> {
+        let path = &self.tlog;
+        let file = self.overwriting.create(path)?;
+        let mut writer = tlog::Writer::new(BufWriter::new(file));
+        let vehicle = Vehicle::new(self.motors, self.seed, self.duration, Streams::on(self.rate));
+        let start_us = self.start.unwrap_or_else(time::now_us);
+        let written = record(vehicle, start_us, |time_us, frame| writer.write(time_us, frame))
+            .and_then(|frames| writer.flush().map(|()| frames))
+            .map_err(|error| Failure::file(path, error))?;
+        eprintln!("autoquad: {}: {written} frames written", path.display());
+        Ok(())
+    }
+}
+
+/// Flies the whole flight, and gives the number of frames that were written.
+fn record(
+    mut vehicle: Vehicle,
+    start_us: u64,
+    mut write: impl FnMut(u64, &Frame<'_>) -> io::Result<()>,
+) -> io::Result<u64> {
+    let (mut sender, mut buffer, mut frames) = (Sender::v1(ID.0, ID.1), [0; MAX_FRAME], 0);
+    while !vehicle.has_landed() {
+        let time_us = start_us.saturating_add(vehicle.elapsed_us());
+        for message in vehicle.step().map_err(io::Error::other)? {
+            let bytes = sender.encode(&message, &mut buffer).map_err(io::Error::other)?;
+            let frame = Frame::parse(bytes, Autoquad::TABLE).map_err(io::Error::other)?;
+            write(time_us, &frame)?;
+            frames += 1;
+        }
+    }
+    Ok(frames)
+}
+
+/// A flight in a log, for the tests of what reads logs.
+#[cfg(test)]
+pub(crate) fn flight(path: &std::path::Path, motors: u8, seconds: u64, start_us: u64) {
+    let mut log = tlog::Writer::new(Vec::new());
+    let vehicle = Vehicle::new(motors, 1, Duration::from_secs(seconds), Streams::on(10));
+    record(vehicle, start_us, |time_us, frame| log.write(time_us, frame)).unwrap();
+    std::fs::write(path, log.into_inner()).unwrap();
+}
