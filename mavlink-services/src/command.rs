@@ -1,15 +1,17 @@
 //! Commands: `COMMAND_LONG` or `COMMAND_INT` goes there, `COMMAND_ACK` comes back, perhaps after reports of progress.
 //!
-//! [`Station`] sends one command at a time, repeats it until it is acknowledged, and can cancel it. [`Component`] hands out what
-//! it is told to do, once each, and answers.
+//! A station [sends](Send) a command, again and again until it is acknowledged, and can cancel it; [`Fetch`] asks for a message.
+//! A [`Component`] hands out what it is told to do, once each, and answers.
 
 mod component;
 mod failure;
-mod station;
+mod fetch;
+mod send;
 
-pub use component::{Component, Event as ComponentEvent, Request, Ticket};
-pub use failure::{Failure, StartError};
-pub use station::{Accepted, Event, Options, Station};
+pub use component::{Component, Event, Request, Ticket};
+pub use failure::{Failure, NoCommand};
+pub use fetch::Fetch;
+pub use send::{Accepted, Options, Progress, Send};
 
 use mavlink_wire::{Encode, Frame, Message};
 

@@ -5,24 +5,29 @@
 //!
 //! | protocol | station: who asks | component: who answers |
 //! |---|---|---|
-
-//! | [`command`] | [`Station`](command::Station) | [`Component`](command::Component) |
+//! | [`heartbeat`] | [`Monitor`](heartbeat::Monitor), and a [`Beacon`](heartbeat::Beacon) of its own | [`Beacon`](heartbeat::Beacon) |
+//! | [`command`] | [`Send`](command::Send), [`Fetch`](command::Fetch) | [`Component`](command::Component) |
+//! | message [`interval`]s | [`set`](interval::set), [`Get`](interval::Get) | [`Streams`](interval::Streams) |
 //! | [`param`] | [`List`](param::List), [`Read`](param::Read), [`Write`](param::Write) | [`Component`](param::Component) |
+//! | [`timesync`] | [`Measure`](timesync::Measure) | [`Responder`](timesync::Responder) |
+//!
+//! What a station asks for is a machine that ends, an [`Operation`]. Several may run at once.
 //!
 //! ```
 //! use mavlink_services::common::{CommandLong, MavCmd};
 //! use mavlink_services::{Address, Instant, Output, Service, command};
 //! use mavlink_wire::Message;
 //!
-//! let mut station = command::Station::new(Address::new(255, 190), Address::new(1, 1));
+//! let (own, peer, now) = (Address::new(255, 190), Address::new(1, 1), Instant::ZERO);
 //! let arm = CommandLong { command: MavCmd::COMPONENT_ARM_DISARM, param1: 1.0, ..CommandLong::DEFAULT };
-//! station.start(&arm, Instant::ZERO)?;
+//! let mut arming = command::Send::new(own, peer, command::Options::DEFAULT, &arm, now)?;
 //!
 //! // What is to be sent, and until when nothing else happens unless a frame comes.
-//! let Some(Output::Send(sent)) = station.poll(Instant::ZERO) else { panic!() };
+//! let Some(Output::Send(sent)) = arming.poll(now) else { panic!() };
 //! assert_eq!(sent.decode::<CommandLong>().unwrap().target_system, 1);
-//! assert_eq!(station.deadline(), Some(Instant::from_millis(1000)));
-//! # Ok::<(), command::StartError>(())
+//! assert!(arming.poll(now).is_none());
+//! assert_eq!(arming.deadline(), Some(Instant::from_millis(1000)));
+//! # Ok::<(), command::NoCommand>(())
 //! ```
 //!
 //! # Bounds
@@ -45,12 +50,15 @@ pub mod command;
 #[rustfmt::skip]
 #[path = "generated/mod.rs"]
 pub mod common;
+pub mod heartbeat;
 mod instant;
+pub mod interval;
 mod operation;
 mod outgoing;
 pub mod param;
 mod retry;
 mod service;
+pub mod timesync;
 
 pub use address::Address;
 pub use instant::Instant;

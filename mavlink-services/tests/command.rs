@@ -5,10 +5,12 @@ mod simulated;
 use std::ops::ControlFlow;
 use std::time::Duration;
 
-use mavlink_services::command::{Component, ComponentEvent, Event, Failure, Options, StartError, Station};
-use mavlink_services::common::{CommandAck, CommandCancel, CommandInt, CommandLong, Heartbeat, MavCmd, MavResult};
-use mavlink_services::{Instant, Service};
-use mavlink_wire::Message;
+use mavlink_services::command::{Accepted, Component, Event, Failure, Fetch, NoCommand, Options, Progress, Send};
+use mavlink_services::common::{
+    AutopilotVersion, CommandAck, CommandCancel, CommandInt, CommandLong, Heartbeat, MavCmd, MavResult,
+};
+use mavlink_services::{Instant, Retry, Service, Update};
+use mavlink_wire::{Encode, Message};
 use simulated::{COMPONENT, STATION, Simulation, Weather, component, give, outputs, station};
 
 const ARM: CommandLong = CommandLong { command: MavCmd::COMPONENT_ARM_DISARM, param1: 1.0, ..CommandLong::DEFAULT };
@@ -18,26 +20,28 @@ const fn ack(result: MavResult, progress: u8) -> CommandAck {
     CommandAck { command: MavCmd::COMPONENT_ARM_DISARM, result, progress, ..CommandAck::DEFAULT }
 }
 
+/// The command, on its way to the component.
+#[expect(clippy::unwrap_used, reason = "a part of tests")]
+fn sending(command: &dyn Encode) -> Send {
+    Send::new(station(), component(), Options::DEFAULT, command, Instant::ZERO).unwrap()
+}
+
 /// How one command ends, how often it was carried out, and the bytes that went over the link.
-type Run = (Option<Event>, usize, Vec<(Instant, simulated::End, Vec<u8>)>);
+type Run = (Option<Result<Accepted, Failure>>, usize, Vec<(Instant, simulated::End, Vec<u8>)>);
 
 /// Sends one command over a link; the component takes two seconds for it, and reports.
-#[expect(clippy::unwrap_used, reason = "a part of tests")]
-fn run(seed: u64, weather: Weather, command: &dyn mavlink_wire::Encode) -> Run {
+fn run(seed: u64, weather: Weather, command: &dyn Encode) -> Run {
     let mut simulation = Simulation::new(seed, weather);
-    let (mut sender, mut receiver) = (Station::new(station(), component()), Component::<4>::new(component()));
-    sender.start(command, simulation.now).unwrap();
+    let (mut sender, mut receiver) = (sending(command), Component::<4>::new(component()));
     let (mut end, mut executions, mut open) = (None, 0, None);
     for second in 0..60 {
         let _ = simulation.run(
             (&mut sender, &mut |_, event, _| {
-                if let Event::Finished(_) = event {
-                    end = Some(event);
-                }
+                end = event.done().or(end);
                 ControlFlow::Continue(())
             }),
             (&mut receiver, &mut |machine, event, now| {
-                if let ComponentEvent::Request(request) = event {
+                if let Event::Request(request) = event {
                     executions += 1;
                     open = Some((request.ticket, second));
                     machine.progress(request.ticket, Some(10), now);
@@ -57,9 +61,9 @@ fn run(seed: u64, weather: Weather, command: &dyn mavlink_wire::Encode) -> Run {
 
 #[test]
 fn a_command_is_carried_out_once_over_a_fine_link() {
-    for command in [&ARM as &dyn mavlink_wire::Encode, &REPOSITION] {
+    for command in [&ARM as &dyn Encode, &REPOSITION] {
         let (end, executions, trace) = run(1, Weather::FINE, command);
-        assert!(matches!(end, Some(Event::Finished(Ok(_)))), "{end:?}");
+        assert!(matches!(end, Some(Ok(_))), "{end:?}");
         assert_eq!(executions, 1);
         assert!(trace.len() <= 6, "{trace:?}");
     }
@@ -72,11 +76,11 @@ fn a_bad_link_ends_every_command_and_a_long_one_runs_once() {
         let (end, executions, _) = run(seed, Weather::BAD, &ARM);
         assert!(executions <= 1, "seed {seed}: {executions}");
         match end {
-            Some(Event::Finished(Ok(_))) => {
+            Some(Ok(_)) => {
                 assert_eq!(executions, 1, "seed {seed}");
                 accepted += 1;
             }
-            Some(Event::Finished(Err(Failure::Timeout { .. }))) => {}
+            Some(Err(Failure::Timeout { .. })) => {}
             other => panic!("seed {seed}: {other:?}"),
         }
     }
@@ -93,8 +97,7 @@ fn the_same_seed_gives_the_same_run() {
 
 #[test]
 fn without_an_answer_it_is_sent_six_times_counting() {
-    let mut machine = Station::new(station(), component());
-    machine.start(&ARM, Instant::ZERO).unwrap();
+    let mut machine = sending(&ARM);
     let mut confirmations = Vec::new();
     let end = loop {
         let now = machine
@@ -108,30 +111,27 @@ fn without_an_answer_it_is_sent_six_times_counting() {
     };
     assert_eq!(confirmations, [0, 1, 2, 3, 4, 5]);
     let timeout = Failure::Timeout { command: MavCmd::COMPONENT_ARM_DISARM, sent: 6, progress: None };
-    assert_eq!(end, (Event::Finished(Err(timeout)), Instant::from_millis(6000)));
+    assert_eq!(end, (Update::Done(Err(timeout)), Instant::from_millis(6000)));
     assert_eq!(timeout.to_string(), "MAV_CMD_COMPONENT_ARM_DISARM was sent 6 times, and the answer never came");
-    assert_eq!((machine.deadline(), machine.active()), (None, None));
+    assert_eq!(machine.deadline(), None);
 }
 
 #[test]
 fn a_refusal_says_why_and_how_far_it_came() {
-    let mut machine = Station::new(station(), component());
-    machine.start(&ARM, Instant::ZERO).unwrap();
+    let mut machine = sending(&ARM);
     outputs(&mut machine, Instant::ZERO);
     give(&mut machine, COMPONENT, &ack(MavResult::IN_PROGRESS, 30), Instant::ZERO);
     give(&mut machine, COMPONENT, &CommandAck { result_param2: 7, ..ack(MavResult::FAILED, 0) }, Instant::ZERO);
     let (_, events) = outputs(&mut machine, Instant::ZERO);
     let command = MavCmd::COMPONENT_ARM_DISARM;
     let refused = Failure::Refused { command, result: MavResult::FAILED, reason: 7, progress: Some(30) };
-    assert_eq!(events, [Event::Progress { command, progress: Some(30) }, Event::Finished(Err(refused))]);
+    assert_eq!(events, [Update::Progress(Progress { command, percent: Some(30) }), Update::Done(Err(refused))]);
     assert_eq!(refused.to_string(), "MAV_CMD_COMPONENT_ARM_DISARM was refused: MAV_RESULT_FAILED, reason 7, at 30 %");
 }
 
 #[test]
 fn answers_of_others_and_to_others_are_none() {
-    let mut machine = Station::new(station(), component());
-    give(&mut machine, COMPONENT, &ack(MavResult::ACCEPTED, 0), Instant::ZERO);
-    machine.start(&ARM, Instant::ZERO).unwrap();
+    let mut machine = sending(&ARM);
     // What comes before the command was even sent is no answer to it.
     give(&mut machine, COMPONENT, &ack(MavResult::ACCEPTED, 0), Instant::ZERO);
     outputs(&mut machine, Instant::ZERO);
@@ -147,26 +147,24 @@ fn answers_of_others_and_to_others_are_none() {
     give(&mut machine, COMPONENT, &other, Instant::ZERO);
     give(&mut machine, COMPONENT, &Heartbeat::DEFAULT, Instant::ZERO);
     assert!(outputs(&mut machine, Instant::ZERO).1.is_empty());
-    assert_eq!(machine.active(), Some(MavCmd::COMPONENT_ARM_DISARM));
-    assert_eq!(
-        machine.start(&REPOSITION, Instant::ZERO),
-        Err(StartError::Busy { command: MavCmd::COMPONENT_ARM_DISARM })
-    );
     give(&mut machine, COMPONENT, &ack(MavResult::ACCEPTED, 0), Instant::ZERO);
-    assert!(matches!(outputs(&mut machine, Instant::ZERO).1[..], [Event::Finished(Ok(_))]));
-    assert_eq!(machine.start(&Heartbeat::DEFAULT, Instant::ZERO), Err(StartError::NoCommand { message_id: 0 }));
+    assert!(matches!(outputs(&mut machine, Instant::ZERO).1[..], [Update::Done(Ok(_))]));
+    give(&mut machine, COMPONENT, &ack(MavResult::FAILED, 0), Instant::ZERO);
+    assert!(outputs(&mut machine, Instant::ZERO).1.is_empty(), "it has ended");
+
+    let none = Send::new(station(), component(), Options::DEFAULT, &Heartbeat::DEFAULT, Instant::ZERO);
+    assert_eq!(none.unwrap_err(), NoCommand { message_id: 0 });
 }
 
 #[test]
 fn endless_progress_comes_to_an_end() {
-    let mut machine =
-        Station::with_options(station(), component(), Options { limit: Duration::from_secs(20), ..Options::DEFAULT });
-    machine.start(&ARM, Instant::ZERO).unwrap();
+    let options = Options { limit: Duration::from_secs(20), ..Options::DEFAULT };
+    let mut machine = Send::new(station(), component(), options, &ARM, Instant::ZERO).unwrap();
     let (mut now, mut sent) = (Instant::ZERO, 0);
     let end = loop {
         let (out, events) = outputs(&mut machine, now);
         sent += out.len();
-        if let Some(Event::Finished(end)) = events.last() {
+        if let Some(Update::Done(end)) = events.last() {
             break *end;
         }
         give(&mut machine, COMPONENT, &ack(MavResult::IN_PROGRESS, 255), now);
@@ -178,37 +176,35 @@ fn endless_progress_comes_to_an_end() {
 
 #[test]
 fn silence_ends_what_runs() {
-    let mut machine = Station::new(station(), component());
-    machine.start(&ARM, Instant::ZERO).unwrap();
+    let mut machine = sending(&ARM);
     outputs(&mut machine, Instant::ZERO);
     give(&mut machine, COMPONENT, &ack(MavResult::IN_PROGRESS, 50), Instant::ZERO);
     outputs(&mut machine, Instant::ZERO);
     assert_eq!(machine.deadline(), Some(Instant::from_millis(5000)));
     let (sent, events) = outputs(&mut machine, Instant::from_millis(5000));
     let timeout = Failure::Timeout { command: MavCmd::COMPONENT_ARM_DISARM, sent: 1, progress: Some(50) };
-    assert_eq!((sent.len(), events), (0, vec![Event::Finished(Err(timeout))]));
+    assert_eq!((sent.len(), events), (0, vec![Update::Done(Err(timeout))]));
 }
 
 #[test]
 fn a_running_command_can_be_cancelled() {
-    let (mut sender, mut receiver) = (Station::new(station(), component()), Component::<4>::new(component()));
+    let (mut sender, mut receiver) = (sending(&ARM), Component::<4>::new(component()));
     let mut simulation = Simulation::new(9, Weather::BAD);
-    sender.start(&ARM, Instant::ZERO).unwrap();
     let (mut end, mut cancelled) = (None, false);
     let _ = simulation.run(
         (&mut sender, &mut |machine, event, now| match event {
-            Event::Progress { .. } => {
+            Update::Progress(_) => {
                 machine.cancel(now);
                 ControlFlow::Continue(())
             }
-            _ => {
-                end = Some(event);
+            Update::Done(result) => {
+                end = Some(result);
                 ControlFlow::Break(())
             }
         }),
         (&mut receiver, &mut |machine, event, now| match event {
-            ComponentEvent::Request(request) => assert!(machine.progress(request.ticket, None, now)),
-            ComponentEvent::Cancel(ticket) => {
+            Event::Request(request) => assert!(machine.progress(request.ticket, None, now)),
+            Event::Cancel(ticket) => {
                 assert!(machine.finish(ticket, MavResult::CANCELLED, now));
                 assert!(!machine.finish(ticket, MavResult::ACCEPTED, now), "it has ended");
                 cancelled = true;
@@ -218,11 +214,7 @@ fn a_running_command_can_be_cancelled() {
         Duration::from_secs(60),
     );
     assert!(cancelled);
-    assert!(
-        matches!(end, Some(Event::Finished(Err(Failure::Refused { result: MavResult::CANCELLED, .. })))),
-        "{end:?}"
-    );
-    assert!(!sender.cancel(simulation.now), "there is nothing to cancel");
+    assert!(matches!(end, Some(Err(Failure::Refused { result: MavResult::CANCELLED, .. }))), "{end:?}");
 }
 
 #[test]
@@ -235,7 +227,7 @@ fn a_component_answers_repeats_and_turns_away_what_it_cannot_hold() {
 
     give(&mut machine, STATION, &long(1.0, 0), Instant::ZERO);
     let (_, events) = outputs(&mut machine, Instant::ZERO);
-    let [ComponentEvent::Request(request)] = events[..] else { panic!("{events:?}") };
+    let [Event::Request(request)] = events[..] else { panic!("{events:?}") };
     assert_eq!((request.from, request.command.params()[0]), (station(), 1.0));
 
     let answers = |machine: &mut Component<1>, now| {
@@ -258,4 +250,41 @@ fn a_component_answers_repeats_and_turns_away_what_it_cannot_hold() {
     assert_eq!(answers(&mut machine, Instant::from_millis(1000)), [MavResult::ACCEPTED], "it is too late");
     give(&mut machine, STATION, &long(1.0, 2), Instant::from_millis(9000));
     assert_eq!(outputs(&mut machine, Instant::from_millis(9000)).1.len(), 1, "that is a new one");
+}
+
+#[test]
+fn a_message_is_asked_for_until_it_comes() {
+    let fetch = || Fetch::<AutopilotVersion>::new(station(), component(), Retry::DEFAULT, 0.0, Instant::ZERO);
+    let version = AutopilotVersion { uid: 7, ..AutopilotVersion::DEFAULT };
+    let accepted = CommandAck { command: MavCmd::REQUEST_MESSAGE, ..CommandAck::DEFAULT };
+
+    let mut machine = fetch();
+    let (sent, _) = outputs(&mut machine, Instant::ZERO);
+    assert_eq!(sent[0].decode::<CommandLong>().unwrap().param1, 148.0);
+    // It is acknowledged, and lost.
+    give(&mut machine, COMPONENT, &accepted, Instant::ZERO);
+    give(&mut machine, (9, 1), &version, Instant::ZERO);
+    assert!(outputs(&mut machine, Instant::ZERO).1.is_empty());
+    let (sent, _) = outputs(&mut machine, Instant::from_millis(1000));
+    assert_eq!(sent[0].decode::<CommandLong>().unwrap().confirmation, 1);
+    give(&mut machine, COMPONENT, &version, Instant::from_millis(1000));
+    assert_eq!(outputs(&mut machine, Instant::from_millis(1000)).1, [Update::Done(Ok(version))]);
+    assert_eq!(machine.deadline(), None);
+
+    let mut machine = fetch();
+    outputs(&mut machine, Instant::ZERO);
+    give(&mut machine, COMPONENT, &CommandAck { result: MavResult::UNSUPPORTED, ..accepted }, Instant::ZERO);
+    let (_, events) = outputs(&mut machine, Instant::ZERO);
+    assert!(matches!(events[..], [Update::Done(Err(Failure::Refused { result: MavResult::UNSUPPORTED, .. }))]));
+
+    let mut machine = fetch();
+    outputs(&mut machine, Instant::ZERO);
+    let (now, end) = loop {
+        let now = machine.deadline().unwrap();
+        if let Some(Update::Done(end)) = outputs(&mut machine, now).1.pop() {
+            break (now, end);
+        }
+    };
+    let timeout = Failure::Timeout { command: MavCmd::REQUEST_MESSAGE, sent: 6, progress: None };
+    assert_eq!((now, end), (Instant::from_millis(6000), Err(timeout)));
 }

@@ -66,31 +66,18 @@ impl fmt::Display for Failure {
 
 impl Error for Failure {}
 
-/// A command was not even sent.
+/// A message is neither `COMMAND_LONG` nor `COMMAND_INT` as `common` defines them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum StartError {
-    /// Another one has not come to its end.
-    Busy {
-        /// That one.
-        command: MavCmd,
-    },
-    /// It is neither `COMMAND_LONG` nor `COMMAND_INT` as `common` defines them.
-    NoCommand {
-        /// The id of the message.
-        message_id: u32,
-    },
+pub struct NoCommand {
+    /// The id of the message.
+    pub message_id: u32,
 }
 
-impl fmt::Display for StartError {
+impl fmt::Display for NoCommand {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Busy { command } => write!(f, "{command} has not come to its end: wait for it, or cancel it"),
-            Self::NoCommand { message_id } => {
-                write!(f, "message {message_id} is neither COMMAND_LONG nor COMMAND_INT as common.xml defines them")
-            }
-        }
+        let Self { message_id } = self;
+        write!(f, "message {message_id} is neither COMMAND_LONG nor COMMAND_INT as common.xml defines them")
     }
 }
 
-impl Error for StartError {}
+impl Error for NoCommand {}
