@@ -1,5 +1,6 @@
 //! `mavgen dump`: the resolved dialect as JSON in a stable schema, and as text.
 
+mod uorb;
 mod view;
 
 use std::fmt::Write;
@@ -12,9 +13,12 @@ use serde_json::{Value, json};
 
 use super::input::{Input, resolve};
 use super::report::{self, Report, plural};
+use super::topics::Topics;
 use view::Overlaid;
 
 /// Prints the resolved dialect: wire order, offsets, checksums, merged enums, packed bits.
+///
+/// Of uORB messages: both layouts, hashes, formats of logs, constants and enums.
 #[derive(Args)]
 #[command(after_help = AFTER_HELP)]
 pub(super) struct Dump {
@@ -29,13 +33,28 @@ const AFTER_HELP: &str = "\
 Examples:
   mavgen dump xml/acme.xml
   mavgen dump xml/common.xml --messages HEARTBEAT
-  mavgen dump xml/acme.xml --json | jq '.messages[].name'";
+  mavgen dump xml/acme.xml --json | jq '.messages[].name'
+  mavgen dump px4_msgs/msg --messages VehicleStatus
+  mavgen dump px4_msgs/msg/EscStatus.msg --json | jq '.messages[].cdr_len'";
 
 impl Dump {
     pub(super) fn run(&self, report: &Report) -> Result<ExitCode, Failure> {
+        if let Some(topics) = self.input.topics()? {
+            return self.topics(&topics, report);
+        }
         let Resolved { dialect, others, .. } = resolve(&self.input.builder(), report)?;
         for dialect in std::iter::once(&dialect).chain(&others) {
             report::print(&if self.json { json(dialect) } else { text(dialect) })?;
+        }
+        Ok(ExitCode::SUCCESS)
+    }
+
+    fn topics(&self, topics: &Topics, report: &Report) -> Result<ExitCode, Failure> {
+        if !topics.is_fine(self.input.reading.definitions.deny_warnings, report) {
+            return Ok(ExitCode::from(2));
+        }
+        for definition in &topics.definitions {
+            report::print(&if self.json { uorb::json(definition) } else { uorb::text(definition) })?;
         }
         Ok(ExitCode::SUCCESS)
     }

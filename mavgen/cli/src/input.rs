@@ -12,11 +12,16 @@ use super::report::Report;
 /// The definitions.
 #[derive(Args)]
 pub(super) struct Input {
-    /// The dialect's XML file; several are the dialects of one tree, with a module for each.
+    /// The dialect's XML file; several are the dialects of one tree, with a module for each. Or a folder of PX4's `.msg` files,
+    /// or some files of one folder: uORB messages.
     #[arg(required = true)]
     pub(super) xml: Vec<PathBuf>,
     #[command(flatten)]
     pub(super) reading: Reading,
+    /// An older definition of the uORB messages: what it is called, and its folder of `.msg` files; may be given several times,
+    /// newest first.
+    #[arg(long, value_name = "NAME=DIR")]
+    pub(super) older: Vec<String>,
 }
 
 /// How definitions are read, and what overlays add to them.
@@ -45,7 +50,7 @@ pub(super) struct Definitions {
     pub(super) deny_warnings: bool,
     /// Leave out the warnings of this code, as M313: neither told nor denied; several are separated by commas.
     #[arg(long, value_name = "CODE", value_delimiter = ',')]
-    allow: Vec<String>,
+    pub(super) allow: Vec<String>,
 }
 
 /// The definitions, and a folder for what becomes of them.

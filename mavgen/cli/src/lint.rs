@@ -10,7 +10,7 @@ use mavgen::{Builder, Failure, Problems, Resolved};
 use super::input::Input;
 use super::report::{Report, plural};
 
-/// Says all that there is to say about a dialect, and no (exit status 1) if something is wrong with it.
+/// Says all that there is to say about a dialect or uORB messages, and no (exit status 1) if something is wrong with it.
 ///
 /// Warnings and notes about included files and vendored copies are shown as well, which other commands do not. A warning is no
 /// reason to say no, unless warnings are denied.
@@ -27,6 +27,8 @@ Examples:
   mavgen lint xml/acme.xml --overlay xml/overlay/acme.xml --deny-warnings
   mavgen lint xml/acme.xml --allow M313,M404
   mavgen lint xml/acme.xml --message-format json 2>&1 | jq .message
+  mavgen lint px4_msgs/msg
+  mavgen lint msg/main --overlay msg/esc.overlay.xml --older v1_14=msg/v1_14
 
 Exit status: 0 fine, 1 errors (or denied warnings), 2 the file or an overlay cannot be read, or the usage is wrong.";
 
@@ -39,22 +41,33 @@ const UNREADABLE: [Code; 3] = [Code::Unreadable, Code::NotUtf8, Code::TooLarge];
 
 impl Lint {
     pub(super) fn run(&self, report: &Report) -> Result<ExitCode, Failure> {
+        if let Some(topics) = self.input.topics()? {
+            if topics.diagnostics.iter().any(|diagnostic| UNREADABLE.contains(&diagnostic.code)) {
+                report.diagnostics(&topics.diagnostics, &topics.sources);
+                return Ok(ExitCode::from(2));
+            }
+            let warned = topics.diagnostics.iter().any(|one| one.severity() == Severity::Warning);
+            return Ok(self.judge(&topics.diagnostics, &topics.sources, warned, report));
+        }
         // Denied warnings are found here, beside all the others.
         let builder = self.input.builder().deny_warnings(false).lint(true);
         match builder.resolve() {
-            Ok(Resolved { diagnostics, sources, .. }) => Ok(self.judge(&builder, &diagnostics, &sources, report)),
+            Ok(Resolved { diagnostics, sources, .. }) => {
+                Ok(self.judge(&diagnostics, &sources, warns(&builder, &diagnostics, &sources), report))
+            }
             Err(Failure::Definitions(problems)) => {
                 let Problems { diagnostics, sources, .. } = &*problems;
                 if diagnostics.iter().any(|diagnostic| UNREADABLE.contains(&diagnostic.code)) {
                     return Err(Failure::Definitions(problems));
                 }
-                Ok(self.judge(&builder, diagnostics, sources, report))
+                Ok(self.judge(diagnostics, sources, warns(&builder, diagnostics, sources), report))
             }
             Err(other) => Err(other),
         }
     }
 
-    fn judge(&self, builder: &Builder, found: &Diagnostics, sources: &Sources, report: &Report) -> ExitCode {
+    /// Says what was found; `warned` is whether there is a warning that can be denied.
+    fn judge(&self, found: &Diagnostics, sources: &Sources, warned: bool, report: &Report) -> ExitCode {
         report.diagnostics(found, sources);
         let count = |severity| found.iter().filter(|diagnostic| diagnostic.severity() == severity).count();
         let (errors, warnings, notes) = (count(Severity::Error), count(Severity::Warning), count(Severity::Note));
@@ -66,12 +79,16 @@ impl Lint {
             plural(warnings, "warning"),
             plural(notes, "note")
         ));
-        // What no other command tells, none other would deny.
-        let mut all = found.iter().filter(|one| one.severity() == Severity::Warning && !one.code.is_for_lint());
-        let denied = self.input.reading.definitions.deny_warnings && all.any(|one| builder.concerns(one, sources));
+        let denied = self.input.reading.definitions.deny_warnings && warned;
         if denied {
             report.denied();
         }
         if errors > 0 || denied { ExitCode::from(1) } else { ExitCode::SUCCESS }
     }
+}
+
+/// Whether there is a warning that another command would deny: what none other tells, none other denies.
+fn warns(builder: &Builder, found: &Diagnostics, sources: &Sources) -> bool {
+    let mut all = found.iter().filter(|one| one.severity() == Severity::Warning && !one.code.is_for_lint());
+    all.any(|one| builder.concerns(one, sources))
 }

@@ -13,6 +13,7 @@ mod input;
 mod lint;
 mod man;
 mod report;
+mod topics;
 mod usage;
 mod vendor;
 
@@ -61,6 +62,7 @@ Examples:
   mavgen diff old/acme.xml xml/acme.xml        what breaks, and what in Rust?
   mavgen vendor up/acme.xml --out xml          copy it and its includes
   mavgen explain M304                          what does a diagnostic mean?
+  mavgen lint px4_msgs/msg --messages 'Esc*'   PX4's .msg files, as well
 
 Exit status: 0 fine, 1 the answer is no (check, diff, lint), 2 the input or the usage is wrong.";
 

@@ -37,7 +37,15 @@ impl Folder {
         if folder.ends_with(VERSIONED) {
             collect(&folder.join(".."), &mut beside).map_err(unreadable)?;
         }
-        Ok(Self { path: folder.to_owned(), files, beside })
+        let found = Self { path: folder.to_owned(), files, beside };
+        if path == folder && found.files.is_empty() {
+            let message = format!("no `.msg` file is in {}", folder.display());
+            return Err(Diagnostic::without_place(Code::Unreadable, message));
+        }
+        let is_there = found.meant(path).all(|name| found.files.contains_key(name));
+        is_there
+            .then_some(found)
+            .ok_or_else(|| Diagnostic::without_place(Code::Unreadable, format!("there is no file {}", path.display())))
     }
 
     /// The folder that this is, or that this `.msg` file is in.

@@ -12,6 +12,7 @@ mod lint;
 mod messages;
 mod roots;
 mod speech;
+mod uorb;
 mod vendor;
 
 use std::fs;
