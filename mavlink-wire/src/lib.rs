@@ -97,8 +97,9 @@
 //! - `fast-crc` (default): speed that is paid for in flash. The checksum from a table of 8 KiB, and frames where they lie in
 //!   the chunk. Without it, the checksum by a few instructions per byte, and all bytes through the parser's own buffer, one
 //!   code for every case: see [Flash](#flash). The frames are the same.
-//! - `std`: frames over `std::io` (module `io`), in UDP datagrams (`udp`), and in log files ([`tlog`], of which a part needs
-//!   no std).
+//! - `std`: links to addresses of UDP, TCP and files (module `link`); frames over `std::io` (`io`), over a UDP socket of yours
+//!   (`udp`), and in log files ([`tlog`], of which a part needs no std).
+//! - `serial`: links over serial ports.
 //! - `tokio-codec`: a codec for `tokio_util::codec` (`tokio_codec`).
 //! - `embedded-io`, `embedded-io-async`: frames over the traits of these crates (modules of the same names).
 //! - `signing`: signatures are made and verified, in the module `signing`. Without it they are only handed over
@@ -120,22 +121,33 @@
 #[cfg(any(feature = "std", test))]
 extern crate std;
 
+mod adapters;
 mod error;
 mod frame;
 pub mod generated;
 mod glue;
-mod link;
+#[cfg(feature = "std")]
+pub mod link;
 mod log;
 mod message;
 mod parser;
 pub mod prelude;
 pub mod reflect;
+mod routes;
 mod sender;
 #[cfg(feature = "signing")]
 pub mod signing;
 #[cfg(feature = "uorb")]
 pub mod uorb;
 
+#[cfg(feature = "embedded-io")]
+pub use adapters::embedded_io;
+#[cfg(feature = "embedded-io-async")]
+pub use adapters::embedded_io_async;
+#[cfg(feature = "tokio-codec")]
+pub use adapters::tokio_codec;
+#[cfg(feature = "std")]
+pub use adapters::{io, udp};
 pub use error::{EncodeError, FrameError, OutOfRange, TooLong, UnknownName, ViewError};
 pub(crate) use frame::header;
 pub use frame::{ComponentId, Frame, FrameBuf, Signature, SystemId, Timestamp, Version, crc};
@@ -143,21 +155,13 @@ pub use frame::{ComponentId, Frame, FrameBuf, Signature, SystemId, Timestamp, Ve
 pub use glue::interop;
 #[cfg(feature = "serde")]
 pub use glue::serde;
-#[cfg(feature = "embedded-io")]
-pub use link::embedded_io;
-#[cfg(feature = "embedded-io-async")]
-pub use link::embedded_io_async;
-#[cfg(feature = "tokio-codec")]
-pub use link::tokio_codec;
-pub use link::{LinkNumbers, Links, Routes};
-#[cfg(feature = "std")]
-pub use link::{io, udp};
 pub use log::tlog;
 pub use message::{
     Chars, Dialect, Encode, Enum, EnumInfo, FieldInfo, Invalid, Kind, Message, MessageInfo, ParamInfo, Payload, Repr,
     Sentinel, Targeted, flags,
 };
 pub use parser::{Arrival, Losses, Parser, Received, Statistics, Table};
+pub use routes::{LinkNumbers, Links, Routes};
 pub use sender::Sender;
 
 /// Bytes of the longest frame: MAVLink 2, signed.

@@ -56,6 +56,9 @@ const TIME: usize = 8;
 /// Microseconds of a day: so far from the time before, a time is plausible.
 const DAY_US: u64 = 24 * 60 * 60 * 1_000_000;
 
+/// Times that are plausible without one before: the years 2000 to 2099.
+pub(crate) const CENTURY_US: core::ops::Range<u64> = 946_684_800_000_000..4_102_444_800_000_000;
+
 /// Bytes of the longest entry.
 pub const MAX_ENTRY: usize = TIME + MAX_FRAME;
 

@@ -3,6 +3,7 @@
 mod bad_checksums;
 #[cfg(feature = "signing")]
 mod keys;
+mod link;
 mod scripted;
 mod std_io;
 mod udp;

@@ -2,14 +2,11 @@
 
 use memchr::memchr2;
 
-use super::{DAY_US, Entry, TIME};
+use super::{CENTURY_US, DAY_US, Entry, TIME};
 use crate::frame::Candidate;
 use crate::header::{Header, STX_V1, STX_V2};
 use crate::parser::prefixes::Prefixes;
 use crate::{Frame, FrameError, Table};
-
-/// Times that are plausible without one before: the years 2000 to 2099.
-const CENTURY_US: core::ops::Range<u64> = 946_684_800_000_000..4_102_444_800_000_000;
 
 /// The search for entries, from one place to the next.
 #[derive(Clone, Debug)]

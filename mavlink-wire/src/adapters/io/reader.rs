@@ -2,7 +2,7 @@
 
 use std::io::{ErrorKind, Read, Result};
 
-use crate::link::incoming::{ENOUGH, Incoming};
+use crate::adapters::incoming::{ENOUGH, Incoming};
 use crate::parser::not_told;
 use crate::{Frame, Statistics, Table};
 

@@ -2,7 +2,7 @@
 
 use std::io::{ErrorKind, Result, Write};
 
-use crate::link::outgoing::Outgoing;
+use crate::adapters::outgoing::Outgoing;
 use crate::{Encode, Frame, Sender};
 
 /// Writes frames to `W`, each by one call of [`Write::write`] if the link takes it whole.

@@ -29,32 +29,23 @@
 //! # Ok::<(), std::io::Error>(())
 //! ```
 
-mod datagram;
-mod peers;
 mod send;
+mod wait;
 
 use std::io::{ErrorKind, Result};
 use std::net::{SocketAddr, UdpSocket};
 use std::time::{Duration, Instant};
+use std::vec::Vec;
 
-#[cfg(feature = "signing")]
-use crate::link::clock;
-use crate::link::incoming::Found;
+use crate::link::{Inbox, Outbox, Peer, Peers};
 use crate::parser::not_told;
 #[cfg(feature = "signing")]
-use crate::signing::{Trust, Verifier};
+use crate::signing::Verifier;
 use crate::{Frame, Sender, Statistics, Table};
-use datagram::{Datagram, Wait, Work};
-use peers::Peers;
-
-/// How many peers are remembered if nothing else is said.
-const PEERS: usize = 16;
-
-/// How long a silent peer is remembered if nothing else is said.
-const EXPIRY: Duration = Duration::from_secs(3);
+use wait::Work;
 
 /// How long the rest of a frame is waited for, while nothing comes. Bridges send it within milliseconds.
-const SILENCE: Duration = Duration::from_millis(250);
+pub(crate) const SILENCE: Duration = Duration::from_millis(250);
 
 /// A socket that sends one frame a datagram, and receives several, or parts of one.
 ///
@@ -73,45 +64,34 @@ const SILENCE: Duration = Duration::from_millis(250);
 /// The datagrams of an address are one stream: a frame may be cut into several, as bridges from serial ports do, and datagrams
 /// of others may come between. If the rest does not come within a quarter of a second of silence, what came behind the
 /// beginning is searched without it.
+///
+/// [`Link`](crate::link::Link) is the same for whom an address is enough; this is for a socket of your own.
 #[derive(Debug)]
 pub struct Endpoint<'t> {
     socket: UdpSocket,
-    sender: Sender,
-    peers: Peers<'t>,
-    datagram: Datagram,
-    #[cfg(feature = "signing")]
-    verifier: Option<Verifier>,
-    #[cfg(feature = "signing")]
-    refused: u64,
+    inbox: Inbox<'t>,
+    outbox: Outbox,
 }
 
 impl<'t> Endpoint<'t> {
     /// An endpoint that sends what this sender makes, and verifies the messages of this table.
     #[must_use]
     pub fn new(socket: UdpSocket, table: &'t Table<'t>, sender: Sender) -> Self {
-        Self {
-            socket,
-            sender,
-            peers: Peers::new(table, PEERS, EXPIRY),
-            datagram: Datagram::new(),
-            #[cfg(feature = "signing")]
-            verifier: None,
-            #[cfg(feature = "signing")]
-            refused: 0,
-        }
+        let peers = Peers::new();
+        Self { socket, outbox: Outbox::new(sender, peers.clone()), inbox: Inbox::new(table, peers, SILENCE) }
     }
 
     /// The same with room for so many peers.
     #[must_use]
-    pub fn with_peer_limit(mut self, limit: usize) -> Self {
-        self.peers.limit = limit;
+    pub fn with_peer_limit(self, limit: usize) -> Self {
+        self.inbox.peers.set_limit(limit);
         self
     }
 
     /// The same that forgets a peer when it has been silent for so long.
     #[must_use]
-    pub fn with_peer_expiry(mut self, silence: Duration) -> Self {
-        self.peers.expiry = silence;
+    pub fn with_peer_expiry(self, silence: Duration) -> Self {
+        self.inbox.peers.set_expiry(silence);
         self
     }
 
@@ -120,21 +100,21 @@ impl<'t> Endpoint<'t> {
     #[cfg(feature = "signing")]
     #[must_use]
     pub fn with_verifier(mut self, verifier: Verifier) -> Self {
-        self.verifier = Some(verifier);
+        self.inbox.verifier = Some(verifier);
         self
     }
 
     /// What says which frames to trust; its timestamp and streams are to be saved.
     #[cfg(feature = "signing")]
     pub fn verifier(&mut self) -> Option<&mut Verifier> {
-        self.verifier.as_mut()
+        self.inbox.verifier.as_mut()
     }
 
     /// How many frames the verifier refused.
     #[cfg(feature = "signing")]
     #[must_use]
     pub fn refused_frames(&self) -> u64 {
-        self.refused
+        self.inbox.refused
     }
 
     /// The next frame, and who sent it; waits for it as the socket does.
@@ -162,103 +142,38 @@ impl<'t> Endpoint<'t> {
         mut bad_checksum: impl FnMut(u32),
     ) -> Result<(Frame<'_>, SocketAddr)> {
         let mut work = Work::NONE;
-        let (place, found) = loop {
-            match self.find(&mut bad_checksum) {
-                Some((place, found)) if self.accept(place, &found) => break (place, found),
-                Some(_) => {}
+        let delivery = loop {
+            match self.inbox.find(&mut bad_checksum) {
+                Some(delivery) => break delivery,
                 None => self.wait(&mut work)?,
             }
         };
-        // There is somebody at every place where something was found.
-        self.peers.frame(place, &found, self.datagram.used()).ok_or_else(|| ErrorKind::WouldBlock.into())
-    }
-
-    /// The next frame in what was received, and the place of who sent it.
-    fn find(&mut self, bad_checksum: &mut impl FnMut(u32)) -> Option<(usize, Found)> {
-        self.datagram.wipe_used_key();
-        if let Some((place, found)) = self.peers.finish(bad_checksum) {
-            self.datagram.found_key = found.carries_key();
-            return Some((place, found));
-        }
-        let place = self.peers.place_of(self.datagram.from?)?;
-        let mut input = self.datagram.rest();
-        let found = Found::next(&mut self.peers.at_mut(place)?.parser, &mut input, bad_checksum);
-        let rest = input.len();
-        self.datagram.leave(rest);
-        if found.is_none() {
-            self.datagram.from = None;
-        }
-        self.datagram.found_key = found.is_some_and(|found| found.carries_key());
-        found.map(|found| (place, found))
-    }
-
-    /// Waits for the next datagram, or until the rest of a frame has been waited for long enough.
-    fn wait(&mut self, work: &mut Work) -> Result<()> {
-        let began = Instant::now();
-        work.check(&self.socket, began)?;
-        let limit = self.peers.are_waiting().then_some(SILENCE);
-        let came = self.datagram.wait(&self.socket, limit);
-        let now = Instant::now();
-        let waited = now.saturating_duration_since(began);
-        match came {
-            Ok(Wait::Came(length, from)) => {
-                // Only a wait shows that there was nothing: what came meanwhile may have lain in the socket.
-                if waited >= SILENCE {
-                    self.peers.give_up(SILENCE, now);
-                }
-                self.peers.receive(from, now);
-                work.count(length);
-                Ok(())
-            }
-            Ok(Wait::Nothing) => Ok(()),
-            Err(error) if matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::TimedOut) => {
-                // The caller may want to wait longer than for the rest of a frame: the next check says.
-                let ours = limit.is_some_and(|limit| waited >= limit);
-                if self.peers.give_up(SILENCE, now) || ours { Ok(()) } else { Err(error) }
-            }
-            Err(error) => Err(error),
-        }
-    }
-
-    /// Whether a frame is to be handed over; makes a peer of who sent it.
-    fn accept(&mut self, place: usize, found: &Found) -> bool {
-        let Some((frame, _)) = self.peers.frame(place, found, self.datagram.used()) else { return false };
-        let (proven, version) = (frame.is_verified(), frame.version());
-        #[cfg(feature = "signing")]
-        let proven = match self.verifier.as_mut().map(|verifier| verifier.check(&frame, clock::now())) {
-            None | Some(Ok(Trust::Signed | Trust::Unchecked)) => proven,
-            Some(Ok(Trust::Allowed)) => false,
-            Some(Err(_)) => {
-                self.refused += 1;
-                return false;
-            }
-        };
-        if proven {
-            self.peers.hear(place, version, Instant::now());
-        }
-        true
+        // Every peer that an endpoint hears has an address.
+        let frame = self.inbox.frame(&delivery).and_then(|(frame, peer)| Some((frame, peer.address()?)));
+        frame.ok_or_else(|| ErrorKind::WouldBlock.into())
     }
 
     /// The peers, the one that was heard last in front.
     #[must_use]
     pub fn peers(&self) -> impl ExactSizeIterator<Item = SocketAddr> + use<'t> {
-        self.peers.peers(Instant::now()).into_iter().map(|peer| peer.address)
+        let peers: Vec<_> = self.inbox.peers.all(Instant::now()).iter().filter_map(Peer::address).collect();
+        peers.into_iter()
     }
 
     /// Forgets a peer, and what its parser holds; whether it was one. If it sends again, it is a peer again.
     pub fn remove_peer(&mut self, peer: SocketAddr) -> bool {
-        self.peers.remove(peer)
+        self.inbox.remove(peer.into())
     }
 
     /// What was found so far in all datagrams, and what could not be read.
     #[must_use]
     pub fn statistics(&self) -> Statistics {
-        self.peers.statistics()
+        self.inbox.statistics()
     }
 
     /// What makes the frames.
     pub fn sender(&mut self) -> &mut Sender {
-        &mut self.sender
+        &mut self.outbox.sender
     }
 
     /// The socket, for timeouts and the like.

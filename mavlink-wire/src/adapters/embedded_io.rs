@@ -38,8 +38,8 @@
 
 use ::embedded_io::{Error, ErrorKind, Read, Write};
 
-use crate::link::incoming::{ENOUGH, Incoming};
-use crate::link::outgoing::Outgoing;
+use crate::adapters::incoming::{ENOUGH, Incoming};
+use crate::adapters::outgoing::Outgoing;
 use crate::parser::not_told;
 use crate::{Encode, Frame, Sender, Statistics, Table};
 

@@ -1,0 +1,18 @@
+//! Frames over something that carries bytes: each module a thin adapter behind a feature.
+
+#[cfg(all(feature = "std", feature = "signing"))]
+pub(crate) mod clock;
+#[cfg(feature = "embedded-io")]
+pub mod embedded_io;
+#[cfg(feature = "embedded-io-async")]
+pub mod embedded_io_async;
+#[cfg(any(feature = "std", feature = "embedded-io", feature = "embedded-io-async"))]
+pub(crate) mod incoming;
+#[cfg(feature = "std")]
+pub mod io;
+#[cfg(any(feature = "std", feature = "embedded-io", feature = "embedded-io-async"))]
+mod outgoing;
+#[cfg(feature = "tokio-codec")]
+pub mod tokio_codec;
+#[cfg(feature = "std")]
+pub mod udp;

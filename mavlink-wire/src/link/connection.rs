@@ -1,0 +1,300 @@
+//! Links that wait by blocking.
+
+mod file;
+mod line;
+mod receive;
+mod send;
+#[cfg(feature = "serial")]
+mod serial;
+mod stream;
+mod tcp;
+mod udp;
+
+pub use receive::ReceiveHalf;
+pub use send::SendHalf;
+
+use std::boxed::Box;
+use std::net::SocketAddr;
+use std::string::String;
+use std::sync::{Arc, Mutex};
+use std::time::Instant;
+use std::vec::Vec;
+
+use super::shared::Shared;
+use super::statistics::Counters;
+use super::{Address, LinkError, LinkStatistics, Options, Peer};
+#[cfg(feature = "signing")]
+use crate::signing::Verifier;
+use crate::{ComponentId, Encode, Frame, Losses, Sender, SystemId};
+use file::Recording;
+use line::Line;
+use send::Outgoing;
+use stream::Opener;
+
+/// Frames from and to whoever is at an address.
+///
+/// A link is two halves; [`split`](Self::split) gives them to two threads, and [`sending`](Self::sending) gives another hand on
+/// the half that sends.
+#[derive(Debug)]
+pub struct Link {
+    receiving: ReceiveHalf,
+    sending: SendHalf,
+}
+
+/// The ways of both halves, and what they share.
+struct Opened {
+    shared: Shared,
+    line: Option<Arc<Line>>,
+    receiving: receive::Carrier,
+    sending: send::Carrier,
+    is_stream: bool,
+}
+
+impl Link {
+    /// Opens a link to this address: one of those that [`Address`] has.
+    ///
+    /// # Errors
+    ///
+    /// Why it does not open: the address is wrong, in use, or nobody is there. The first attempt has to succeed; afterwards
+    /// a link connects again by itself.
+    pub fn connect(address: &str, options: Options) -> Result<Self, LinkError> {
+        let Opened { shared, line, receiving, sending, is_stream } = open(&address.parse()?, &options)?;
+        let (peers, shared) = (shared.peers.clone(), Arc::new(shared));
+        let outgoing = Outgoing { outbox: options.outbox(&peers), carrier: sending };
+        Ok(Self {
+            receiving: ReceiveHalf {
+                shared: shared.clone(),
+                inbox: options.inbox(&peers, is_stream),
+                carrier: receiving,
+                losses: Losses::new(),
+            },
+            sending: SendHalf { shared, line, outgoing: Arc::new(Mutex::new(outgoing)) },
+        })
+    }
+
+    /// Both halves, for two threads.
+    #[must_use]
+    pub fn split(self) -> (ReceiveHalf, SendHalf) {
+        (self.receiving, self.sending)
+    }
+
+    /// Another hand on the half that sends, for another thread.
+    #[must_use]
+    pub fn sending(&self) -> SendHalf {
+        self.sending.clone()
+    }
+}
+
+fn open(address: &Address, options: &Options) -> Result<Opened, LinkError> {
+    let counters = Arc::new(Counters::default());
+    match address {
+        Address::UdpIn(at) => {
+            let shared = Shared::new(options.peers(), counters, options);
+            let socket = udp::listen(at)?;
+            let local = socket.local_addr().ok();
+            datagrams(socket, shared.listening(local))
+        }
+        Address::UdpOut(to) => {
+            let (socket, to) = udp::towards(to, false)?;
+            let shared = Shared::new(options.peers(), counters, options);
+            shared.peers.name(Some(to.into()));
+            datagrams(socket, shared)
+        }
+        Address::UdpBroadcast(to) => {
+            let (socket, to) = udp::towards(to, true)?;
+            let shared = Shared::new(options.peers(), counters, options).listening(None);
+            shared.peers.name(Some(to.into()));
+            datagrams(socket, shared)
+        }
+        Address::TcpIn(at) => {
+            let (listener, local) = tcp::Listener::new(at)?;
+            let shared = Shared::new(options.only_peer(), counters, options);
+            connection(Box::new(listener), shared.listening(Some(local)), options)
+        }
+        Address::TcpOut(to) => {
+            let shared = Shared::new(options.only_peer(), counters, options);
+            connection(Box::new(tcp::Caller::new(to)), shared, options)
+        }
+        #[cfg(feature = "serial")]
+        Address::Serial { path, baud } => {
+            let shared = Shared::new(options.only_peer(), counters, options);
+            connection(Box::new(serial::Device::new(path, *baud)), shared, options)
+        }
+        #[cfg(not(feature = "serial"))]
+        Address::Serial { .. } => Err(LinkError::Feature { name: "serial" }),
+        Address::File(path) => {
+            let recording = Recording::open(path, options.table)?;
+            counters.count_connection();
+            Ok(Opened {
+                shared: Shared::new(options.only_peer(), counters, options),
+                line: None,
+                receiving: receive::Carrier::of_recording(recording),
+                sending: send::Carrier::Nothing,
+                is_stream: true,
+            })
+        }
+    }
+}
+
+/// A link of datagrams.
+fn datagrams(socket: std::net::UdpSocket, shared: Shared) -> Result<Opened, LinkError> {
+    let twin = socket.try_clone().map_err(LinkError::Io)?;
+    twin.set_write_timeout(Some(shared.send_timeout.max(core::time::Duration::from_millis(1))))
+        .map_err(LinkError::Io)?;
+    shared.counters.count_connection();
+    let receiving = receive::Carrier::Datagrams(udp::Receiving::new(socket));
+    Ok(Opened { shared, line: None, receiving, sending: send::Carrier::Datagrams { socket: twin }, is_stream: false })
+}
+
+/// A link that is a connection, or a device.
+fn connection(opener: Box<dyn Opener>, shared: Shared, options: &Options) -> Result<Opened, LinkError> {
+    let line = Line::open(opener, options.reconnects, shared.peers.clone(), shared.counters.clone())?;
+    let line = Arc::new(line);
+    let receiving = receive::Carrier::Line { line: line.clone(), end: None, heard: Instant::now() };
+    let sending = send::Carrier::Line { end: None, pending: None };
+    Ok(Opened { shared, line: Some(line), receiving, sending, is_stream: true })
+}
+
+/// What the half that receives does.
+impl Link {
+    /// See [`ReceiveHalf::receive`].
+    ///
+    /// # Errors
+    ///
+    /// See there.
+    pub fn receive(&mut self) -> Result<Frame<'_>, LinkError> {
+        self.receiving.receive()
+    }
+
+    /// See [`ReceiveHalf::receive_until`].
+    ///
+    /// # Errors
+    ///
+    /// See there.
+    pub fn receive_until(&mut self, deadline: Instant) -> Result<Option<Frame<'_>>, LinkError> {
+        self.receiving.receive_until(deadline)
+    }
+
+    /// See [`ReceiveHalf::receive_from`].
+    ///
+    /// # Errors
+    ///
+    /// See there.
+    pub fn receive_from(&mut self, deadline: Instant) -> Result<Option<(Frame<'_>, Peer)>, LinkError> {
+        self.receiving.receive_from(deadline)
+    }
+
+    /// What was received and sent so far.
+    #[must_use]
+    pub fn statistics(&self) -> LinkStatistics {
+        self.receiving.statistics()
+    }
+
+    /// See [`ReceiveHalf::losses`].
+    #[must_use]
+    pub const fn losses(&self) -> &Losses {
+        self.receiving.losses()
+    }
+
+    /// See [`ReceiveHalf::verifier`].
+    #[cfg(feature = "signing")]
+    pub fn verifier(&mut self) -> Option<&mut Verifier> {
+        self.receiving.verifier()
+    }
+
+    /// See [`ReceiveHalf::set_verifier`].
+    #[cfg(feature = "signing")]
+    pub fn set_verifier(&mut self, verifier: Option<Verifier>) {
+        self.receiving.set_verifier(verifier);
+    }
+}
+
+/// What the half that sends does.
+impl Link {
+    /// See [`SendHalf::send`].
+    ///
+    /// # Errors
+    ///
+    /// See there.
+    pub fn send(&self, message: &(impl Encode + ?Sized)) -> Result<usize, LinkError> {
+        self.sending.send(message)
+    }
+
+    /// See [`SendHalf::send_to`].
+    ///
+    /// # Errors
+    ///
+    /// See there.
+    pub fn send_to(&self, message: &(impl Encode + ?Sized), peer: Peer) -> Result<(), LinkError> {
+        self.sending.send_to(message, peer)
+    }
+
+    /// See [`SendHalf::send_frame`].
+    ///
+    /// # Errors
+    ///
+    /// See there.
+    pub fn send_frame(&self, frame: &Frame<'_>) -> Result<usize, LinkError> {
+        self.sending.send_frame(frame)
+    }
+
+    /// See [`SendHalf::send_frame_to`].
+    ///
+    /// # Errors
+    ///
+    /// See there.
+    pub fn send_frame_to(&self, frame: &Frame<'_>, peer: Peer) -> Result<(), LinkError> {
+        self.sending.send_frame_to(frame, peer)
+    }
+
+    /// Which system sends.
+    #[must_use]
+    pub fn system_id(&self) -> SystemId {
+        self.sending.system_id()
+    }
+
+    /// Which component of it sends.
+    #[must_use]
+    pub fn component_id(&self) -> ComponentId {
+        self.sending.component_id()
+    }
+
+    /// See [`SendHalf::with_sender`].
+    pub fn with_sender<R>(&self, change: impl FnOnce(&mut Sender) -> R) -> R {
+        self.sending.with_sender(change)
+    }
+
+    /// See [`SendHalf::peers`].
+    #[must_use]
+    pub fn peers(&self) -> Vec<Peer> {
+        self.sending.peers()
+    }
+
+    /// See [`SendHalf::remove_peer`].
+    pub fn remove_peer(&self, peer: Peer) -> bool {
+        self.sending.remove_peer(peer)
+    }
+
+    /// See [`SendHalf::is_connected`].
+    #[must_use]
+    pub fn is_connected(&self) -> bool {
+        self.sending.is_connected()
+    }
+
+    /// See [`SendHalf::trouble`].
+    #[must_use]
+    pub fn trouble(&self) -> Option<String> {
+        self.sending.trouble()
+    }
+
+    /// See [`SendHalf::local_addr`].
+    #[must_use]
+    pub fn local_addr(&self) -> Option<SocketAddr> {
+        self.sending.local_addr()
+    }
+
+    /// See [`SendHalf::close`].
+    pub fn close(&self) {
+        self.sending.close();
+    }
+}

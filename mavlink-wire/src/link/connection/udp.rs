@@ -1,0 +1,58 @@
+//! Sockets for datagrams.
+
+use std::io::ErrorKind;
+use std::net::{SocketAddr, ToSocketAddrs, UdpSocket};
+use std::time::{Duration, Instant};
+
+use crate::link::{Inbox, LinkError, is_passing};
+
+/// Zero would mean to wait for ever.
+const SHORTEST: Duration = Duration::from_millis(1);
+
+/// A socket that receives.
+pub(super) struct Receiving {
+    socket: UdpSocket,
+    /// The timeout that it has.
+    limit: Option<Duration>,
+}
+
+impl Receiving {
+    pub(super) const fn new(socket: UdpSocket) -> Self {
+        Self { socket, limit: None }
+    }
+
+    /// Waits so long for a datagram.
+    pub(super) fn wait(&mut self, inbox: &mut Inbox<'_>, limit: Duration) -> Result<(), LinkError> {
+        let limit = limit.max(SHORTEST);
+        if self.limit != Some(limit) {
+            self.socket.set_read_timeout(Some(limit)).map_err(LinkError::Io)?;
+            self.limit = Some(limit);
+        }
+        let began = Instant::now();
+        match self.socket.recv_from(inbox.space()) {
+            Ok((length, from)) => inbox.fill(length, from.into(), began.elapsed()),
+            Err(error) if is_passing(error.kind()) => {}
+            Err(error) if matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::TimedOut) => {
+                inbox.give_up();
+            }
+            Err(error) => return Err(LinkError::Io(error)),
+        }
+        Ok(())
+    }
+}
+
+/// A socket that listens there.
+pub(in crate::link) fn listen(address: &str) -> Result<UdpSocket, LinkError> {
+    UdpSocket::bind(address).map_err(|error| LinkError::of_listening(error, address))
+}
+
+/// A socket to send there, and where that is.
+pub(in crate::link) fn towards(address: &str, broadcasts: bool) -> Result<(UdpSocket, SocketAddr), LinkError> {
+    let unreachable = |reason| LinkError::Unreachable { address: address.into(), reason };
+    let to = address.to_socket_addrs().map_err(unreachable)?.next();
+    let to = to.ok_or_else(|| unreachable(ErrorKind::NotFound.into()))?;
+    let any = if to.is_ipv4() { "0.0.0.0:0" } else { "[::]:0" };
+    let socket = UdpSocket::bind(any).map_err(LinkError::Io)?;
+    socket.set_broadcast(broadcasts).map_err(LinkError::Io)?;
+    Ok((socket, to))
+}

@@ -1,0 +1,37 @@
+//! Who is at the other end.
+
+use core::fmt;
+use std::net::SocketAddr;
+
+/// Who is at the other end of a link: an address of UDP or TCP, or whoever is behind the cable or in the file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Peer {
+    address: Option<SocketAddr>,
+}
+
+impl Peer {
+    /// Whoever is behind a cable, or in a file.
+    pub(crate) const NEARBY: Self = Self { address: None };
+
+    /// The address; `None` behind a serial port, and in a file.
+    #[must_use]
+    pub const fn address(&self) -> Option<SocketAddr> {
+        self.address
+    }
+}
+
+impl From<SocketAddr> for Peer {
+    fn from(address: SocketAddr) -> Self {
+        Self { address: Some(address) }
+    }
+}
+
+/// `127.0.0.1:14550`, or `here`.
+impl fmt::Display for Peer {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.address {
+            Some(address) => fmt::Display::fmt(&address, f),
+            None => f.pad("here"),
+        }
+    }
+}

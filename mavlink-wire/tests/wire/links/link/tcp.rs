@@ -1,0 +1,149 @@
+//! TCP, whose ends die and come back.
+
+use std::io::{Read, Write};
+use std::net::{TcpListener, TcpStream};
+use std::thread;
+use std::time::Duration;
+
+use super::*;
+
+fn listener(options: Options) -> (Link, String) {
+    let link = Link::connect("tcpin:127.0.0.1:0", options).unwrap();
+    let address = link.local_addr().unwrap().to_string();
+    (link, address)
+}
+
+#[test]
+fn both_sides_talk() {
+    let (mut station, address) = listener(station());
+    assert!(station.send(&message(0)).unwrap() == 0 && !station.is_connected(), "nobody is there");
+    let mut vehicle = Link::connect(&format!("tcpout:{address}"), vehicle()).unwrap();
+    for number in 0..50 {
+        assert_eq!(vehicle.send(&message(number)).unwrap(), 1);
+        assert_eq!(next(&mut station), sent(number..number + 1)[0]);
+        assert_eq!(station.send(&message(number)).unwrap(), 1);
+        assert_eq!(next(&mut vehicle), sent(number..number + 1)[0]);
+    }
+    let (frame, peer) = {
+        vehicle.send(&message(50)).unwrap();
+        let (frame, peer) = station.receive_from(soon()).unwrap().unwrap();
+        (frame.sequence(), peer)
+    };
+    assert_eq!((frame, station.peers()), (50, vec![peer]));
+    station.send_to(&message(50), peer).unwrap();
+    let nobody = "127.0.0.1:9".parse::<std::net::SocketAddr>().unwrap();
+    assert!(matches!(station.send_to(&message(51), nobody.into()), Err(LinkError::Unreachable { .. })));
+}
+
+#[test]
+fn a_listener_takes_the_next_client_when_one_has_died() {
+    let (mut station, address) = listener(station());
+    for round in 0..3 {
+        let mut client = TcpStream::connect(&address).unwrap();
+        // The last frame is cut off, and its rest never comes.
+        let bytes = stream(Sender::v2(1, 1), 0..3);
+        client.write_all(&bytes[..bytes.len() - 5]).unwrap();
+        let received: Vec<_> = (0..2).map(|_| next(&mut station)).collect();
+        assert_eq!(received, sent(0..2), "{round}");
+    }
+    assert_eq!(station.statistics().connections, 3);
+}
+
+#[test]
+fn a_client_connects_again_when_the_server_comes_back() {
+    let server = TcpListener::bind("127.0.0.1:0").unwrap();
+    let address = server.local_addr().unwrap();
+    let mut vehicle = Link::connect(&format!("tcpout:{address}"), vehicle()).unwrap();
+    let (mut first, _) = server.accept().unwrap();
+    first.write_all(&stream(Sender::v2(255, 190), 0..1)).unwrap();
+    assert_eq!(next(&mut vehicle), sent(0..1)[0]);
+    drop((server, first));
+    assert!(vehicle.receive_until(std::time::Instant::now() + Duration::from_millis(300)).unwrap().is_none());
+    assert!(!vehicle.is_connected() && vehicle.trouble().is_some(), "{:?}", vehicle.trouble());
+    assert_eq!(vehicle.send(&message(0)).unwrap(), 0);
+    let server = TcpListener::bind(address).unwrap();
+    let back = thread::spawn(move || {
+        let (mut stream_again, _) = server.accept().unwrap();
+        stream_again.write_all(&stream(Sender::v2(255, 190), 1..2)).unwrap();
+        stream_again.read_exact(&mut [0; 12]).unwrap();
+    });
+    assert_eq!(next(&mut vehicle).1, sent(1..2)[0].1);
+    send_surely(&vehicle, 1);
+    back.join().unwrap();
+    assert!(vehicle.is_connected() && vehicle.trouble().is_none() && vehicle.statistics().connections == 2);
+}
+
+#[test]
+fn who_only_sends_connects_again_as_well() {
+    let server = TcpListener::bind("127.0.0.1:0").unwrap();
+    let vehicle = Link::connect(&format!("tcpout:{}", server.local_addr().unwrap()), vehicle()).unwrap();
+    drop(server.accept().unwrap());
+    let again = thread::spawn(move || server.accept().unwrap().0.read_exact(&mut [0; 12]).unwrap());
+    while !again.is_finished() {
+        vehicle.send(&message(1)).unwrap();
+        thread::sleep(Duration::from_millis(5));
+    }
+    again.join().unwrap();
+}
+
+#[test]
+fn without_reconnecting_a_loss_is_the_end() {
+    let (mut station, address) = listener(station().without_reconnecting());
+    let mut client = TcpStream::connect(&address).unwrap();
+    client.write_all(&stream(Sender::v2(1, 1), 0..2)).unwrap();
+    drop(client);
+    assert_eq!((next(&mut station), next(&mut station)), (sent(0..1)[0], sent(1..2)[0]), "what came is handed over");
+    assert!(matches!(station.receive(), Err(LinkError::Closed)));
+    assert!(matches!(station.send(&message(0)), Err(LinkError::Closed)));
+}
+
+#[test]
+fn a_full_buffer_is_told_and_tears_no_frame() {
+    let (mut station, address) = listener(station().with_send_timeout(Duration::from_millis(1)));
+    let mut client = TcpStream::connect(&address).unwrap();
+    client.write_all(&stream(Sender::v2(1, 1), 0..1)).unwrap();
+    next(&mut station);
+    let mut count: u32 = 0;
+    let error = loop {
+        match station.send(&message(count)) {
+            Ok(taken) => count += taken as u32,
+            Err(error) => break error,
+        }
+    };
+    assert!(matches!(error, LinkError::Full), "{error:?}");
+    assert_eq!(station.statistics().unsent, 1);
+    // The other side begins to read: everything arrives, also the frame that was taken in part.
+    let reader = thread::spawn(move || {
+        let mut bytes = vec![];
+        client.read_to_end(&mut bytes).unwrap();
+        bytes
+    });
+    while matches!(station.send(&message(count)), Err(LinkError::Full)) {}
+    drop(station);
+    let (bytes, expected) = (reader.join().unwrap(), stream(Sender::v2(255, 190), 0..count + 1));
+    assert!(bytes == expected, "{} bytes of {}", bytes.len(), expected.len());
+}
+
+#[test]
+fn garbage_costs_nothing_but_itself() {
+    let (mut station, address) = listener(station());
+    let mut client = TcpStream::connect(&address).unwrap();
+    let flood = thread::spawn(move || {
+        for _ in 0..50 {
+            client.write_all(&[0xFE; 10_000]).unwrap();
+        }
+        client.write_all(&stream(Sender::v2(1, 1), 0..2)).unwrap();
+    });
+    assert_eq!((next(&mut station), next(&mut station)), (sent(0..1)[0], sent(1..2)[0]));
+    flood.join().unwrap();
+    assert!(station.statistics().received.skipped_bytes >= 500_000);
+}
+
+#[test]
+fn closing_wakes_who_waits() {
+    let (station, _) = listener(station());
+    let (mut receiving, sending) = station.split();
+    let waiting = thread::spawn(move || receiving.receive().map(drop));
+    sending.close();
+    assert!(matches!(waiting.join().unwrap(), Err(LinkError::Closed)));
+}
