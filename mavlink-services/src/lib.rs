@@ -8,6 +8,7 @@
 //! | [`heartbeat`] | [`Monitor`](heartbeat::Monitor), and a [`Beacon`](heartbeat::Beacon) of its own | [`Beacon`](heartbeat::Beacon) |
 //! | [`command`] | [`Send`](command::Send), [`Fetch`](command::Fetch) | [`Component`](command::Component) |
 //! | message [`interval`]s | [`set`](interval::set), [`Get`](interval::Get) | [`Streams`](interval::Streams) |
+//! | [`mission`] | [`Upload`](mission::Upload), [`Download`](mission::Download), [`Clear`](mission::Clear), [`SetCurrent`](mission::SetCurrent) | [`Component`](mission::Component) |
 //! | [`param`] | [`List`](param::List), [`Read`](param::Read), [`Write`](param::Write) | [`Component`](param::Component) |
 //! | [`timesync`] | [`Measure`](timesync::Measure) | [`Responder`](timesync::Responder) |
 //!
@@ -53,6 +54,7 @@ pub mod common;
 pub mod heartbeat;
 mod instant;
 pub mod interval;
+pub mod mission;
 mod operation;
 mod outgoing;
 pub mod param;

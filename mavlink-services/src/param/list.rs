@@ -84,8 +84,8 @@ pub enum ListProgress {
 /// A parameter of a list.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Listed {
-    /// Its name, empty if the component refused to tell the parameter. Two indices may have the same one: the component has a fault then, and only
-    /// the first can be set by name.
+    /// Its name, empty if the component refused to tell the parameter. Two indices may have the same one: the component has a
+    /// fault then, and only the first can be set.
     pub name: Name,
     /// Its value, or why there is none. It counts as listed all the same.
     pub value: Result<ParamValue, Failure>,
