@@ -6,7 +6,7 @@ set -eu
 cd "$(dirname "$0")"
 seconds=${1:-60}
 [ $# -eq 0 ] || shift
-[ $# -gt 0 ] || set -- dialect overlay parser decode signing
+[ $# -gt 0 ] || set -- dialect overlay msg parser decode signing
 work=${CARGO_TARGET_DIR:-target}/fuzz
 for target in "$@"; do
     corpus=$work/corpus/$target
@@ -22,6 +22,11 @@ for target in "$@"; do
                 cp "$seed" "$corpus/$(echo "$seed" | tr / _)"
             done
             set -- -dict=mavlink.dict -max_len=16384 ;;
+        msg)
+            find ../../mavgen/tests/ui ../../mavlink-autoquad/msg -name '*.msg' | while read -r seed; do
+                cat "$seed" "$(dirname "$seed")"/*.overlay.xml >"$corpus/$(echo "$seed" | tr / _)" 2>/dev/null || true
+            done
+            set -- -dict=mavlink.dict -max_len=8192 ;;
         parser | decode)
             # One input a line: frames that pymavlink made, the last line several with damage between them.
             perl -ne 'chomp; open my $f, ">", "'"$corpus"'/frames-$."; print $f pack "H*", $_' seeds/frames.hex

@@ -15,6 +15,7 @@ mod hostile;
 mod mutations;
 mod packed;
 mod payloads;
+mod px4;
 mod reflection;
 mod roots;
 mod selected;
