@@ -95,7 +95,7 @@ impl fmt::Display for AddressError {
         let problem = match self.problem {
             Problem::Scheme => "it has to begin with udpin, udpout, udpbcast, tcpin, tcpout, serial or file",
             Problem::Direction => "it does not say whether to listen (udpin, tcpin) or to send there (udpout, tcpout)",
-            Problem::Host => "it names no host to send to",
+            Problem::Host => "HOST:PORT has to follow, an address of IPv6 in brackets",
             Problem::Port => "it has to end with a port from 0 to 65535",
             Problem::Baud => "it has to end with a baud rate",
             Problem::Path => "it names no file or device",

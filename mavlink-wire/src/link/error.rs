@@ -45,6 +45,11 @@ pub enum LinkError {
         /// The feature of this crate that has it.
         name: &'static str,
     },
+    /// One cannot listen there: this machine has no such address.
+    NotHere {
+        /// The address.
+        address: String,
+    },
     /// The message cannot be carried, or not to whoever listens.
     Encode(EncodeError),
     /// The other side, or the system, takes no more bytes now. The message was not sent and has no number.
@@ -75,6 +80,9 @@ impl fmt::Display for LinkError {
             ),
             Self::Unreachable { address, reason } => {
                 write!(f, "nobody answers at {address} ({reason}): start the other side first, or check host and port")
+            }
+            Self::NotHere { address } => {
+                write!(f, "this machine has no address {address} to listen at: take one of its own, or 0.0.0.0 for all")
             }
             Self::Feature { name } => {
                 write!(f, "this is built without the feature `{name}` of mavlink-wire: turn it on")
@@ -115,6 +123,7 @@ impl LinkError {
         let address = address.into();
         match error.kind() {
             io::ErrorKind::AddrInUse => Self::InUse { address },
+            io::ErrorKind::AddrNotAvailable => Self::NotHere { address },
             io::ErrorKind::PermissionDenied => Self::NoPermission { address },
             _ => Self::Unreachable { address, reason: error },
         }
@@ -137,6 +146,7 @@ impl From<LinkError> for io::Error {
             LinkError::Io(error) | LinkError::Unreachable { reason: error, .. } => error.kind(),
             LinkError::Address(_) | LinkError::Encode(_) => io::ErrorKind::InvalidInput,
             LinkError::InUse { .. } => io::ErrorKind::AddrInUse,
+            LinkError::NotHere { .. } => io::ErrorKind::AddrNotAvailable,
             LinkError::NoDevice { .. } | LinkError::NoFile { .. } => io::ErrorKind::NotFound,
             LinkError::NoPermission { .. } => io::ErrorKind::PermissionDenied,
             LinkError::Feature { .. } => io::ErrorKind::Unsupported,

@@ -1,5 +1,6 @@
 //! Reads addresses, and finds out what was meant by wrong ones.
 
+use core::net::Ipv6Addr;
 use core::str::FromStr;
 use std::format;
 use std::string::{String, ToString};
@@ -38,8 +39,9 @@ impl FromStr for Address {
         match authority(rest, listens) {
             Ok(authority) => Ok(make(authority)),
             Err(problem) => {
-                let host = host_of(rest).filter(|host| !host.is_empty()).unwrap_or(placeholder(scheme));
-                Err(error(problem, format!("{scheme}:{host}:{}", port_of(rest).unwrap_or(port))))
+                let (host, port) =
+                    (likely_host(rest).unwrap_or(placeholder(scheme).into()), likely_port(rest).unwrap_or(port));
+                Err(error(problem, format!("{scheme}:{host}:{port}")))
             }
         }
     }
@@ -47,7 +49,7 @@ impl FromStr for Address {
 
 /// `HOST:PORT`; all of this machine's addresses, if a listener names none.
 fn authority(rest: &str, listens: bool) -> Result<String, Problem> {
-    let port = port_of(rest).ok_or(Problem::Port)?;
+    let port = port_of(rest).ok_or(if is_port(rest) { Problem::Host } else { Problem::Port })?;
     match host_of(rest) {
         None => Err(Problem::Host),
         Some("") if listens => Ok(format!("0.0.0.0:{port}")),
@@ -64,9 +66,26 @@ fn host_of(rest: &str) -> Option<&str> {
 }
 
 fn port_of(rest: &str) -> Option<&str> {
-    let (_, port) = rest.rsplit_once(':')?;
-    let is_number = port.bytes().all(|byte| byte.is_ascii_digit());
-    (is_number && port.parse::<u16>().is_ok()).then_some(port)
+    rest.rsplit_once(':').map(|(_, port)| port).filter(|port| is_port(port))
+}
+
+fn is_port(text: &str) -> bool {
+    text.bytes().all(|byte| byte.is_ascii_digit()) && text.parse::<u16>().is_ok()
+}
+
+/// The host of what is not `HOST:PORT`.
+fn likely_host(rest: &str) -> Option<String> {
+    match rest.rsplit_once(':').map(|(host, _)| host) {
+        Some(host) if host.parse::<Ipv6Addr>().is_ok() => Some(format!("[{host}]")),
+        _ => rest.split([':', '/']).map(str::trim).find(|part| !part.is_empty() && !is_port(part)).map(String::from),
+    }
+}
+
+/// The port of what is not `HOST:PORT`.
+fn likely_port(rest: &str) -> Option<&str> {
+    port_of(rest)
+        .filter(|_| likely_host(rest).is_some_and(|host| host.starts_with('[')))
+        .or_else(|| rest.split([':', '/']).find(|part| is_port(part)))
 }
 
 /// `PATH:BAUD`.
