@@ -6,7 +6,7 @@ set -eu
 cd "$(dirname "$0")"
 seconds=${1:-60}
 [ $# -eq 0 ] || shift
-[ $# -gt 0 ] || set -- dialect overlay msg parser decode signing
+[ $# -gt 0 ] || set -- dialect overlay msg parser decode signing param_list param_access param_component mission_station mission_component
 work=${CARGO_TARGET_DIR:-target}/fuzz
 for target in "$@"; do
     corpus=$work/corpus/$target

@@ -1,4 +1,6 @@
-//! What the targets for definitions have in common.
+//! What the targets for definitions have in common; what those for protocols have is in [`services`].
+
+pub mod services;
 
 use std::path::{Path, PathBuf};
 use std::{env, fs, process};
