@@ -6,6 +6,7 @@ use std::path::{PathBuf, absolute};
 
 use crate::builder::{Builder, Failure};
 use crate::diag::{Diagnostic, Diagnostics, Severity, Style, render};
+use crate::emit::GeneratedFile;
 use crate::ir::Dialect;
 use crate::lower::MARK;
 use crate::lower::link::Union;
@@ -32,39 +33,48 @@ impl Builder {
     }
 
     fn cargo_directives(&self, place: &Place<'_>) -> Vec<String> {
+        let Outcome { watched, told, failure } = self.outcome(place);
         // Cargo follows the sources of the build script by itself, wherever they are.
-        let mut directives = Vec::new();
-        let mut watch = |watched: &[PathBuf]| {
-            let watched = watched.iter().map(|path| place.for_cargo(path));
-            directives.extend(watched.map(|path| format!("cargo::rerun-if-changed={}", path.display())));
-        };
-        let (problems, failure) = match self.resolve() {
-            Ok(resolved) => {
-                watch(&resolved.watched);
-                (self.for_cargo(&resolved.diagnostics, &resolved.sources), self.write_out_dir(&resolved, place).err())
-            }
-            Err(Failure::Definitions(problems) | Failure::Denied(problems)) => {
-                watch(&problems.watched);
-                (self.for_cargo(&problems.diagnostics, &problems.sources), None)
-            }
-            Err(failure) => (Vec::new(), Some(failure)),
-        };
-        directives.extend(problems);
+        let watched = watched.iter().map(|path| place.for_cargo(path));
+        let mut directives: Vec<String> =
+            watched.map(|path| format!("cargo::rerun-if-changed={}", path.display())).collect();
+        directives.extend(told);
         directives.extend(failure.map(|failure| format!("cargo::error={failure}")));
         directives
     }
 
+    fn outcome(&self, place: &Place<'_>) -> Outcome {
+        #[cfg(feature = "uorb")]
+        if self.is_uorb() {
+            return self.outcome_of(self.topics(), place);
+        }
+        self.outcome_of(self.resolve(), place)
+    }
+
+    /// Writes what was resolved, and says what became of it.
+    fn outcome_of<M: Made>(&self, resolved: Result<M, Failure>, place: &Place<'_>) -> Outcome {
+        match resolved {
+            Ok(resolved) => {
+                let (diagnostics, sources, watched) = resolved.found();
+                let told = self.for_cargo(diagnostics, sources);
+                let failure = self.write_out_dir(&resolved, place).err();
+                Outcome { watched: watched.to_vec(), told, failure }
+            }
+            Err(Failure::Definitions(problems) | Failure::Denied(problems)) => {
+                let told = self.for_cargo(&problems.diagnostics, &problems.sources);
+                Outcome { watched: problems.watched, told, failure: None }
+            }
+            Err(failure) => Outcome { watched: Vec::new(), told: Vec::new(), failure: Some(failure) },
+        }
+    }
+
     /// Writes the tree and the one-line file that `include_dialect!` names.
-    fn write_out_dir(&self, resolved: &Resolved, place: &Place<'_>) -> Result<(), Failure> {
+    fn write_out_dir(&self, made: &impl Made, place: &Place<'_>) -> Result<(), Failure> {
         let out = place
             .out_dir
             .as_deref()
             .ok_or_else(|| Failure::Usage("OUT_DIR is not set: this is no build script".into()))?;
-        let (name, docs) = match &resolved.union {
-            Some(union) => (&union.all.name, of_several(union)),
-            None => (&resolved.dialect.name, of_one(&resolved.dialect, &resolved.names.dialect)),
-        };
-        let module = dialect_module_name(name);
+        let module = dialect_module_name(made.name());
         let (tree, path) = match &self.out_dir {
             // Relative paths are relative to the folder of the crate here, and to `OUT_DIR` in the file there.
             Some(folder) => (folder.clone(), absolute(folder).unwrap_or_else(|_| folder.clone()).join("mod.rs")),
@@ -72,9 +82,9 @@ impl Builder {
         };
         let root = self.roots.first().cloned().unwrap_or_default();
         place.builders.claim(Claim { root, module: module.clone(), tree: tree.clone() }).map_err(Failure::Usage)?;
-        write(&tree, &self.emit(resolved)?).map_err(Failure::Output)?;
-        let path = path.to_string_lossy();
-        let entry_point = format!("{MARK}; do not edit.\n\n{docs}\n#[path = {path:?}]\npub mod {module};\n");
+        write(&tree, &made.emit(self)?).map_err(Failure::Output)?;
+        let (path, docs) = (path.to_string_lossy(), made.docs());
+        let entry_point = format!("{MARK}; do not edit.\n\n/// {docs}\n#[path = {path:?}]\npub mod {module};\n");
         write_file(&out.join(format!("{module}.rs")), &entry_point).map_err(Failure::Output)?;
         Ok(())
     }
@@ -96,19 +106,82 @@ impl Builder {
     }
 }
 
+/// What a run ends with.
+struct Outcome {
+    /// The files to look at again.
+    watched: Vec<PathBuf>,
+    /// Problems, as directives.
+    told: Vec<String>,
+    failure: Option<Failure>,
+}
+
+/// What files are made of: dialects, or uORB messages.
+trait Made {
+    /// Warnings and notes, what they are about, and what was read.
+    fn found(&self) -> (&Diagnostics, &Sources, &[PathBuf]);
+
+    /// What the module is named after.
+    fn name(&self) -> &str;
+
+    /// What stands over the module.
+    fn docs(&self) -> String;
+
+    fn emit(&self, builder: &Builder) -> Result<Vec<GeneratedFile>, Failure>;
+}
+
+impl Made for Resolved {
+    fn found(&self) -> (&Diagnostics, &Sources, &[PathBuf]) {
+        (&self.diagnostics, &self.sources, &self.watched)
+    }
+
+    fn name(&self) -> &str {
+        self.union.as_ref().map_or(&self.dialect.name, |union| &union.all.name)
+    }
+
+    fn docs(&self) -> String {
+        match &self.union {
+            Some(union) => of_several(union),
+            None => of_one(&self.dialect, &self.names.dialect),
+        }
+    }
+
+    fn emit(&self, builder: &Builder) -> Result<Vec<GeneratedFile>, Failure> {
+        builder.emit(self)
+    }
+}
+
+#[cfg(feature = "uorb")]
+impl Made for crate::Topics {
+    fn found(&self) -> (&Diagnostics, &Sources, &[PathBuf]) {
+        (&self.diagnostics, &self.sources, &self.watched)
+    }
+
+    fn name(&self) -> &str {
+        &self.union.name
+    }
+
+    fn docs(&self) -> String {
+        crate::lower::topic::about(&self.union)
+    }
+
+    fn emit(&self, builder: &Builder) -> Result<Vec<GeneratedFile>, Failure> {
+        builder.emit_topics(self)
+    }
+}
+
 /// What stands over the module of a dialect.
 fn of_one(dialect: &Dialect, type_name: &str) -> String {
     if dialect.messages.is_empty() {
-        return format!("/// The `{}` dialect.", dialect.name);
+        return format!("The `{}` dialect.", dialect.name);
     }
     let (name, module) = (&dialect.name, dialect_module_name(&dialect.name));
-    format!("/// The `{name}` dialect: its messages, its enums, and [`{module}::{type_name}`] over all messages.")
+    format!("The `{name}` dialect: its messages, its enums, and [`{module}::{type_name}`] over all messages.")
 }
 
 /// What stands over the module of several dialects.
 fn of_several(union: &Union) -> String {
     let names: Vec<String> = union.roots.iter().map(|root| format!("`{}`", root.name)).collect();
-    format!("/// The dialects {}, each in its module, and what they share.", names.join(", "))
+    format!("The dialects {}, each in its module, and what they share.", names.join(", "))
 }
 
 #[cfg(test)]

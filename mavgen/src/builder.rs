@@ -1,5 +1,7 @@
 //! The library's front door: from a path to a resolved dialect, to files, to a build script.
 
+#[cfg(feature = "uorb")]
+mod topics;
 mod warnings;
 
 use std::fmt;
@@ -16,6 +18,9 @@ use crate::resolved::Resolved;
 use crate::roots::{self, Named};
 use crate::select::Selection;
 use crate::source::Sources;
+
+#[cfg(feature = "uorb")]
+pub use topics::Topics;
 
 /// Generates Rust from a dialect.
 ///
@@ -38,6 +43,10 @@ pub struct Builder {
     pub(crate) include_dirs: Vec<PathBuf>,
     pub(crate) overlays: Vec<PathBuf>,
     messages: Option<Vec<String>>,
+    #[cfg(feature = "uorb")]
+    older: Vec<(String, PathBuf)>,
+    #[cfg(feature = "uorb")]
+    definition: Option<String>,
     pub(crate) out_dir: Option<PathBuf>,
     runtime: String,
     deprecated: bool,
@@ -65,7 +74,8 @@ pub enum Failure {
 }
 
 impl Builder {
-    /// A builder for the dialect in this file.
+    /// A builder for the dialect in this file; or, with the feature `uorb`, for the uORB messages in this folder of `.msg`
+    /// files, or in this one and what it nests.
     pub fn new(xml: impl Into<PathBuf>) -> Self {
         Self {
             roots: vec![xml.into()],
@@ -73,6 +83,10 @@ impl Builder {
             include_dirs: Vec::new(),
             overlays: Vec::new(),
             messages: None,
+            #[cfg(feature = "uorb")]
+            older: Vec::new(),
+            #[cfg(feature = "uorb")]
+            definition: None,
             out_dir: None,
             runtime: "::mavlink_wire".to_owned(),
             deprecated: true,
@@ -166,6 +180,15 @@ impl Builder {
     /// are some, [`Failure::Usage`] if [`Builder::messages`] or [`Builder::allow`] names what there is not, if a dialect is
     /// given twice, or if several are given a name that is none for a module.
     pub fn resolve(&self) -> Result<Resolved, Failure> {
+        if self.is_uorb() {
+            let root = self.roots.first().map_or(String::new(), |root| root.display().to_string());
+            let help = if cfg!(feature = "uorb") {
+                "Builder::topics resolves them"
+            } else {
+                "turn on mavgen's feature `uorb`"
+            };
+            return Err(Failure::Usage(format!("`{root}` has uORB messages, no dialect: {help}")));
+        }
         let (selection, tree) = (self.selection()?, self.name.as_deref().unwrap_or(roots::TREE));
         if let Some(conflict) = roots::conflict(&self.roots, tree) {
             return Err(Failure::Usage(conflict));
@@ -202,6 +225,10 @@ impl Builder {
     /// # Errors
     /// As [`Builder::resolve`]; [`Failure::Usage`] if the runtime path is not a path.
     pub fn files(&self) -> Result<Vec<GeneratedFile>, Failure> {
+        #[cfg(feature = "uorb")]
+        if self.is_uorb() {
+            return self.emit_topics(&self.topics()?);
+        }
         self.emit(&self.resolve()?)
     }
 
@@ -210,7 +237,7 @@ impl Builder {
     /// # Errors
     /// As [`Builder::files`]; [`Failure::Output`] if something cannot be written, [`Failure::Usage`] if no folder is set.
     pub fn generate(&self) -> Result<Report, Failure> {
-        self.write(&self.resolve()?)
+        write(self.folder()?, &self.files()?).map_err(Failure::Output)
     }
 
     /// Writes what was resolved into the output folder; [`Builder::generate`] in two steps.
@@ -236,9 +263,7 @@ impl Builder {
     /// [`Failure::Usage`] if the runtime path is not a path, [`Failure::Model`] if somebody changed a model so that it is
     /// not legal any more.
     pub fn emit(&self, resolved: &Resolved) -> Result<Vec<GeneratedFile>, Failure> {
-        if syn::parse_str::<syn::Path>(&self.runtime).is_err() {
-            return Err(Failure::Usage(format!("`{}` is not a path to a crate or module", self.runtime)));
-        }
+        self.check_runtime()?;
         let mut sources = provenance(&resolved.sources);
         if let Some(selection) = self.selection()? {
             sources.push_str(&format!("\n// only {selection}, and what they need"));
@@ -255,6 +280,19 @@ impl Builder {
         tree.and_then(|files| emit(&files)).map_err(|internal| Failure::Internal(internal.to_string()))
     }
 
+    /// Whether it is for uORB messages, because it was given a folder or a `.msg` file; what else it is given is a dialect.
+    pub fn is_uorb(&self) -> bool {
+        let is_one = |path: &PathBuf| path.extension().is_some_and(|extension| extension == "msg") || path.is_dir();
+        self.roots.iter().any(is_one)
+    }
+
+    fn check_runtime(&self) -> Result<(), Failure> {
+        match syn::parse_str::<syn::Path>(&self.runtime) {
+            Ok(_) => Ok(()),
+            Err(_) => Err(Failure::Usage(format!("`{}` is not a path to a crate or module", self.runtime))),
+        }
+    }
+
     pub(crate) fn selection(&self) -> Result<Option<Selection>, Failure> {
         let names = self.messages.as_ref().map(|names| Selection::new(names.iter().map(String::as_str)));
         names.transpose().map_err(Failure::Usage)
@@ -265,10 +303,13 @@ impl Builder {
     }
 }
 
+/// How many sources a header names, at most.
+const NAMED: usize = 24;
+
 /// What is said after warnings that were denied.
 const DENIED: &str = "warnings about the dialect's own file and its overlays are denied";
 
-/// The names of the sources, and one number that changes with any of them (FNV-1a, 64 bits).
+/// The names of the sources, or how many there are, and one number that changes with any of them (FNV-1a, 64 bits).
 fn provenance(sources: &Sources) -> String {
     let mut digest = 0xcbf2_9ce4_8422_2325_u64;
     let mut names = Vec::new();
@@ -279,7 +320,8 @@ fn provenance(sources: &Sources) -> String {
         }
         names.push(name);
     }
-    format!("{}; sources {digest:016x}", names.join(", "))
+    let names = if names.len() > NAMED { format!("{} files", names.len()) } else { names.join(", ") };
+    format!("{names}; sources {digest:016x}")
 }
 
 impl fmt::Display for Failure {

@@ -14,6 +14,8 @@ mod modules;
 mod secret;
 mod threads;
 mod token;
+#[cfg(feature = "uorb")]
+mod topic;
 mod ty;
 mod view;
 
@@ -50,6 +52,8 @@ fn content(content: &Content<'_>) -> Result<TokenStream, Internal> {
     Ok(match content {
         Content::Module { children, exports, aliases } => modules::module(children, exports, aliases)?,
         Content::Message(message) => message::message(message),
+        #[cfg(feature = "uorb")]
+        Content::Topic(topic) => topic::topic(topic),
         Content::View(view) => view::view(view),
         Content::Enum(one) => enums::enum_(one),
         Content::Dialect(dialect) => dialect::dialect(dialect),

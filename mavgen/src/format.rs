@@ -60,10 +60,20 @@ fn push_lines(lines: &[&str], out: &mut String) {
     }
 }
 
-/// Cuts lines into items: each ends at its own indentation with `;` or `}`.
+/// Cuts lines into items: each ends at its own indentation with `;` or `}`, or further in with `;` where the next one begins.
 fn items<'l, 't>(lines: &'l [&'t str], indent: usize) -> impl Iterator<Item = &'l [&'t str]> {
-    let ends = move |line: &&str| starts_at(line, indent) && !is_attribute(line) && line.ends_with([';', '}']);
-    lines.split_inclusive(ends)
+    let mut rest = lines;
+    std::iter::from_fn(move || {
+        let ends = |at: usize, line: &str| {
+            let begins_next = |next: &&str| starts_at(next, indent) && !next.trim_start().starts_with(['}', ')', ']']);
+            let is_own = starts_at(line, indent) && !is_attribute(line) && line.ends_with([';', '}']);
+            is_own || line.ends_with(';') && rest.get(at + 1).is_some_and(begins_next)
+        };
+        let last = rest.iter().enumerate().position(|(at, line)| ends(at, line)).unwrap_or(rest.len().checked_sub(1)?);
+        let (item, others) = rest.split_at_checked(last + 1)?;
+        rest = others;
+        Some(item)
+    })
 }
 
 #[derive(Clone, Copy, PartialEq, Eq)]

@@ -78,6 +78,8 @@ pub mod uorb;
 #[cfg(feature = "vendor")]
 pub mod vendor;
 
+#[cfg(feature = "uorb")]
+pub use builder::Topics;
 pub use builder::{Builder, Failure};
 pub use emit::GeneratedFile;
 pub use problems::Problems;

@@ -24,6 +24,8 @@ mod named;
 pub(crate) mod names;
 mod namespace;
 pub(crate) mod spelling;
+#[cfg(feature = "uorb")]
+pub(crate) mod topic;
 mod tree;
 mod types;
 mod view;

@@ -9,6 +9,8 @@ mod enums;
 mod mentions;
 mod message;
 mod method;
+#[cfg(feature = "uorb")]
+mod topic;
 mod tree;
 mod ty;
 mod view;
@@ -19,6 +21,10 @@ pub(crate) use enums::{Constant, DialectEnum, Enum, ParamInfo, Variant};
 pub(crate) use mentions::Mentions;
 pub(crate) use message::{Default, Field, Frame, Gives, Seen, Struct, Target};
 pub(crate) use method::{Kind, Method, Param, Receiver, Sig};
+#[cfg(feature = "uorb")]
+pub(crate) use topic::{
+    Definition, Held, Move, Plain, Row, SameDefinition, Topic, TopicConstant, TopicField, TopicSlot, TopicType,
+};
 pub(crate) use tree::{Alias, Child, ChildAccess, Content, Export, File, Use};
 pub(crate) use ty::{AsInt, Element, EnumType, Error, Int, Literal, Shape, Through, Ty};
 pub(crate) use view::{

@@ -15,6 +15,7 @@ mod line;
 pub mod model;
 mod names;
 mod overlay;
+pub(crate) mod placed;
 mod read;
 mod refine;
 mod resolve;
@@ -22,6 +23,7 @@ mod scalar;
 pub mod syntax;
 #[cfg(test)]
 mod tests;
+pub mod union;
 
 use std::path::Path;
 
@@ -89,6 +91,11 @@ pub fn selected(path: &Path, names: &[String]) -> Result<Vec<String>, String> {
 /// The fields of a message as PX4's logs define them: `uint64_t timestamp;uint8_t[2] _padding0;`.
 pub fn log_format(message: &model::Message, package: &model::Package) -> String {
     layout::log_format(message, &package.messages, true)
+}
+
+/// The same as a topic of its own has it: without the padding at its end, which a record lacks.
+pub(crate) fn record_format(message: &model::Message, package: &model::Package) -> String {
+    layout::log_format(message, &package.messages, false)
 }
 
 /// The topic that a message is named after: `EscStatus` is `esc_status`. PX4's rule: an underscore before each capital.

@@ -1,7 +1,7 @@
 //! Small goldens of generated Rust: one folder of `golden` for each construct of a dialect and of an overlay.
 //!
 //! `main.xml` is the dialect, `*.overlay.xml` are its overlays and `*.root.xml` the dialects beside it; `generated` is what
-//! mavgen writes. The package `mavlink-conformance` compiles and runs it.
+//! mavgen writes. A folder `msg` has uORB messages, and each folder in `older` an older definition of them. The package `mavlink-conformance` compiles and runs it.
 //!
 //! `MAVGEN_BLESS=1 cargo test -p mavgen --test library golden::` writes the goldens anew, and `tests/regenerate.sh` those and
 //! everything else that is committed and generated; review them like code.
@@ -25,9 +25,29 @@ fn files(folder: &Path, end: &str) -> Vec<PathBuf> {
 }
 
 fn builder(folder: &Path) -> Builder {
+    #[cfg(feature = "uorb")]
+    if is_uorb(folder) {
+        return topics(folder);
+    }
     let roots = files(folder, ".root.xml");
     let builder = roots.iter().fold(Builder::new(folder.join("main.xml")), Builder::root);
     files(folder, ".overlay.xml").iter().fold(builder, Builder::overlay).out_dir(folder.join("generated"))
+}
+
+/// Whether these are uORB messages.
+fn is_uorb(folder: &Path) -> bool {
+    folder.join("msg").exists()
+}
+
+#[cfg(feature = "uorb")]
+fn topics(folder: &Path) -> Builder {
+    let builder = Builder::new(folder.join("msg")).definition("main").out_dir(folder.join("generated"));
+    let builder = files(folder, ".overlay.xml").iter().fold(builder, Builder::overlay);
+    if !folder.join("older").exists() {
+        return builder;
+    }
+    let older = files(&folder.join("older"), "").into_iter().rev();
+    older.fold(builder, |builder, older| builder.older(older.file_name().unwrap().to_str().unwrap(), &older))
 }
 
 #[test]
@@ -36,8 +56,8 @@ fn what_is_generated_is_what_was_reviewed() {
     let mut stale = String::new();
     let folders = files(Path::new(FOLDER), "");
     assert!(folders.len() > 10, "{folders:?}");
-    for folder in folders {
-        let builder = builder(&folder);
+    for folder in folders.iter().filter(|folder| cfg!(feature = "uorb") || !is_uorb(folder)) {
+        let builder = builder(folder);
         if bless {
             builder.generate().unwrap_or_else(|failure| panic!("{failure}"));
         }

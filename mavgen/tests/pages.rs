@@ -90,6 +90,9 @@ fn add_files(code: Code, blocks: &[Block], wrong: bool, files: &mut Files) -> Op
                 let bytes = text.chars().map(|letter| u8::try_from(u32::from(letter)).unwrap());
                 files.insert("acme.xml".to_owned(), bytes.collect());
             }
+            "msg older" => {
+                files.insert("older/A.msg".to_owned(), block.text.clone().into_bytes());
+            }
             "msg" => {
                 files.insert("A.msg".to_owned(), block.text.clone().into_bytes());
             }
@@ -131,7 +134,16 @@ fn problems_of_uorb(files: &Files) -> Diagnostics {
     let folder = above.path().join("msg");
     fs::create_dir(&folder).unwrap();
     for (name, text) in files {
-        fs::write(folder.join(name), text).unwrap();
+        let path = folder.join(name);
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(path, text).unwrap();
+    }
+    if files.contains_key("older/A.msg") {
+        let builder = Builder::new(folder.join("A.msg")).older("old", folder.join("older"));
+        return match builder.topics() {
+            Err(Failure::Definitions(problems)) => problems.diagnostics,
+            topics => topics.unwrap().diagnostics,
+        };
     }
     let overlays: Vec<PathBuf> =
         files.keys().filter(|name| name.ends_with(".overlay.xml")).map(|name| folder.join(name)).collect();

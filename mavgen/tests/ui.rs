@@ -1,6 +1,6 @@
 //! Every diagnostic as a user sees it: each `ui/*.xml`, and each folder with a `main.xml`, has its rendering beside it. The
 //! `*.overlay.xml` of a folder are overlays of its `main.xml`, the `*.root.xml` are dialects beside it. So has each `ui/*.msg`,
-//! and each folder with a `Main.msg` and its overlays.
+//! and each folder with a `Main.msg` and its overlays; a folder `older` there is an older definition.
 //!
 //! Some are recorded in colour as well, as `*.coloured`.
 //!
@@ -31,6 +31,14 @@ const FOR_LINT: &str = "refused";
 fn problems(top: &Path) -> (Diagnostics, Sources) {
     #[cfg(feature = "uorb")]
     if top.extension().is_some_and(|extension| extension == "msg") {
+        if let Some(older) = top.parent().map(|folder| folder.join("older")).filter(|_| top.ends_with("Main.msg"))
+            && older.exists()
+        {
+            return match Builder::new(top).definition("main").older("old", older).topics() {
+                Err(Failure::Definitions(problems)) => (problems.diagnostics, problems.sources),
+                topics => topics.map(|topics| (topics.diagnostics, topics.sources)).unwrap(),
+            };
+        }
         let (mut sources, mut diagnostics) = (Sources::default(), Diagnostics::default());
         let overlays = beside(top, ".overlay.xml");
         let overlays = mavgen::uorb::overlays(&overlays, &[top], &mut sources, &mut diagnostics);

@@ -12,6 +12,11 @@ pub use crate::parser::table::{index, index_length};
 
 pub use crate::reflect::fmt_message;
 
+#[cfg(feature = "uorb")]
+pub use crate::uorb::code::{
+    body, body_mut, boolean, booleans, elements, elements_mut, fill, first, is_blank, narrow, narrow_each,
+};
+
 #[cfg(feature = "bitflags")]
 #[doc(hidden)]
 pub use ::bitflags;
@@ -37,6 +42,7 @@ pub mod serde {
         unit, variant,
     };
     pub use crate::glue::serde::message::{deserialize_message, serialize_message};
+    pub use crate::glue::serde::topic::{Exact, Exactly, exactly};
     pub use crate::glue::serde::value::{deserialize_enum, serialize_enum};
     pub use crate::glue::serde::views::{HasViews, Views};
 }

@@ -8,4 +8,6 @@
 //! }
 //! ```
 
+#[cfg(feature = "uorb")]
+pub use crate::uorb::{Topic, TopicByLength};
 pub use crate::{Dialect, Encode, Enum, Message, Targeted};

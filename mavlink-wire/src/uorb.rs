@@ -5,6 +5,7 @@
 //! are found by name.
 
 pub mod cdr;
+pub(crate) mod code;
 mod definition;
 mod field;
 mod kind;
@@ -12,6 +13,7 @@ mod place;
 mod topic;
 pub mod ulog;
 
+pub use cdr::CdrError;
 pub use definition::{Definition, ZenohKey};
 pub use field::{Element, Field, places};
 pub use kind::{Char, Kind, Value};

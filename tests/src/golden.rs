@@ -16,6 +16,7 @@ macro_rules! goldens {
 goldens! {
     bind: "../../mavgen/tests/golden/bind/generated/mod.rs", "Enums on plain integers, on a condition.";
     commands: "../../mavgen/tests/golden/commands/generated/mod.rs", "Commands with params.";
+    definitions: "../../mavgen/tests/golden/definitions/generated/mod.rs", "uORB messages of several definitions.";
     deprecated: "../../mavgen/tests/golden/deprecated/generated/mod.rs", "What is deprecated, and what only names it.";
     fields: "../../mavgen/tests/golden/fields/generated/mod.rs", "Fields of all types.";
     flags: "../../mavgen/tests/golden/flags/generated/mod.rs", "Values that are combined bit by bit.";
@@ -24,6 +25,7 @@ goldens! {
     open_enums: "../../mavgen/tests/golden/open_enums/generated/mod.rs", "Enums, and fields of other widths.";
     roots: "../../mavgen/tests/golden/roots/generated/mod.rs", "Two dialects.";
     targets: "../../mavgen/tests/golden/targets/generated/mod.rs", "A message to somebody.";
+    topics: "../../mavgen/tests/golden/topics/generated/mod.rs", "uORB messages.";
     view_bits: "../../mavgen/tests/golden/view_bits/generated/mod.rs", "Views over words: flags, enums, numbers, several alike.";
     view_floats: "../../mavgen/tests/golden/view_floats/generated/mod.rs", "Views over the bits of floats.";
     view_scaled: "../../mavgen/tests/golden/view_scaled/generated/mod.rs", "Bits that stand for another number.";

@@ -86,6 +86,8 @@ fn add(surface: &mut Surface, content: &Content<'_>) {
         }
         // What these export are the types of the others.
         Content::Module { .. } | Content::Dialect(_) => {}
+        #[cfg(feature = "uorb")]
+        Content::Topic(_) => {}
     }
 }
 

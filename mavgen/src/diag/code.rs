@@ -221,6 +221,7 @@ catalogue! {
     914 UorbConstants Error "An overlay takes constants that do not exist, or leaves them out.";
     915 UorbEnumTwice Error "Two different enums of `.msg` files have one name.";
     916 UorbFormerName Error "The former name of a field is that of another.";
+    917 UorbUnion Error "A field cannot be one with what it is in another definition.";
 }
 
 impl Code {

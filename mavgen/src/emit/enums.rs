@@ -20,17 +20,17 @@ use quote::{ToTokens, quote};
 
 use super::doc;
 use super::method::method;
-use super::token::{bits, decimal, float, ident};
+use super::token::{bits, decimal, float, ident, integer, mask};
 use super::ty::int;
 use crate::ir::{Limits, Param};
-use crate::rust::{Constant, Enum, ParamInfo};
+use crate::rust::{Constant, Enum, Int, ParamInfo};
 
 /// The items of an enum's file.
 pub(super) fn enum_(one: &Enum<'_>) -> TokenStream {
     let Enum { ident: name, int: of, flags, constants, methods, .. } = one;
     let (declaration, params, info) = (declaration(one), params(one), info(one));
     let (name, of, kind) = (ident(name), int(*of), ident(if *flags { "flags" } else { "open_enum" }));
-    let constants = constants.iter().map(|constant| self::constant(constant, *flags));
+    let constants = constants.iter().map(|constant| self::constant(constant, (*flags, one.int)));
     let methods = (!methods.is_empty()).then(|| {
         let methods = methods.iter().map(method);
         quote!(impl #name { #(#methods)* })
@@ -61,10 +61,11 @@ fn declaration(one: &Enum<'_>) -> TokenStream {
 }
 
 /// `pub const BOOT: Self = Self(1);` with its documentation.
-fn constant(constant: &Constant<'_>, flags: bool) -> TokenStream {
+fn constant(constant: &Constant<'_>, (flags, int): (bool, Int)) -> TokenStream {
     let Constant { ident: name, docs, deprecated, value } = constant;
     let (docs, deprecated) = (doc::documentation(docs), doc::deprecated(deprecated.as_ref()));
-    let (name, value) = (ident(name), number(*value, flags));
+    let value = if int.is_signed() { integer(value.cast_signed().into()) } else { number(*value, flags) };
+    let name = ident(name);
     quote! {
         #docs
         #deprecated
@@ -74,7 +75,12 @@ fn constant(constant: &Constant<'_>, flags: bool) -> TokenStream {
 
 /// `4`, `1 << 2`
 fn number(value: u64, flags: bool) -> TokenStream {
-    if flags { bits(value) } else { decimal(value).into_token_stream() }
+    match (flags, i64::try_from(value)) {
+        (true, _) => bits(value),
+        (false, Ok(_)) => decimal(value).into_token_stream(),
+        // A negative one of a signed integer, or one that is as long as that.
+        (false, Err(_)) => mask(value),
+    }
 }
 
 fn info(one: &Enum<'_>) -> TokenStream {

@@ -16,8 +16,9 @@ impl<'d> Items<'d> {
             accessors.extend(match (field.model.values, &field.model.invalid) {
                 (Some(Values::Converted(id)), _) => self.converted(field, id)?,
                 (_, Some(invalid)) => {
-                    accessors.extend(self.optional(field, invalid)?);
-                    accessors.extend(self.known(field, invalid)?);
+                    let own = self.may_be_unknown(field, invalid)?;
+                    accessors.extend(optional(&own));
+                    accessors.extend(known(&own));
                     continue;
                 }
                 (_, None) => return Err(Internal::new(format!("no accessor suits {}", field.ident))),
@@ -35,53 +36,16 @@ impl<'d> Items<'d> {
         })
     }
 
-    /// A field that may be unknown: as an `Option`.
-    fn optional(self, field: NamedField<'d>, invalid: &Invalid) -> Result<[Method<'d>; 2], Internal> {
+    /// A field that may be unknown.
+    fn may_be_unknown(self, field: NamedField<'d>, invalid: &Invalid) -> Result<Optional<'d>, Internal> {
         let extent = match (invalid.scope, field.model.ty.array) {
             (_, None) => Extent::Scalar,
             (Scope::Each, Some(_)) => Extent::Each,
             (Scope::First, Some(_)) => Extent::First,
-            (Scope::Whole, Some(n)) => Extent::Whole(n.get()),
+            (Scope::Whole, Some(n)) => Extent::Whole(n.get().into()),
         };
-        let sentinel = Sentinel { field: field.ident, unknown: self.unknown(field, invalid)?, extent };
-        let element = self.element(field)?.ty();
-        let ty = match extent {
-            Extent::Whole(n) => Ty::Array(Box::new(element), n),
-            Extent::Scalar | Extent::Each | Extent::First => element,
-        };
-        let value = ty.optional(true);
-        let indexed = matches!(extent, Extent::Each | Extent::First);
-        let setter = Sig::setter("value", value.clone()).indexed(indexed);
-        let setter = if indexed { setter.fallible(Error::OutOfRange) } else { setter };
-        let docs = match indexed {
-            false => ["#, or `None` where the sender does not know it.", "Sets #; `None` says that it is not known."],
-            true => [
-                "Element `index` of #, or `None` where the sender does not know it, or there is no such element.",
-                "Sets element `index` of #; `None` says that it is not known. An error if there is no such element.",
-            ],
-        };
-        let kinds = [Kind::SentinelGet(sentinel.clone()), Kind::SentinelSet(sentinel)];
-        Ok(pair(field.ident, [Sig::getter(value).indexed(indexed), setter], docs, kinds))
-    }
-
-    /// The elements of an array, each of which may be unknown.
-    fn known(self, field: NamedField<'d>, invalid: &Invalid) -> Result<Option<Method<'d>>, Internal> {
-        let extent = match (invalid.scope, field.model.ty.array) {
-            (Scope::Each, Some(_)) => Extent::Each,
-            (Scope::First, Some(_)) => Extent::First,
-            _ => return Ok(None),
-        };
-        let name = field.ident;
-        let sentinel = Sentinel { field: name, unknown: self.unknown(field, invalid)?, extent };
-        let element = self.element(field)?.ty().optional(true);
-        let docs = format!("The elements of `{}`, each `None` where the sender does not know it.", spelled(name));
-        Ok(Some(Method {
-            ident: iterator(name),
-            sig: Sig::getter(Ty::Iterator(Box::new(element))),
-            docs: Docs::line(docs),
-            inline: true,
-            kind: Kind::SentinelIter(sentinel),
-        }))
+        let (unknown, element) = (self.unknown(field, invalid)?, self.element(field)?.ty());
+        Ok(Optional { ident: field.ident, element, unknown, extent })
     }
 
     /// An enum in a field of another width or sign: scalars without, arrays with an index.
@@ -101,6 +65,58 @@ impl<'d> Items<'d> {
         let docs = [converted_getter(&convert), converted_setter(&convert)];
         Ok(pair(convert.field, [getter, setter], docs, [Kind::EnumGet(convert.clone()), Kind::EnumSet(convert)]))
     }
+}
+
+/// A field that may be unknown.
+pub(super) struct Optional<'d> {
+    pub(super) ident: &'d str,
+    /// The type of one element.
+    pub(super) element: Ty<'d>,
+    pub(super) unknown: Unknown<'d>,
+    pub(super) extent: Extent,
+}
+
+impl<'d> Optional<'d> {
+    fn sentinel(&self) -> Sentinel<'d> {
+        Sentinel { field: self.ident, unknown: self.unknown, extent: self.extent }
+    }
+}
+
+/// The field as an `Option`.
+pub(super) fn optional<'d>(field: &Optional<'d>) -> [Method<'d>; 2] {
+    let ty = match field.extent {
+        Extent::Whole(n) => Ty::Array(Box::new(field.element.clone()), n),
+        Extent::Scalar | Extent::Each | Extent::First => field.element.clone(),
+    };
+    let value = ty.optional(true);
+    let indexed = matches!(field.extent, Extent::Each | Extent::First);
+    let setter = Sig::setter("value", value.clone()).indexed(indexed);
+    let setter = if indexed { setter.fallible(Error::OutOfRange) } else { setter };
+    let docs = match indexed {
+        false => ["#, or `None` where the sender does not know it.", "Sets #; `None` says that it is not known."],
+        true => [
+            "Element `index` of #, or `None` where the sender does not know it, or there is no such element.",
+            "Sets element `index` of #; `None` says that it is not known. An error if there is no such element.",
+        ],
+    };
+    let kinds = [Kind::SentinelGet(field.sentinel()), Kind::SentinelSet(field.sentinel())];
+    pair(field.ident, [Sig::getter(value).indexed(indexed), setter], docs, kinds)
+}
+
+/// The elements of an array, if each may be unknown.
+pub(super) fn known<'d>(field: &Optional<'d>) -> Option<Method<'d>> {
+    if !matches!(field.extent, Extent::Each | Extent::First) {
+        return None;
+    }
+    let element = field.element.clone().optional(true);
+    let docs = format!("The elements of `{}`, each `None` where the sender does not know it.", spelled(field.ident));
+    Some(Method {
+        ident: iterator(field.ident),
+        sig: Sig::getter(Ty::Iterator(Box::new(element))),
+        docs: Docs::line(docs),
+        inline: true,
+        kind: Kind::SentinelIter(field.sentinel()),
+    })
 }
 
 fn converted_getter(convert: &Convert<'_>) -> &'static str {

@@ -27,7 +27,7 @@ impl<'d> Items<'d> {
         let get = Method {
             ident: getter.to_owned(),
             sig: Sig::getter(ty.clone().optional(when.is_some())),
-            docs: Docs(vec![Paragraph::prose(&binding.description), shown]),
+            docs: Docs(vec![Paragraph::prose(binding.description.as_str()), shown]),
             inline: true,
             kind: Kind::BindGet(Bind { field, bound, when }),
         };

@@ -8,7 +8,7 @@ use crate::rust::Paragraph;
 /// The description, and the stage of life.
 pub(crate) fn description(origin: &Origin) -> Vec<Paragraph<'_>> {
     let lifecycle = lifecycle(origin).map(Paragraph::line);
-    [Paragraph::prose(&origin.description)].into_iter().chain(lifecycle).collect()
+    [Paragraph::prose(origin.description.as_str())].into_iter().chain(lifecycle).collect()
 }
 
 /// The stage of life in a sentence: `Superseded since 2015-08, replaced by SET_MESSAGE_INTERVAL. Why.`

@@ -111,7 +111,7 @@ impl<'d> Items<'d> {
         if field.origin.description.trim().is_empty() && sentences.is_empty() {
             sentences.push(format!("`{}`, a `{}`.", field.name.text, xml_type(field)));
         }
-        Ok(Docs(vec![Paragraph::Prose(&field.origin.description, sentences)]))
+        Ok(Docs(vec![Paragraph::said(field.origin.description.as_str(), sentences)]))
     }
 }
 

@@ -160,6 +160,12 @@ fn constant_name(prefix: &str, entry: &str) -> String {
     if begins_well(&longer) { shouting(&longer) } else { shouting(entry) }
 }
 
+/// The name of a constant that belongs to no enum.
+#[cfg(feature = "uorb")]
+pub(crate) fn constant(name: &str) -> String {
+    shouting(name)
+}
+
 /// SCREAMING_CASE; what is spelled so already stays as it is.
 fn shouting(name: &str) -> String {
     if name.bytes().any(|byte| byte.is_ascii_lowercase()) { name.to_shouty_snake_case() } else { name.to_owned() }

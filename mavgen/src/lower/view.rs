@@ -61,7 +61,7 @@ impl<'d> Items<'d> {
         );
         let rows = view.members().map(|member| self.row(view, member)).collect::<Result<_, _>>()?;
         let table = Paragraph::Table(vec!["bits", "name", "meaning", "only if"], rows);
-        Ok(Docs(vec![Paragraph::prose(&view.model.origin.description), Paragraph::line(facts), table]))
+        Ok(Docs(vec![Paragraph::prose(view.model.origin.description.as_str()), Paragraph::line(facts), table]))
     }
 
     /// `|  29..=43 | `rpm` | rpm | |`
@@ -117,7 +117,7 @@ fn summary(view: NamedView<'_>) -> Paragraph<'_> {
     if view.model.origin.description.trim().is_empty() {
         return Paragraph::line(format!("The [`{}`] in the fields.", view.ty()));
     }
-    Paragraph::prose(&view.model.origin.description)
+    Paragraph::prose(view.model.origin.description.as_str())
 }
 
 /// `from_bits`, `bits`, and the switch value.

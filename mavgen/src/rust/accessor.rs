@@ -32,7 +32,7 @@ pub(crate) enum Extent {
     /// The first element, if that is it.
     First,
     /// The whole array of this length, if the first element is it.
-    Whole(u8),
+    Whole(u16),
 }
 
 /// A field that carries an enum of another width or sign.

@@ -1,5 +1,7 @@
 //! Documentation as data; the words of the XML are made safe and wrapped where it is printed, by many threads.
 
+use std::borrow::Cow;
+
 /// The documentation of an item: paragraphs in order.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Docs<'d>(pub(crate) Vec<Paragraph<'d>>);
@@ -8,13 +10,13 @@ pub(crate) struct Docs<'d>(pub(crate) Vec<Paragraph<'d>>);
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Paragraph<'d> {
     /// What the XML says, and sentences of ours at the end of its first paragraph.
-    Prose(&'d str, Vec<String>),
+    Prose(Cow<'d, str>, Vec<String>),
     /// Lines of ours, as they are.
     Lines(Vec<String>),
     /// A list, of which items that say nothing are left out.
     List(Vec<ListItem<'d>>),
     /// A table with aligned columns.
-    Table(Vec<&'static str>, Vec<Vec<Cell<'d>>>),
+    Table(Vec<&'d str>, Vec<Vec<Cell<'d>>>),
 }
 
 /// `- 1, Hold: time to stay. In s; at least 0.`
@@ -60,8 +62,13 @@ impl<'d> Paragraph<'d> {
         Self::Lines(vec![line.into()])
     }
 
+    /// What the XML says, and sentences of ours.
+    pub(crate) fn said(text: impl Into<Cow<'d, str>>, sentences: Vec<String>) -> Self {
+        Self::Prose(text.into(), sentences)
+    }
+
     /// What the XML says.
-    pub(crate) fn prose(text: &'d str) -> Self {
-        Self::Prose(text, Vec::new())
+    pub(crate) fn prose(text: impl Into<Cow<'d, str>>) -> Self {
+        Self::said(text, Vec::new())
     }
 }

@@ -22,6 +22,9 @@ pub(crate) enum Content<'d> {
     Module { children: Vec<Child>, exports: Vec<Export>, aliases: Vec<Alias<'d>> },
     /// A message.
     Message(Box<Struct<'d>>),
+    /// A topic.
+    #[cfg(feature = "uorb")]
+    Topic(Box<super::Topic<'d>>),
     /// A view, and the slots that a message gives it in.
     View(Box<View<'d>>),
     /// An enum or a set of flags.

@@ -112,7 +112,7 @@ pub(crate) enum Ty<'d> {
     /// A view or a slot, in whose file it is named.
     Named(&'d str),
     /// `[T; 4]`
-    Array(Box<Self>, u8),
+    Array(Box<Self>, u16),
     /// `Option<T>`
     Option(Box<Self>),
     /// `Result<(), E>`

@@ -2,6 +2,8 @@
 
 use std::ops::RangeInclusive;
 
+use crate::ir::Repr;
+
 /// A scalar type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Scalar {
@@ -97,6 +99,21 @@ impl Scalar {
             Self::I32 | Self::U32 | Self::F32 => 4,
             Self::I64 | Self::U64 | Self::F64 => 8,
         }
+    }
+
+    /// The integer as enums name it, if it is one.
+    pub fn repr(self) -> Option<Repr> {
+        Some(match self {
+            Self::I8 => Repr::I8,
+            Self::U8 => Repr::U8,
+            Self::I16 => Repr::I16,
+            Self::U16 => Repr::U16,
+            Self::I32 => Repr::I32,
+            Self::U32 => Repr::U32,
+            Self::I64 => Repr::I64,
+            Self::U64 => Repr::U64,
+            Self::F32 | Self::F64 | Self::Char | Self::Bool => return None,
+        })
     }
 
     /// The values of an integer type.

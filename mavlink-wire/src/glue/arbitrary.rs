@@ -24,6 +24,23 @@ macro_rules! __arbitrary {
     };
 }
 
+/// Implements the trait for a struct, field by field.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __arbitrary_record {
+    ($name:ident { $($field:ident),* }) => {
+        impl<'a> $crate::generated::arbitrary::Arbitrary<'a> for $name {
+            fn arbitrary(
+                bytes: &mut $crate::generated::arbitrary::Unstructured<'a>,
+            ) -> $crate::generated::arbitrary::Result<Self> {
+                ::core::result::Result::Ok(Self {
+                    $($field: $crate::generated::arbitrary::Arbitrary::arbitrary(bytes)?),*
+                })
+            }
+        }
+    };
+}
+
 /// A message.
 ///
 /// # Errors

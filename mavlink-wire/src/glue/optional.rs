@@ -40,6 +40,13 @@ macro_rules! __serde_record {
 #[cfg(not(feature = "serde"))]
 #[doc(hidden)]
 #[macro_export]
+macro_rules! __serde_topic {
+    ($($any:tt)*) => {};
+}
+
+#[cfg(not(feature = "serde"))]
+#[doc(hidden)]
+#[macro_export]
 macro_rules! __serde_variants {
     ($($any:tt)*) => {};
 }
@@ -76,6 +83,13 @@ macro_rules! __defmt_variants {
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __arbitrary {
+    ($($any:tt)*) => {};
+}
+
+#[cfg(not(feature = "arbitrary"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __arbitrary_record {
     ($($any:tt)*) => {};
 }
 

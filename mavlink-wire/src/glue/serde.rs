@@ -61,6 +61,7 @@ pub(crate) mod held;
 pub(crate) mod message;
 mod named;
 mod record;
+pub(crate) mod topic;
 pub(crate) mod value;
 pub(crate) mod views;
 

@@ -27,6 +27,9 @@ pub trait Repr: Wire + Eq {
     /// The type in the XML.
     const KIND: Kind;
 
+    /// Whether it has negative numbers.
+    const IS_SIGNED: bool;
+
     /// The same bits, zeros above.
     fn bits(self) -> u64;
 
@@ -38,6 +41,7 @@ macro_rules! repr {
     ($($type:ident as $unsigned:ident $kind:ident)*) => {$(
         impl Repr for $type {
             const KIND: Kind = Kind::$kind;
+            const IS_SIGNED: bool = Self::MIN != 0;
 
             #[inline]
             fn bits(self) -> u64 {
@@ -84,14 +88,15 @@ pub fn parse<E: Enum>(text: &str) -> Result<E, UnknownName>
 where
     E::Repr: TryFrom<i128>,
 {
-    match E::Repr::try_from(parse_entry(E::INFO, text)?) {
+    match E::Repr::try_from(parse_entry(E::INFO, text, E::Repr::IS_SIGNED)?) {
         Ok(repr) => Ok(E::from_repr(repr)),
         Err(_) => Err(UnknownName::of(E::INFO)),
     }
 }
 
-/// Reads an entry's name or a number; whether the number fits is the caller's to check.
-pub(crate) fn parse_entry(info: &'static EnumInfo, text: &str) -> Result<i128, UnknownName> {
+/// Reads an entry's name or a number; whether the number fits is the caller's to check. Entries of a signed integer can be
+/// negative: their sign is extended.
+pub(crate) fn parse_entry(info: &'static EnumInfo, text: &str, signed: bool) -> Result<i128, UnknownName> {
     let (digits, negative) = match text.strip_prefix('-') {
         Some(digits) => (digits, true),
         None => (text, false),
@@ -99,7 +104,10 @@ pub(crate) fn parse_entry(info: &'static EnumInfo, text: &str) -> Result<i128, U
     match number(digits) {
         Some(number) if negative => Ok(-i128::from(number)),
         Some(number) => Ok(i128::from(number)),
-        None => info.entry_value(text).map(i128::from).ok_or(UnknownName::of(info)),
+        None => {
+            let value = |bits: u64| if signed { bits.cast_signed().into() } else { bits.into() };
+            info.entry_value(text).map(value).ok_or(UnknownName::of(info))
+        }
     }
 }
 

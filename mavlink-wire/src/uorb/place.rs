@@ -1,6 +1,6 @@
 //! Where a log's records have the fields of a topic.
 
-use super::{Kind, Value};
+use super::{Kind, Topic, Value};
 
 /// Where a record has a field: made by [`Binding::of`](super::ulog::Binding::of), read by generated code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,7 +19,7 @@ impl Place {
         Self { at, stride: kind.size(), len, kind }
     }
 
-    pub(crate) const fn messages(at: u32, stride: u32, len: u16) -> Self {
+    pub(crate) const fn nested_messages(at: u32, stride: u32, len: u16) -> Self {
         Self { at, stride, len, kind: Kind::U8 }
     }
 
@@ -61,5 +61,33 @@ impl Place {
     #[must_use]
     pub fn nested<'r>(&self, record: &'r [u8], i: u16) -> Option<&'r [u8]> {
         self.element(record, i)?.get(..usize::try_from(self.stride).ok()?)
+    }
+
+    /// The values of an array field; `unknown` for what the log does not have.
+    #[inline]
+    #[must_use]
+    pub fn array<T: Value, const N: usize>(&self, record: &[u8], unknown: T) -> [T; N] {
+        let mut values = [unknown; N];
+        self.get_each(record, &mut values);
+        values
+    }
+
+    /// A nested message, whose fields have these places.
+    #[inline]
+    #[must_use]
+    pub fn message<T: Topic>(&self, record: &[u8], places: &[Self]) -> T {
+        self.nested(record, 0).map_or(T::UNKNOWN, |record| T::read(places, record))
+    }
+
+    /// Nested messages, whose fields have these places.
+    #[inline]
+    #[must_use]
+    pub fn messages<T: Topic, const N: usize>(&self, record: &[u8], places: &[Self]) -> [T; N] {
+        let mut messages = [T::UNKNOWN; N];
+        for (i, message) in (0..u16::MAX).zip(&mut messages) {
+            let Some(record) = self.nested(record, i) else { break };
+            *message = T::read(places, record);
+        }
+        messages
     }
 }

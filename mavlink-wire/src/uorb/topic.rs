@@ -14,6 +14,12 @@ pub trait Topic: Copy + 'static {
     /// The topics that carry it, `["esc_status"]`: what logs call it. The first is the one that it is named after.
     const TOPICS: &'static [&'static str];
 
+    /// `MESSAGE_VERSION`: which version of the message the newest definition is, if it has one.
+    const VERSION: Option<u32> = None;
+
+    /// `ORB_QUEUE_LENGTH`: how many messages PX4 keeps of an instance.
+    const QUEUE: u32 = 1;
+
     /// What it was at different times, newest first.
     const DEFINITIONS: &'static [Definition];
 
@@ -33,7 +39,11 @@ pub trait Topic: Copy + 'static {
     fn read(places: &[Place], record: &[u8]) -> Self;
 
     /// Writes a record of a log, of the newest definition; the rest of the bytes is left as it was.
-    fn store_record(&self, record: &mut [u8]);
+    ///
+    /// # Errors
+    ///
+    /// The record is too short, or a field holds what this definition cannot.
+    fn store_record(&self, record: &mut [u8]) -> Result<(), CdrError>;
 
     /// Reads a body of `DEFINITIONS[definition]`, of its length at least.
     ///

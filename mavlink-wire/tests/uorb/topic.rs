@@ -167,7 +167,7 @@ impl Topic for EscStatus {
         status
     }
 
-    fn store_record(&self, p: &mut [u8]) {
+    fn store_record(&self, p: &mut [u8]) -> Result<(), CdrError> {
         put(p, 0, self.timestamp);
         put(p, 8, self.counter);
         put(p, 10, self.esc_online_flags);
@@ -187,6 +187,7 @@ impl Topic for EscStatus {
             put(p, at + 33, report.actuator_function);
             put(p, at + 34, report.esc_power);
         }
+        Ok(())
     }
 
     fn read_cdr(definition: usize, p: &[u8]) -> Result<Self, CdrError> {

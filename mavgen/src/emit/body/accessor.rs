@@ -55,7 +55,7 @@ pub(in crate::emit) fn set(sentinel: &Sentinel<'_>) -> TokenStream {
     match sentinel.extent {
         Extent::Scalar => quote!(self.#field = value.unwrap_or(#unknown);),
         Extent::Whole(length) => {
-            let length = Literal::u8_unsuffixed(length);
+            let length = Literal::u16_unsuffixed(length);
             quote!(self.#field = value.unwrap_or([#unknown; #length]);)
         }
         Extent::Each | Extent::First => quote! {

@@ -162,7 +162,7 @@ fn member_docs<'d>(name: &str, member: &'d Member) -> Docs<'d> {
         sentences.push(format!("`{name}`."));
     }
     sentences.extend(units.map(|units| format!("In {}.", line(units))));
-    Docs(vec![Paragraph::Prose(&member.description, sentences)])
+    Docs(vec![Paragraph::said(member.description.as_str(), sentences)])
 }
 
 fn setter_docs<'d>(name: &str, fallible: bool) -> Docs<'d> {

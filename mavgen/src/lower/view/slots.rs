@@ -118,7 +118,7 @@ fn key_docs<'d>(key: &'d ir::Key, ident: &str) -> Docs<'d> {
     }
     sentences.extend(key.units.iter().map(|units| format!("In {}.", line(units))));
     sentences.extend(key.invalid.map(|_| "`None` where it is not known.".to_owned()));
-    Docs(vec![Paragraph::Prose(&key.description, sentences)])
+    Docs(vec![Paragraph::said(key.description.as_str(), sentences)])
 }
 
 /// `escs()` and `esc(index)`

@@ -5,7 +5,7 @@ use core::fmt;
 use serde_core::de::{DeserializeSeed, Deserializer, Error, IgnoredAny, MapAccess, Unexpected, Visitor};
 use serde_core::ser::Serializer;
 
-use super::value::{Shape, Value};
+use super::value::{Shape, Value, is_signed};
 use crate::EnumInfo;
 use crate::flags::{fmt_flags, parse_flags};
 use crate::message::enums::parse_entry;
@@ -48,7 +48,7 @@ pub(super) struct NamedVisitor {
 impl NamedVisitor {
     fn parse(&self, text: &str) -> Option<u64> {
         if !self.info.bitmask {
-            return self.shape.fit(parse_entry(self.info, text).ok()?);
+            return self.shape.fit(parse_entry(self.info, text, is_signed(self.shape.kind)).ok()?);
         }
         let mask = u64::MAX >> (64 - 8 * self.shape.kind.size());
         if text.is_empty() { Some(0) } else { parse_flags(self.info, mask, text).ok() }

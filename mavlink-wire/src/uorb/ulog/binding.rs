@@ -26,7 +26,7 @@ use crate::uorb::{Element, Field, Place, Topic, places};
 /// #         let [timestamp, load, ..] = places else { return Self::UNKNOWN };
 /// #         Self { timestamp: timestamp.get(record).unwrap_or(0), load: load.get(record).unwrap_or(f32::NAN) }
 /// #     }
-/// #     fn store_record(&self, _: &mut [u8]) {}
+/// #     fn store_record(&self, _: &mut [u8]) -> Result<(), CdrError> { Ok(()) }
 /// #     fn read_cdr(_: usize, _: &[u8]) -> Result<Self, CdrError> { Err(CdrError::Definition) }
 /// #     fn store_cdr(&self, _: usize, _: &mut [u8]) -> Result<(), CdrError> { Err(CdrError::Definition) }
 /// # }
@@ -127,7 +127,7 @@ fn bind_field(
             let places = message.places.get_mut(message.fields.len() + before..)?.get_mut(..places(fields))?;
             let nested = Message { fields, places, depth: message.depth + 1 };
             let size = bind(nested, formats.find(found.element)?, formats)?.size;
-            (size, Place::messages(at, size, found.len))
+            (size, Place::nested_messages(at, size, found.len))
         }
         (Element::Scalar(kind), Some(narrower)) if narrower.widens_to(kind) => {
             (narrower.size(), Place::scalars(at, narrower, found.len))

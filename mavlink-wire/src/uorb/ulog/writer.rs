@@ -102,7 +102,8 @@ impl<W: Write> DataWriter<W> {
     ///
     /// # Errors
     ///
-    /// Of what is written to; `InvalidInput` for a topic that [`Writer::topic`] did not add.
+    /// Of what is written to; `InvalidInput` for a topic that [`Writer::topic`] did not add, and for a field that holds what the
+    /// newest definition cannot.
     pub fn write<T: Topic>(&mut self, instance: u8, message: &T) -> io::Result<()> {
         let (topic, length) = self.topic::<T>().ok_or_else(|| {
             io::Error::new(ErrorKind::InvalidInput, format!("{} is none of the topics of this log", T::NAME))
@@ -114,7 +115,7 @@ impl<W: Write> DataWriter<W> {
         };
         self.record.clear();
         self.record.resize(length, 0);
-        message.store_record(&mut self.record);
+        message.store_record(&mut self.record).map_err(|error| io::Error::new(ErrorKind::InvalidInput, error))?;
         record(&mut self.to, b'D', &[&message_id(id)?, &self.record])
     }
 

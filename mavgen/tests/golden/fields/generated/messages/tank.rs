@@ -40,6 +40,7 @@ impl wire::Message for Tank {
 
     const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(300, "TANK", 78, 36)
         .len_v1(28);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("id", wire::Kind::U8, 18),
         wire::FieldInfo::new("time_usec", wire::Kind::U64, 0).units("us"),

@@ -32,6 +32,7 @@ impl wire::Message for Refuel {
         )
         .target_system(4)
         .target_component(5);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("amount", wire::Kind::F32, 0).units("l"),
         wire::FieldInfo::new("target_system", wire::Kind::U8, 4),

@@ -1,0 +1,165 @@
+//! Builders of uORB messages: from a folder of `.msg` files, at one or several times, to files.
+
+use std::collections::HashSet;
+use std::path::{Path, PathBuf};
+
+use super::{Builder, Failure};
+use crate::diag::Diagnostics;
+use crate::emit::{GeneratedFile, emit};
+use crate::lower::topic::{UnionNames, tree};
+use crate::lower::{Options, spelling};
+use crate::output::{Report, write};
+use crate::problems::Problems;
+use crate::source::Sources;
+use crate::uorb::union::{Definition, Union};
+use crate::uorb::{load, overlays, selected};
+
+/// What the newest definition is called if its folder's name says nothing.
+const NEWEST: &str = "newest";
+
+/// A folder's name that says nothing.
+const ANY: &str = "msg";
+
+/// uORB messages that were read and resolved without errors.
+#[derive(Clone, Debug)]
+pub struct Topics {
+    /// The messages, of all definitions.
+    pub union: Union,
+    /// What everything in it is called in Rust.
+    names: UnionNames,
+    /// What is worth a look: warnings and notes.
+    pub diagnostics: Diagnostics,
+    /// The texts that the spans point into.
+    pub sources: Sources,
+    /// Every file that was read.
+    pub watched: Vec<PathBuf>,
+}
+
+impl Builder {
+    /// Adds an older definition of the messages, from the folder of its `.msg` files; the newest of the older ones first.
+    ///
+    /// A message is then the union of its definitions: the newest one's fields, then what only older ones have; of one
+    /// field, the longest array and the widest number. Each definition is a constant of the message, called as here:
+    /// `v1_14` is `EscStatus::V1_14`.
+    ///
+    /// ```no_run
+    /// // build.rs
+    /// mavgen::Builder::new("msg/main").older("v1_14", "msg/v1_14").name("px4").build_script();
+    /// ```
+    #[must_use]
+    pub fn older(mut self, name: impl Into<String>, folder: impl Into<PathBuf>) -> Self {
+        self.older.push((name.into(), folder.into()));
+        self
+    }
+
+    /// What the newest definition of uORB messages is called: `main` makes it `EscStatus::MAIN`. Without this it is the name
+    /// of the folder, or `newest` if that is `msg`.
+    #[must_use]
+    pub fn definition(mut self, name: impl Into<String>) -> Self {
+        self.definition = Some(name.into());
+        self
+    }
+
+    /// Reads, resolves and selects uORB messages; writes nothing. [`Builder::resolve`] does so for a dialect.
+    ///
+    /// # Errors
+    /// As [`Builder::resolve`]; [`Failure::Usage`] also if this is no builder of uORB messages, or if a definition has no name
+    /// that can be a constant's, or that of another.
+    pub fn topics(&self) -> Result<Topics, Failure> {
+        let definitions = self.definitions()?;
+        let (mut sources, mut diagnostics) = (Sources::default(), Diagnostics::leaving_out(self.allowed_codes()?));
+        if self.lint {
+            diagnostics = diagnostics.for_lint();
+        }
+        let folders: Vec<&Path> = definitions.iter().map(|(_, folder)| folder.as_path()).collect();
+        let said = overlays(&self.overlays, &folders, &mut sources, &mut diagnostics);
+        let mut wanted: Option<HashSet<String>> = None;
+        let mut read = Vec::new();
+        for (name, folder) in &definitions {
+            if let (None, Some(names)) = (&wanted, &self.messages) {
+                wanted = Some(selected(folder, names).map_err(Failure::Usage)?.into_iter().collect());
+            }
+            let is_wanted = |name: &str| wanted.as_ref().is_none_or(|wanted| wanted.contains(name));
+            let package = load(folder, &said, is_wanted, &mut sources, &mut diagnostics);
+            if let Some(wanted) = &mut wanted {
+                wanted.extend(package.messages.iter().map(|message| message.name.clone()));
+            }
+            read.push(Definition { name: name.clone(), package });
+        }
+        let union = Union::of(&self.package_name(), read, &mut diagnostics);
+        let names = UnionNames::check(&union, &mut diagnostics);
+        diagnostics.arrange();
+        let watched = self.watched_files(&sources, &folders, diagnostics.has_errors());
+        if diagnostics.has_errors() {
+            return Err(Failure::Definitions(Box::new(Problems { diagnostics, sources, watched })));
+        }
+        self.check_denied(&diagnostics, &sources, &watched)?;
+        Ok(Topics { union, names, diagnostics, sources, watched })
+    }
+
+    /// Generates into memory what was resolved by [`Builder::topics`].
+    ///
+    /// # Errors
+    /// [`Failure::Usage`] if the runtime path is not a path.
+    pub fn emit_topics(&self, topics: &Topics) -> Result<Vec<GeneratedFile>, Failure> {
+        self.check_runtime()?;
+        let mut sources = super::provenance(&topics.sources);
+        if let Some(selection) = self.selection()? {
+            sources.push_str(&format!("\n// only {selection}, and what they need"));
+        }
+        let options = Options { runtime: self.runtime.clone(), deprecated: self.deprecated, sources };
+        let files = tree(&topics.union, &topics.names, &options);
+        files.and_then(|files| emit(&files)).map_err(|internal| Failure::Internal(internal.to_string()))
+    }
+
+    /// Writes what was resolved by [`Builder::topics`] into the output folder.
+    ///
+    /// # Errors
+    /// As [`Builder::generate`].
+    pub fn write_topics(&self, topics: &Topics) -> Result<Report, Failure> {
+        write(self.folder()?, &self.emit_topics(topics)?).map_err(Failure::Output)
+    }
+
+    /// The definitions, newest first: what each is called, and its folder.
+    fn definitions(&self) -> Result<Vec<(String, PathBuf)>, Failure> {
+        let [newest] = self.roots.as_slice() else {
+            return Err(Failure::Usage("uORB messages are of one folder: older definitions are Builder::older".into()));
+        };
+        if !self.is_uorb() {
+            return Err(Failure::Usage(format!("`{}` is a dialect, not uORB messages", newest.display())));
+        }
+        let folder = if newest.is_dir() { Some(newest.as_path()) } else { newest.parent() };
+        let of_folder = folder.and_then(Path::file_name).and_then(|name| name.to_str()).filter(|name| *name != ANY);
+        let name = self.definition.as_deref().or(of_folder).unwrap_or(NEWEST);
+        let newest = std::iter::once((name.to_owned(), newest.clone()));
+        let definitions: Vec<_> = newest.chain(self.older.iter().cloned()).collect();
+        let mut known = HashSet::new();
+        for (name, _) in &definitions {
+            let letters = |c: char| c.is_ascii_alphanumeric() || c == '_';
+            if !name.starts_with(|c: char| c.is_ascii_alphabetic()) || !name.chars().all(letters) {
+                let help = "use letters, digits and underscores, and begin with a letter (Builder::definition)";
+                return Err(Failure::Usage(format!("a definition cannot be called `{name}`: {help}")));
+            }
+            if !known.insert(spelling::constant(name)) {
+                return Err(Failure::Usage(format!("two definitions are called `{name}`: give each its own name")));
+            }
+        }
+        Ok(definitions)
+    }
+
+    /// What the package is called: as said, or as its folder, or as what is around that.
+    fn package_name(&self) -> String {
+        let root = self.roots.first().map(PathBuf::as_path).unwrap_or(Path::new(""));
+        let stem = |path: &Path| path.file_stem().and_then(|name| name.to_str()).map(str::to_owned);
+        let own = stem(root).filter(|name| name != ANY).or_else(|| root.parent().and_then(stem));
+        self.name.clone().or(own).unwrap_or_else(|| "uorb".to_owned())
+    }
+
+    /// What has to be looked at again: what was read, and the folders where a file may be added that changes something.
+    fn watched_files(&self, sources: &Sources, folders: &[&Path], has_errors: bool) -> Vec<PathBuf> {
+        let read = sources.iter().map(|(_, file)| file.path().to_owned());
+        let all = self.messages.is_none() || has_errors;
+        let folders = folders.iter().filter(|_| all).map(|folder| (*folder).to_owned());
+        read.chain(folders).collect()
+    }
+}

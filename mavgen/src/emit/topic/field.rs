@@ -1,0 +1,131 @@
+//! A field of a topic: its declaration, its value where nothing is known, and what binding by name needs.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+use crate::emit::doc;
+use crate::emit::token::ident;
+use crate::emit::ty::{int, literal};
+use crate::rust::{Plain, TopicField, TopicSlot, TopicType, Unknown};
+
+/// `pub esc_rpm: i32,` with its documentation.
+pub(super) fn declaration(field: &TopicField<'_>) -> TokenStream {
+    let (docs, name) = (doc::documentation(&field.docs), ident(field.slot.ident));
+    let element = element(field.slot.ty);
+    let ty = match (field.slot.ty, field.slot.len) {
+        (TopicType::Plain(Plain::Char), len) => {
+            let len = Literal::u16_unsuffixed(len.unwrap_or(1));
+            quote!(wire::Chars<#len>)
+        }
+        (_, Some(len)) => {
+            let len = Literal::u16_unsuffixed(len);
+            quote!([#element; #len])
+        }
+        (_, None) => element,
+    };
+    quote!(#docs pub #name: #ty,)
+}
+
+/// The type of one element; a `char` is a byte.
+pub(super) fn element(ty: TopicType<'_>) -> TokenStream {
+    match ty {
+        TopicType::Plain(one) => plain(one),
+        TopicType::Enum(one) => {
+            let name = ident(one.ident);
+            quote!(#name)
+        }
+        TopicType::Message { ident: name, .. } => {
+            let name = ident(name);
+            quote!(#name)
+        }
+    }
+}
+
+/// The type of a scalar.
+pub(super) fn plain(plain: Plain) -> TokenStream {
+    match plain {
+        Plain::Int(one) => {
+            let name = int(one);
+            quote!(#name)
+        }
+        Plain::F32 => quote!(f32),
+        Plain::F64 => quote!(f64),
+        Plain::Bool => quote!(bool),
+        Plain::Char => quote!(u8),
+    }
+}
+
+/// `esc_voltage: f32::NAN`
+pub(super) fn unknown(field: &TopicField<'_>) -> TokenStream {
+    let (name, element) = (ident(field.slot.ident), unknown_element(field));
+    let value = match (field.slot.ty, field.slot.len) {
+        (TopicType::Plain(Plain::Char), len) => {
+            let len = Literal::u16_unsuffixed(len.unwrap_or(1));
+            quote!(wire::Chars([0; #len]))
+        }
+        (_, Some(len)) => {
+            let len = Literal::u16_unsuffixed(len);
+            quote!([#element; #len])
+        }
+        (_, None) => element,
+    };
+    quote!(#name: #value)
+}
+
+/// One element of which nothing is known.
+pub(super) fn unknown_element(field: &TopicField<'_>) -> TokenStream {
+    match (field.unknown, field.slot.ty) {
+        (Some(Unknown::Is(sentinel)), _) => literal(sentinel),
+        (Some(Unknown::NanF32), _) => quote!(f32::NAN),
+        (Some(Unknown::NanF64), _) => quote!(f64::NAN),
+        (None, TopicType::Plain(Plain::Int(_) | Plain::Char)) => quote!(0),
+        (None, TopicType::Plain(Plain::F32 | Plain::F64)) => quote!(0.0),
+        (None, TopicType::Plain(Plain::Bool)) => quote!(false),
+        (None, TopicType::Enum(one)) => {
+            let name = ident(one.ident);
+            if one.flags { quote!(#name::empty()) } else { quote!(#name(0)) }
+        }
+        (None, TopicType::Message { ident: name, .. }) => {
+            let name = ident(name);
+            quote!(#name::UNKNOWN)
+        }
+    }
+}
+
+/// `wire::uorb::Field::new("esc_rpm", wire::uorb::Kind::I32)`
+pub(super) fn info(field: &TopicField<'_>) -> TokenStream {
+    let TopicField { name, was, slot: TopicSlot { ty, len, .. }, .. } = field;
+    let new = match ty {
+        TopicType::Message { ident: nested, name: message, .. } => {
+            let nested = ident(nested);
+            quote!(nested(#name, #message, <#nested as wire::uorb::Topic>::FIELDS))
+        }
+        TopicType::Plain(_) | TopicType::Enum(_) => {
+            let kind = ident(ty.plain().map_or("U8", kind));
+            quote!(new(#name, wire::uorb::Kind::#kind))
+        }
+    };
+    let array = len.map(Literal::u16_unsuffixed).map(|len| quote!(.array(#len)));
+    let was = was.map(|was| quote!(.was(#was)));
+    quote!(wire::uorb::Field::#new #array #was)
+}
+
+/// The variant of `wire::uorb::Kind`.
+fn kind(plain: Plain) -> &'static str {
+    match plain {
+        Plain::Int(int) => match int.name() {
+            "u8" => "U8",
+            "i8" => "I8",
+            "u16" => "U16",
+            "i16" => "I16",
+            "u32" => "U32",
+            "i32" => "I32",
+            "i64" => "I64",
+            _ => "U64",
+        },
+        Plain::F32 => "F32",
+        Plain::F64 => "F64",
+        Plain::Bool => "Bool",
+        Plain::Char => "Char",
+    }
+}

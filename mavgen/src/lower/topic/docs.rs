@@ -1,0 +1,141 @@
+//! What the comments of `.msg` files say, and what only the generator knows.
+
+use super::{Named, Topics};
+use crate::docs::line;
+use crate::internal::Internal;
+use crate::ir::{Scope, Sentinel};
+use crate::lower::docs::capitalised;
+use crate::rust::{Cell, Definition, Docs, Move, Paragraph};
+use crate::uorb::model::{Constant, Element, MessageIndex};
+use crate::uorb::union::{Enum, Field};
+
+impl<'d> Topics<'d> {
+    /// What the file says, what carries it, and where the fields lie.
+    pub(super) fn topic_docs(self, index: MessageIndex, definitions: &[Definition<'d>]) -> Result<Docs<'d>, Internal> {
+        let Named { model, .. } = self.message(index)?;
+        let topics: Vec<String> = model.topics.iter().map(|topic| format!("`{topic}`")).collect();
+        let plural = if topics.len() == 1 { "topic" } else { "topics" };
+        let version = model.version.map(|version| format!(", version {version}")).unwrap_or_default();
+        let queue = model.queue.map(|queue| format!("; PX4 keeps {queue} of an instance")).unwrap_or_default();
+        let facts = format!("`{}`{version}: {plural} {}{queue}.", model.name, topics.join(", "));
+        let head = match definitions {
+            [_] => "The bytes of a CDR body and of a record in a log:".to_owned(),
+            _ => "The bytes of a CDR body by definition, and of a record in a log of the newest:".to_owned(),
+        };
+        Ok(Docs(vec![
+            Paragraph::prose(model.text.as_str()),
+            Paragraph::line(facts),
+            Paragraph::line(head),
+            self.layout(index, definitions)?,
+        ]))
+    }
+
+    /// Where the definitions have the fields.
+    fn layout(self, index: MessageIndex, definitions: &[Definition<'d>]) -> Result<Paragraph<'d>, Internal> {
+        let record = self.record(index)?;
+        let mut head: Vec<&'d str> = match definitions {
+            [_] => vec!["CDR"],
+            _ => definitions.iter().map(|one| one.name).collect(),
+        };
+        head.extend(["record", "field", "type", "units"]);
+        let rows = self.message(index)?.model.fields.iter().enumerate().map(|(at, field)| {
+            let slot = self.slot(index, at)?;
+            let place = |moves: &[Move<'_>]| {
+                let found = moves.iter().find(|one| one.slot.ident == slot.ident);
+                Cell::Plain(found.map(|one| one.at.to_string()).unwrap_or_default())
+            };
+            let mut row: Vec<Cell<'d>> = definitions.iter().map(|one| place(&one.cdr)).collect();
+            row.push(place(&record));
+            let units = field.docs.units.as_deref().map(line).unwrap_or_default();
+            row.extend([format!("`{}`", field.name), format!("`{}`", self.written(field)?), units].map(Cell::Plain));
+            Ok(row)
+        });
+        Ok(Paragraph::Table(head, rows.collect::<Result<_, Internal>>()?))
+    }
+
+    /// The type as `.msg` files write it: `uint16[4]`.
+    fn written(self, field: &Field) -> Result<String, Internal> {
+        let element = match field.element {
+            Element::Scalar(scalar) => scalar.name(),
+            Element::Message(nested) => &self.message(nested)?.model.name,
+        };
+        let array = field.array.map(|len| format!("[{len}]")).unwrap_or_default();
+        Ok(format!("{element}{array}"))
+    }
+
+    /// The comment; then units, range, sentinel, frame, enum, and until when there was such a field.
+    pub(super) fn field_docs(self, field: &'d Field) -> Result<Docs<'d>, Internal> {
+        let facts = facts(field);
+        let mut sentences = Vec::new();
+        if !facts.is_empty() {
+            sentences.push(capitalised(&format!("{}.", facts.join("; "))));
+        }
+        if let (Some(one), None) = (field.enum_, self.union.typed(field)) {
+            sentences.push(format!("Its numbers are those of `{}`.", self.enum_type(one)?.ident));
+        }
+        if let Some(until) = field.until.and_then(|at| self.union.definitions.get(at)) {
+            sentences.push(format!("Until `{}`.", until.name));
+        }
+        let text = sentence(&field.docs.lines);
+        if text.trim().is_empty() && sentences.is_empty() {
+            sentences.push(format!("`{}`, a `{}`.", field.name, self.written(field)?));
+        }
+        Ok(Docs(vec![Paragraph::said(text, sentences)]))
+    }
+}
+
+fn facts(field: &Field) -> Vec<String> {
+    let units = field.docs.units.as_deref().map(|units| format!("in {}", line(units)));
+    let range = field.docs.range.as_ref().and_then(|(low, high)| match (line(low), line(high)) {
+        (low, high) if !low.is_empty() && !high.is_empty() => Some(format!("from {low} to {high}")),
+        (low, _) if !low.is_empty() => Some(format!("at least {low}")),
+        (_, high) if !high.is_empty() => Some(format!("at most {high}")),
+        _ => None,
+    });
+    let frame = field.docs.frame.as_deref().map(|frame| format!("in the frame {}", line(frame)));
+    [units, range, sentinel(field), frame].into_iter().flatten().collect()
+}
+
+/// `NaN means not known`
+fn sentinel(field: &Field) -> Option<String> {
+    let invalid = field.invalid?;
+    let value = match invalid.sentinel {
+        Sentinel::Integer(value) => value.to_string(),
+        Sentinel::Float(value) => value.to_string(),
+        Sentinel::NotANumber => "NaN".to_owned(),
+    };
+    Some(match (invalid.scope, field.array) {
+        (_, None) => format!("{value} means not known"),
+        (Scope::Each, Some(_)) => format!("{value} means that an element is not known"),
+        (Scope::Whole, Some(_)) => format!("{value} in the first element means that none is known"),
+        (Scope::First, Some(_)) => format!("{value} means that the first element is not known"),
+    })
+}
+
+/// The lines of a comment, with a full stop at the end.
+fn sentence(lines: &[String]) -> String {
+    let mut text = lines.join("\n").trim_end().to_owned();
+    if text.ends_with(|last: char| last.is_alphanumeric() || ")]%".contains(last)) {
+        text.push('.');
+    }
+    text
+}
+
+pub(super) fn of_constant<'d>(constant: &Constant) -> Docs<'d> {
+    let text = sentence(&constant.docs.lines);
+    let named = if text.trim().is_empty() { vec![format!("`{}`.", constant.name)] } else { Vec::new() };
+    Docs(vec![Paragraph::said(text, named)])
+}
+
+pub(super) fn of_enum<'d>(one: &Enum) -> Docs<'d> {
+    let (name, kind) = (&one.message, if one.flags { "Flags in a" } else { "Numbers of type" });
+    Docs::line(format!("{kind} `{}`: constants of `{name}`.", one.repr.name()))
+}
+
+pub(super) fn of_definition<'d>(name: &str, cdr_len: u32, record_len: u32) -> Docs<'d> {
+    Docs::line(format!("Definition `{name}`: {cdr_len} bytes as CDR, {record_len} in a log."))
+}
+
+pub(super) fn of_same<'d>(name: &str, newer: &str) -> Docs<'d> {
+    Docs::line(format!("Definition `{name}`, which is that of `{newer}`."))
+}

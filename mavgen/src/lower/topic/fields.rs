@@ -1,0 +1,98 @@
+//! The fields of a topic, and the getters and setters of those that may be unknown.
+
+use super::names::has_accessors;
+use super::{Named, Topics, definitions};
+use crate::internal::Internal;
+use crate::ir::{Scope, Sentinel};
+use crate::lower::accessors::{Optional, known, optional};
+use crate::rust::{Extent, Literal, Method, Plain, TopicField, TopicSlot, TopicType, Unknown};
+use crate::uorb::model::{Element, MessageIndex};
+use crate::uorb::union::{Field, Message};
+
+impl<'d> Topics<'d> {
+    pub(super) fn fields(self, index: MessageIndex) -> Result<Vec<TopicField<'d>>, Internal> {
+        let Named { model, .. } = self.message(index)?;
+        (0..model.fields.len()).map(|at| self.field(index, at)).collect()
+    }
+
+    fn field(self, index: MessageIndex, at: usize) -> Result<TopicField<'d>, Internal> {
+        let (field, slot) = (self.field_at(index, at)?, self.slot(index, at)?);
+        let unknown = if has_accessors(field) { self.unknown(field, slot)? } else { None };
+        let docs = self.field_docs(field)?;
+        Ok(TopicField { slot, docs, name: &field.name, was: field.was.as_deref(), unknown })
+    }
+
+    fn field_at(self, index: MessageIndex, at: usize) -> Result<&'d Field, Internal> {
+        let Named { model, .. } = self.message(index)?;
+        model.fields.get(at).ok_or_else(|| Internal::new(format!("{} has no field {at}", model.name)))
+    }
+
+    /// A field by name and type.
+    pub(super) fn slot(self, index: MessageIndex, at: usize) -> Result<TopicSlot<'d>, Internal> {
+        let (field, names) = (self.field_at(index, at)?, self.message(index)?.names);
+        let ident = names.fields.get(at).ok_or_else(|| Internal::new(format!("`{}` has no name", field.name)))?;
+        let ty = match (self.union.typed(field), field.element) {
+            (Some(one), _) => TopicType::Enum(self.enum_type(one)?),
+            (None, Element::Scalar(scalar)) => TopicType::Plain(definitions::plain(scalar)),
+            (None, Element::Message(nested)) => {
+                let Named { model, names } = self.message(nested)?;
+                TopicType::Message { ident: &names.ty, name: &model.name, places: self.places(model)? }
+            }
+        };
+        Ok(TopicSlot { ident, ty, len: field.array })
+    }
+
+    /// How many places the fields of a message take, and those of what it nests.
+    fn places(self, message: &Message) -> Result<usize, Internal> {
+        message.fields.iter().try_fold(0, |places, field| {
+            let nested = match field.element {
+                Element::Scalar(_) => 0,
+                Element::Message(nested) => self.places(self.message(nested)?.model)?,
+            };
+            Ok(places + 1 + nested)
+        })
+    }
+
+    /// The value that means "not known", in the type that the field has.
+    fn unknown(self, field: &'d Field, slot: TopicSlot<'d>) -> Result<Option<Unknown<'d>>, Internal> {
+        let Some(invalid) = field.invalid else { return Ok(None) };
+        Ok(match (slot.ty, invalid.sentinel) {
+            (TopicType::Plain(Plain::F64), Sentinel::NotANumber) => Some(Unknown::NanF64),
+            (TopicType::Plain(Plain::F32), Sentinel::NotANumber) => Some(Unknown::NanF32),
+            (TopicType::Plain(Plain::F32 | Plain::F64), Sentinel::Float(value)) => {
+                Some(Unknown::Is(Literal::Float(value)))
+            }
+            // A definition has it as an integer, another one as a float.
+            (TopicType::Plain(Plain::F32 | Plain::F64), Sentinel::Integer(value)) => {
+                Some(Unknown::Is(Literal::Float(value as f64)))
+            }
+            (TopicType::Plain(Plain::Int(int)), Sentinel::Integer(value)) => {
+                let as_int = crate::rust::Element::Int(int).as_int();
+                Some(Unknown::Is(Literal::Number(as_int, value)))
+            }
+            (TopicType::Enum(one), Sentinel::Integer(value)) => Some(Unknown::Is(self.enum_literal(one, value)?)),
+            _ => None,
+        })
+    }
+
+    pub(super) fn accessors(self, index: MessageIndex) -> Result<Vec<Method<'d>>, Internal> {
+        let mut methods = Vec::new();
+        for &at in &self.message(index)?.names.accessors {
+            let (field, slot) = (self.field_at(index, at)?, self.slot(index, at)?);
+            let (Some(unknown), Some(element)) = (self.unknown(field, slot)?, definitions::element(slot.ty)) else {
+                continue;
+            };
+            let scope = field.invalid.map_or(Scope::Each, |invalid| invalid.scope);
+            let extent = match (slot.len, scope) {
+                (None, _) => Extent::Scalar,
+                (Some(_), Scope::First) => Extent::First,
+                (Some(len), Scope::Whole) => Extent::Whole(len),
+                (Some(_), Scope::Each) => Extent::Each,
+            };
+            let own = Optional { ident: slot.ident, element: element.ty(), unknown, extent };
+            methods.extend(optional(&own));
+            methods.extend(known(&own));
+        }
+        Ok(methods)
+    }
+}

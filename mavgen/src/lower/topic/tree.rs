@@ -1,0 +1,144 @@
+//! The tree of a package: a file for each topic and each enum, and the modules that hold them.
+
+use std::collections::BTreeSet;
+
+use super::{Named, Topics, UnionNames};
+use crate::docs::first_sentence;
+use crate::internal::Internal;
+use crate::lower::docs::link;
+use crate::lower::files::{MARK, Options, ROOT_MARK};
+use crate::rust::{Cell, Child, ChildAccess, Content, Docs, Export, File, Paragraph, Topic, TopicType, Use};
+use crate::uorb::model::{EnumIndex, MessageIndex};
+use crate::uorb::union::Union;
+
+/// The files of a package, in a fixed order.
+pub(crate) fn tree<'d>(
+    union: &'d Union,
+    names: &'d UnionNames,
+    options: &'d Options,
+) -> Result<Vec<File<'d>>, Internal> {
+    let topics = Topics { union, names };
+    let mut files = vec![root(union, options), messages(topics)?];
+    if !union.enums.is_empty() {
+        files.push(enums(topics)?);
+    }
+    for at in 0..union.messages.len() {
+        files.push(topic(topics, MessageIndex(at), options)?);
+    }
+    for (at, names) in names.enums.iter().enumerate() {
+        let item = topics.enum_item(EnumIndex(at))?;
+        let of = union.enums.get(at).map_or("", |one| one.message.as_str());
+        files.push(File {
+            path: format!("enums/{}.rs", names.module),
+            header: header(&format!("{of}.msg")),
+            docs: Docs::default(),
+            uses: vec![Use::Runtime(options.runtime.clone())],
+            content: Content::Enum(Box::new(item)),
+        });
+    }
+    Ok(files)
+}
+
+fn header(sources: &str) -> String {
+    format!("{MARK} from {sources}; do not edit.")
+}
+
+/// `mod.rs`. It begins with an item, so that `include!` takes it.
+fn root<'d>(union: &Union, options: &Options) -> File<'d> {
+    let (mut children, mut exports) = (Vec::new(), Vec::new());
+    for (module, is_empty) in [("enums", union.enums.is_empty()), ("messages", union.messages.is_empty())] {
+        if !is_empty {
+            children.push(Child { ident: module.to_owned(), access: ChildAccess::Public, expect: false });
+            exports.push(Export { of: Use::All(module.to_owned()), expect: false });
+        }
+    }
+    let version = env!("CARGO_PKG_VERSION");
+    File {
+        path: "mod.rs".to_owned(),
+        header: format!("{}\n{ROOT_MARK}{version}, {}", header(&union.name), options.sources),
+        docs: Docs::line(about(union)),
+        uses: Vec::new(),
+        content: Content::Module { children, exports, aliases: Vec::new() },
+    }
+}
+
+/// What stands over the module of a package.
+pub(crate) fn about(union: &Union) -> String {
+    let definitions: Vec<String> = union.definitions.iter().map(|one| format!("`{}`", one.name)).collect();
+    match definitions.as_slice() {
+        [_] => format!("uORB messages of `{}`.", union.name),
+        all => format!("uORB messages of `{}`, of the definitions {}.", union.name, all.join(", ")),
+    }
+}
+
+/// `messages.rs`, with a table of contents.
+fn messages<'d>(topics: Topics<'d>) -> Result<File<'d>, Internal> {
+    let all = (0..topics.union.messages.len()).map(|at| topics.message(MessageIndex(at)));
+    let mut all = all.collect::<Result<Vec<Named<'d>>, Internal>>()?;
+    all.sort_by_key(|message| &message.model.name);
+    let rows = all.iter().map(|Named { model, names }| {
+        let cells = [model.fields.len().to_string(), link(&names.ty), first_sentence(&model.text)];
+        cells.map(Cell::Plain).to_vec()
+    });
+    let contents = Paragraph::Table(vec!["fields", "message", ""], rows.collect());
+    let docs = Docs::line("The messages, one type each.").then(contents);
+    let parts = all.iter().map(|message| (message.names.module.as_str(), message.names.ty.as_str()));
+    Ok(module("messages.rs", &topics.union.name, docs, parts))
+}
+
+/// `enums.rs`, with a table of contents.
+fn enums<'d>(topics: Topics<'d>) -> Result<File<'d>, Internal> {
+    let mut all: Vec<_> = topics.union.enums.iter().zip(&topics.names.enums).collect();
+    all.sort_by_key(|(model, _)| &model.name);
+    let rows = all.iter().map(|(model, names)| {
+        let cells = [model.entries.len().to_string(), link(&names.ty), format!("of `{}`", model.message)];
+        cells.map(Cell::Plain).to_vec()
+    });
+    let contents = Paragraph::Table(vec!["entries", "enum", ""], rows.collect());
+    let docs = Docs::line("Enums and flags: constants that fields of messages take.").then(contents);
+    let parts = all.iter().map(|(_, names)| (names.module.as_str(), names.ty.as_str()));
+    Ok(module("enums.rs", &topics.union.name, docs, parts))
+}
+
+fn module<'d, 'n>(
+    path: &str,
+    sources: &str,
+    docs: Docs<'d>,
+    parts: impl Iterator<Item = (&'n str, &'n str)>,
+) -> File<'d> {
+    let (mut children, mut exports) = (Vec::new(), Vec::new());
+    for (module, ty) in parts {
+        children.push(Child { ident: module.to_owned(), access: ChildAccess::Private, expect: false });
+        exports.push(Export { of: Use::Names(module.to_owned(), vec![ty.to_owned()]), expect: false });
+    }
+    let content = Content::Module { children, exports, aliases: Vec::new() };
+    File { path: path.to_owned(), header: header(sources), docs, uses: Vec::new(), content }
+}
+
+fn topic<'d>(topics: Topics<'d>, index: MessageIndex, options: &Options) -> Result<File<'d>, Internal> {
+    let (Named { model, names }, item) = (topics.message(index)?, topics.topic(index)?);
+    let mut uses = imports(&item);
+    uses.extend([Use::Runtime(options.runtime.clone()), Use::LoadAndStore]);
+    Ok(File {
+        path: format!("messages/{}.rs", names.module),
+        header: header(&format!("{}.msg", model.name)),
+        docs: Docs::default(),
+        uses,
+        content: Content::Topic(Box::new(item)),
+    })
+}
+
+/// The enums and the topics that a topic names.
+fn imports(topic: &Topic<'_>) -> Vec<Use> {
+    let (mut enums, mut topics) = (BTreeSet::new(), BTreeSet::new());
+    for field in &topic.fields {
+        match field.slot.ty {
+            TopicType::Enum(one) => drop(enums.insert(one.ident.to_owned())),
+            TopicType::Message { ident, .. } => drop(topics.insert(ident.to_owned())),
+            TopicType::Plain(_) => {}
+        }
+    }
+    let parts = [("super::super::enums", enums), ("super::super::messages", topics)];
+    let parts = parts.into_iter().filter(|(_, names)| !names.is_empty());
+    parts.map(|(module, names)| Use::Names(module.to_owned(), names.into_iter().collect())).collect()
+}

@@ -1,0 +1,261 @@
+//! Several definitions of the same messages, as one model: each message is the union of what it was.
+//!
+//! Fields are those of the newest definition in its order, then what only older ones have. The longest array and the widest
+//! number win, so that whatever a definition says has a place.
+
+mod fields;
+mod nesting;
+
+use std::collections::BTreeMap;
+
+use super::model::{self, Constant, EnumIndex, MessageIndex, Package};
+use crate::diag::Diagnostics;
+use crate::ir::{Invalid, Name, Repr};
+use crate::source::{FileId, Span};
+
+/// Messages of one or several definitions.
+#[derive(Clone, Debug, Default)]
+pub struct Union {
+    /// What the package is called: `px4`.
+    pub name: String,
+    /// The definitions, newest first.
+    pub definitions: Vec<Definition>,
+    /// The messages of all definitions.
+    pub messages: Vec<Message>,
+    /// The enums of all definitions.
+    pub enums: Vec<Enum>,
+}
+
+/// What all messages were at one time.
+#[derive(Clone, Debug)]
+pub struct Definition {
+    /// `main`, `v1_14`
+    pub name: String,
+    /// The messages.
+    pub package: Package,
+}
+
+/// A message as all of its definitions together have it.
+#[derive(Clone, Debug)]
+pub struct Message {
+    /// Its name, that of the file: `EscStatus`.
+    pub name: String,
+    /// The file of the newest definition.
+    pub file: FileId,
+    /// What that says about it.
+    pub text: String,
+    /// The topics that carry it; those of the newest definition come first.
+    pub topics: Vec<String>,
+    /// `MESSAGE_VERSION` of the newest definition.
+    pub version: Option<u32>,
+    /// `ORB_QUEUE_LENGTH` of the newest definition.
+    pub queue: Option<u32>,
+    /// Its fields.
+    pub fields: Vec<Field>,
+    /// Its constants that are in no enum.
+    pub constants: Vec<Constant>,
+    /// The definitions that have it, newest first.
+    pub known: Vec<Known>,
+}
+
+/// A definition that has a message.
+#[derive(Clone, Debug)]
+pub struct Known {
+    /// Which of [`Union::definitions`] it is.
+    pub definition: usize,
+    /// The message in its package.
+    pub message: MessageIndex,
+    /// For each field there, which of the union's it is.
+    pub fields: Vec<usize>,
+    /// A newer one of [`Message::known`] with the same hash, which is the same definition by another name.
+    pub same_as: Option<usize>,
+}
+
+/// A field of a union.
+#[derive(Clone, Debug)]
+pub struct Field {
+    /// Its name in the newest definition that has it.
+    pub name: String,
+    /// Where that stands.
+    pub span: Span,
+    /// The name that it had in older definitions.
+    pub was: Option<String>,
+    /// The type of its elements: the widest that a definition has. A message is one of [`Union::messages`].
+    pub element: model::Element,
+    /// The length of an array, the longest that a definition has.
+    pub array: Option<u16>,
+    /// What the comments say, of the newest definition that has it.
+    pub docs: model::Docs,
+    /// The enum that it carries.
+    pub enum_: Option<EnumIndex>,
+    /// The value that means "not known".
+    pub invalid: Option<Invalid>,
+    /// The newest of [`Union::definitions`] that has it, if that is not the newest that has the message.
+    pub until: Option<usize>,
+}
+
+/// An enum: constants of all definitions.
+#[derive(Clone, Debug)]
+pub struct Enum {
+    /// Its name.
+    pub name: Name,
+    /// The message whose constants they are.
+    pub message: String,
+    /// Whether they are bits.
+    pub flags: bool,
+    /// The integer: that of the first field that carries it.
+    pub repr: Repr,
+    /// The values, those of newer definitions first.
+    pub entries: Vec<model::Entry>,
+}
+
+impl Union {
+    /// Joins definitions, newest first. A field whose types cannot be one is an error.
+    pub fn of(name: &str, definitions: Vec<Definition>, diagnostics: &mut Diagnostics) -> Self {
+        let mut union = Self { name: name.to_owned(), ..Self::default() };
+        let mut places: BTreeMap<&str, usize> = BTreeMap::new();
+        let mut joined: Vec<Joined<'_>> = Vec::new();
+        for (at, definition) in definitions.iter().enumerate() {
+            for (i, message) in definition.package.messages.iter().enumerate() {
+                let place = *places.entry(&message.name).or_insert(joined.len());
+                if place == joined.len() {
+                    joined.push(Vec::new());
+                }
+                if let Some(known) = joined.get_mut(place) {
+                    known.push((at, MessageIndex(i), message));
+                }
+            }
+        }
+        let enums = Enums::of(&definitions);
+        for known in &joined {
+            let context = fields::Context { definitions: &definitions, places: &places, enums: &enums };
+            union.messages.extend(message(known, &context, diagnostics));
+        }
+        nesting::check(&union.messages, diagnostics);
+        union.enums = enums.finish(&union.messages);
+        drop(joined);
+        union.definitions = definitions;
+        union
+    }
+
+    /// Keeps of a message's field what it carries only if the field's integer is the enum's.
+    pub fn typed(&self, field: &Field) -> Option<EnumIndex> {
+        let (index, model::Element::Scalar(scalar)) = (field.enum_?, field.element) else { return None };
+        let one = self.enums.get(index.0)?;
+        (scalar.repr() == Some(one.repr)).then_some(index)
+    }
+}
+
+/// The definitions that have a message, newest first: which, where in it, and the message.
+type Joined<'d> = Vec<(usize, MessageIndex, &'d model::Message)>;
+
+fn message(known: &Joined<'_>, context: &fields::Context<'_>, diagnostics: &mut Diagnostics) -> Option<Message> {
+    let (_, _, newest) = known.first()?;
+    let (fields, places) = fields::join(known, context, diagnostics);
+    let mut topics: Vec<String> = Vec::new();
+    for topic in known.iter().flat_map(|(_, _, message)| &message.topics) {
+        if !topics.contains(topic) {
+            topics.push(topic.clone());
+        }
+    }
+    let mut found: Vec<Known> = Vec::new();
+    for (&(definition, index, message), fields) in known.iter().zip(places) {
+        let hash = |one: &Known| {
+            let package = &context.definitions.get(one.definition)?.package;
+            Some(package.messages.get(one.message.0)?.hash)
+        };
+        let same_as = found.iter().position(|one| one.same_as.is_none() && hash(one) == Some(message.hash));
+        found.push(Known { definition, message: index, fields, same_as });
+    }
+    Some(Message {
+        name: newest.name.clone(),
+        file: newest.file,
+        text: newest.about.join("\n"),
+        topics,
+        version: newest.version,
+        queue: newest.queue,
+        fields,
+        constants: constants(known, context),
+        known: found,
+    })
+}
+
+/// The constants of the newest definition, then what only older ones have, without those that an enum has.
+fn constants(known: &Joined<'_>, context: &fields::Context<'_>) -> Vec<Constant> {
+    let mut constants: Vec<Constant> = Vec::new();
+    for (_, _, message) in known {
+        for constant in &message.constants {
+            let is_known = constants.iter().any(|other| other.name == constant.name);
+            if !is_known && !context.enums.has(&message.name, &constant.name) {
+                constants.push(constant.clone());
+            }
+        }
+    }
+    constants
+}
+
+/// The enums of all definitions, by name.
+struct Enums {
+    all: Vec<Enum>,
+    /// For each definition and each enum there, which it is.
+    places: Vec<Vec<EnumIndex>>,
+}
+
+impl Enums {
+    fn of(definitions: &[Definition]) -> Self {
+        let (mut all, mut places): (Vec<Enum>, Vec<Vec<EnumIndex>>) = (Vec::new(), Vec::new());
+        for Definition { package, .. } in definitions {
+            let mut own = Vec::new();
+            for one in &package.enums {
+                let place = all.iter().position(|other| other.name.text == one.name.text).unwrap_or(all.len());
+                match all.get_mut(place) {
+                    Some(newer) => add(&mut newer.entries, &one.entries),
+                    None => all.push(Enum {
+                        name: one.name.clone(),
+                        message: package.messages.get(one.message.0).map_or_else(String::new, |of| of.name.clone()),
+                        flags: one.flags,
+                        repr: one.repr,
+                        entries: one.entries.clone(),
+                    }),
+                }
+                own.push(EnumIndex(place));
+            }
+            places.push(own);
+        }
+        Self { all, places }
+    }
+
+    /// The enum of a field in one of the definitions.
+    fn get(&self, definition: usize, index: EnumIndex) -> Option<EnumIndex> {
+        self.places.get(definition)?.get(index.0).copied()
+    }
+
+    /// Whether a constant of a message is in one.
+    fn has(&self, message: &str, constant: &str) -> bool {
+        let own = self.all.iter().filter(|one| one.message == message);
+        own.flat_map(|one| &one.entries).any(|entry| entry.constant.name == constant)
+    }
+
+    /// With the integer of the first field that carries each.
+    fn finish(mut self, messages: &[Message]) -> Vec<Enum> {
+        for (at, one) in self.all.iter_mut().enumerate() {
+            let mut fields = messages.iter().flat_map(|message| &message.fields);
+            let field = fields.find(|field| field.enum_ == Some(EnumIndex(at)));
+            let repr = field.and_then(|field| match field.element {
+                model::Element::Scalar(scalar) => scalar.repr(),
+                model::Element::Message(_) => None,
+            });
+            one.repr = repr.unwrap_or(one.repr);
+        }
+        self.all
+    }
+}
+
+/// Adds what a newer definition lacks.
+fn add(entries: &mut Vec<model::Entry>, older: &[model::Entry]) {
+    for entry in older {
+        if !entries.iter().any(|known| known.constant.name == entry.constant.name) {
+            entries.push(entry.clone());
+        }
+    }
+}
