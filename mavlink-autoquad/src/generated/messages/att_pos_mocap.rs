@@ -60,6 +60,7 @@ impl wire::Message for AttPosMocap {
             120,
         )
         .len_v1(36);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_usec", wire::Kind::U64, 0).units("us"),
         wire::FieldInfo::array("q", wire::Kind::F32, 4, 8),

@@ -80,6 +80,7 @@ impl wire::Message for AttitudeQuaternion {
             48,
         )
         .len_v1(32);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_boot_ms", wire::Kind::U32, 0).units("ms"),
         wire::FieldInfo::new("q1", wire::Kind::F32, 4),

@@ -182,6 +182,7 @@ impl wire::Message for AutopilotStateForGimbalDevice {
         .len_v1(53)
         .target_system(50)
         .target_component(51);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 50),
         wire::FieldInfo::new("target_component", wire::Kind::U8, 51),

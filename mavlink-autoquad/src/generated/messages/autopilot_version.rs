@@ -62,6 +62,7 @@ impl wire::Message for AutopilotVersion {
             78,
         )
         .len_v1(60);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("capabilities", wire::Kind::U64, 0)
             .values(<MavProtocolCapability as wire::Enum>::INFO),

@@ -195,6 +195,7 @@ impl wire::Message for BatteryStatus {
             54,
         )
         .len_v1(36);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("id", wire::Kind::U8, 32),
         wire::FieldInfo::new("battery_function", wire::Kind::U8, 33)

@@ -50,6 +50,7 @@ impl wire::Message for CameraCaptureStatus {
             23,
         )
         .len_v1(18);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_boot_ms", wire::Kind::U32, 0).units("ms"),
         wire::FieldInfo::new("image_status", wire::Kind::U8, 16),

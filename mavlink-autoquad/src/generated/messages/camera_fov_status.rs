@@ -157,6 +157,7 @@ impl wire::Message for CameraFovStatus {
             53,
         )
         .len_v1(52);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_boot_ms", wire::Kind::U32, 0).units("ms"),
         wire::FieldInfo::new("lat_camera", wire::Kind::I32, 4)

@@ -171,6 +171,7 @@ impl wire::Message for CameraInformation {
             237,
         )
         .len_v1(235);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_boot_ms", wire::Kind::U32, 0).units("ms"),
         wire::FieldInfo::array("vendor_name", wire::Kind::U8, 32, 30),

@@ -70,6 +70,7 @@ impl wire::Message for CameraSettings {
             14,
         )
         .len_v1(5);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_boot_ms", wire::Kind::U32, 0).units("ms"),
         wire::FieldInfo::new("mode_id", wire::Kind::U8, 4)

@@ -179,6 +179,7 @@ impl wire::Message for CameraTrackingGeoStatus {
             50,
         )
         .len_v1(49);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("tracking_status", wire::Kind::U8, 48)
             .values(<CameraTrackingStatusFlags as wire::Enum>::INFO),

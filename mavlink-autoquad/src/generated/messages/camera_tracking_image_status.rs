@@ -148,6 +148,7 @@ impl wire::Message for CameraTrackingImageStatus {
             32,
         )
         .len_v1(31);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("tracking_status", wire::Kind::U8, 28)
             .values(<CameraTrackingStatusFlags as wire::Enum>::INFO),

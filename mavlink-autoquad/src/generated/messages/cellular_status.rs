@@ -242,6 +242,7 @@ impl wire::Message for CellularStatus {
             53,
         )
         .len_v1(10);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("status", wire::Kind::U8, 6)
             .values(<CellularStatusFlag as wire::Enum>::INFO),

@@ -37,6 +37,7 @@ impl wire::Message for ChangeOperatorControl {
             28,
         )
         .target_system(0);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 0),
         wire::FieldInfo::new("control_request", wire::Kind::U8, 1),

@@ -39,6 +39,7 @@ impl wire::Message for DebugFloatArray {
             252,
         )
         .len_v1(20);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_usec", wire::Kind::U64, 0).units("us"),
         wire::FieldInfo::array("name", wire::Kind::Char, 10, 10),

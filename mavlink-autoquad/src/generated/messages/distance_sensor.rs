@@ -138,6 +138,7 @@ impl wire::Message for DistanceSensor {
             39,
         )
         .len_v1(14);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_boot_ms", wire::Kind::U32, 0).units("ms"),
         wire::FieldInfo::new("min_distance", wire::Kind::U16, 4).units("cm"),

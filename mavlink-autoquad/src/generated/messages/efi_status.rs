@@ -82,6 +82,7 @@ impl wire::Message for EfiStatus {
             73,
         )
         .len_v1(65);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("health", wire::Kind::U8, 64),
         wire::FieldInfo::new("ecu_index", wire::Kind::F32, 0),

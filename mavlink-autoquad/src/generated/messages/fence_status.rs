@@ -41,6 +41,7 @@ impl wire::Message for FenceStatus {
             9,
         )
         .len_v1(8);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("breach_status", wire::Kind::U8, 6),
         wire::FieldInfo::new("breach_count", wire::Kind::U16, 4),

@@ -38,6 +38,7 @@ impl wire::Message for FileTransferProtocol {
         )
         .target_system(1)
         .target_component(2);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_network", wire::Kind::U8, 0),
         wire::FieldInfo::new("target_system", wire::Kind::U8, 1),

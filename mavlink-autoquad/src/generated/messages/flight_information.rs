@@ -93,6 +93,7 @@ impl wire::Message for FlightInformation {
             32,
         )
         .len_v1(28);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_boot_ms", wire::Kind::U32, 24).units("ms"),
         wire::FieldInfo::new("arming_time_utc", wire::Kind::U64, 0)

@@ -157,6 +157,7 @@ impl wire::Message for GimbalDeviceAttitudeStatus {
         .len_v1(40)
         .target_system(38)
         .target_component(39);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 38),
         wire::FieldInfo::new("target_component", wire::Kind::U8, 39),

@@ -209,6 +209,7 @@ impl wire::Message for GimbalDeviceInformation {
             149,
         )
         .len_v1(144);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_boot_ms", wire::Kind::U32, 8).units("ms"),
         wire::FieldInfo::array("vendor_name", wire::Kind::Char, 32, 48),

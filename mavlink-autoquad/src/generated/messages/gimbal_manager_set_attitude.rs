@@ -103,6 +103,7 @@ impl wire::Message for GimbalManagerSetAttitude {
         )
         .target_system(32)
         .target_component(33);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 32),
         wire::FieldInfo::new("target_component", wire::Kind::U8, 33),

@@ -102,6 +102,7 @@ impl wire::Message for GimbalManagerSetPitchyaw {
         )
         .target_system(20)
         .target_component(21);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 20),
         wire::FieldInfo::new("target_component", wire::Kind::U8, 21),

@@ -141,6 +141,7 @@ impl wire::Message for GlobalPositionSensor {
         )
         .target_system(36)
         .target_component(37);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 36),
         wire::FieldInfo::new("target_component", wire::Kind::U8, 37),

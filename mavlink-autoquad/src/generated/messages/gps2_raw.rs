@@ -157,6 +157,7 @@ impl wire::Message for Gps2Raw {
             57,
         )
         .len_v1(35);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_usec", wire::Kind::U64, 0).units("us"),
         wire::FieldInfo::new("fix_type", wire::Kind::U8, 32)

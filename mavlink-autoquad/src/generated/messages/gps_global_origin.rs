@@ -38,6 +38,7 @@ impl wire::Message for GpsGlobalOrigin {
             20,
         )
         .len_v1(12);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("latitude", wire::Kind::I32, 0).units("degE7"),
         wire::FieldInfo::new("longitude", wire::Kind::I32, 4).units("degE7"),

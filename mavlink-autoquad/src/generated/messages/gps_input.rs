@@ -123,6 +123,7 @@ impl wire::Message for GpsInput {
             65,
         )
         .len_v1(63);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_usec", wire::Kind::U64, 0).units("us"),
         wire::FieldInfo::new("gps_id", wire::Kind::U8, 60),

@@ -151,6 +151,7 @@ impl wire::Message for GpsRawInt {
             52,
         )
         .len_v1(30);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_usec", wire::Kind::U64, 0).units("us"),
         wire::FieldInfo::new("fix_type", wire::Kind::U8, 28)

@@ -77,6 +77,7 @@ impl wire::Message for HighresImu {
             63,
         )
         .len_v1(62);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_usec", wire::Kind::U64, 0).units("us"),
         wire::FieldInfo::new("xacc", wire::Kind::F32, 8).units("m/s/s"),

@@ -134,6 +134,7 @@ impl wire::Message for HilGps {
             39,
         )
         .len_v1(36);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_usec", wire::Kind::U64, 0).units("us"),
         wire::FieldInfo::new("fix_type", wire::Kind::U8, 34),

@@ -75,6 +75,7 @@ impl wire::Message for HilSensor {
             65,
         )
         .len_v1(64);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_usec", wire::Kind::U64, 0).units("us"),
         wire::FieldInfo::new("xacc", wire::Kind::F32, 8).units("m/s/s"),

@@ -69,6 +69,7 @@ impl wire::Message for LandingTarget {
             60,
         )
         .len_v1(30);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_usec", wire::Kind::U64, 0).units("us"),
         wire::FieldInfo::new("target_num", wire::Kind::U8, 28),

@@ -41,6 +41,7 @@ impl wire::Message for LogRequestData {
         )
         .target_system(10)
         .target_component(11);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 10),
         wire::FieldInfo::new("target_component", wire::Kind::U8, 11),

@@ -80,6 +80,7 @@ impl wire::Message for MagCalReport {
             54,
         )
         .len_v1(44);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("compass_id", wire::Kind::U8, 40),
         wire::FieldInfo::new("cal_mask", wire::Kind::U8, 41),

@@ -130,6 +130,7 @@ impl wire::Message for ManualControl {
         )
         .len_v1(11)
         .target_system(10);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target", wire::Kind::U8, 10),
         wire::FieldInfo::new("x", wire::Kind::I16, 0)

@@ -130,6 +130,7 @@ impl wire::Message for MissionCurrent {
             18,
         )
         .len_v1(2);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("seq", wire::Kind::U16, 0),
         wire::FieldInfo::new("total", wire::Kind::U16, 2)

@@ -92,6 +92,7 @@ impl wire::Message for MountOrientation {
             20,
         )
         .len_v1(16);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_boot_ms", wire::Kind::U32, 0).units("ms"),
         wire::FieldInfo::new("roll", wire::Kind::F32, 4)

@@ -84,6 +84,7 @@ impl wire::Message for ObstacleDistance {
             167,
         )
         .len_v1(158);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_usec", wire::Kind::U64, 0).units("us"),
         wire::FieldInfo::new("sensor_type", wire::Kind::U8, 156)

@@ -127,6 +127,7 @@ impl wire::Message for Odometry {
             233,
         )
         .len_v1(230);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_usec", wire::Kind::U64, 0).units("us"),
         wire::FieldInfo::new("frame_id", wire::Kind::U8, 228)

@@ -444,6 +444,7 @@ impl wire::Message for OnboardComputerStatus {
             240,
         )
         .len_v1(238);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_usec", wire::Kind::U64, 0).units("us"),
         wire::FieldInfo::new("uptime", wire::Kind::U32, 8).units("ms"),

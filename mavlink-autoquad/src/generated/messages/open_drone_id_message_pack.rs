@@ -44,6 +44,7 @@ impl wire::Message for OpenDroneIdMessagePack {
         )
         .target_system(0)
         .target_component(1);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 0),
         wire::FieldInfo::new("target_component", wire::Kind::U8, 1),

@@ -141,6 +141,7 @@ impl wire::Message for OpenDroneIdSystem {
         )
         .target_system(28)
         .target_component(29);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 28),
         wire::FieldInfo::new("target_component", wire::Kind::U8, 29),

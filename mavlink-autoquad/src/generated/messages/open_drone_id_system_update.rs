@@ -86,6 +86,7 @@ impl wire::Message for OpenDroneIdSystemUpdate {
         )
         .target_system(16)
         .target_component(17);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 16),
         wire::FieldInfo::new("target_component", wire::Kind::U8, 17),

@@ -56,6 +56,7 @@ impl wire::Message for OpticalFlow {
             34,
         )
         .len_v1(26);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_usec", wire::Kind::U64, 0).units("us"),
         wire::FieldInfo::new("sensor_id", wire::Kind::U8, 24),

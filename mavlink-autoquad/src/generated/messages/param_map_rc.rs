@@ -53,6 +53,7 @@ impl wire::Message for ParamMapRc {
         )
         .target_system(18)
         .target_component(19);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 18),
         wire::FieldInfo::new("target_component", wire::Kind::U8, 19),

@@ -37,6 +37,7 @@ impl wire::Message for Ping {
     const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(4, "PING", 237, 14)
         .target_system(12)
         .target_component(13);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_usec", wire::Kind::U64, 0).units("us"),
         wire::FieldInfo::new("seq", wire::Kind::U32, 8),

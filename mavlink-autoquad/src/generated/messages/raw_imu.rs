@@ -64,6 +64,7 @@ impl wire::Message for RawImu {
             29,
         )
         .len_v1(26);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_usec", wire::Kind::U64, 0).units("us"),
         wire::FieldInfo::new("xacc", wire::Kind::I16, 8),

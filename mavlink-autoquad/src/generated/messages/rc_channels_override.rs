@@ -324,6 +324,7 @@ impl wire::Message for RcChannelsOverride {
         .len_v1(18)
         .target_system(16)
         .target_component(17);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 16),
         wire::FieldInfo::new("target_component", wire::Kind::U8, 17),

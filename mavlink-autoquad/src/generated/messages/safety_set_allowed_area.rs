@@ -54,6 +54,7 @@ impl wire::Message for SafetySetAllowedArea {
         )
         .target_system(24)
         .target_component(25);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 24),
         wire::FieldInfo::new("target_component", wire::Kind::U8, 25),

@@ -61,6 +61,7 @@ impl wire::Message for ScaledImu {
             24,
         )
         .len_v1(22);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_boot_ms", wire::Kind::U32, 0).units("ms"),
         wire::FieldInfo::new("xacc", wire::Kind::I16, 4).units("mG"),

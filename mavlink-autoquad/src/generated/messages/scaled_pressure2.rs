@@ -59,6 +59,7 @@ impl wire::Message for ScaledPressure2 {
             16,
         )
         .len_v1(14);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_boot_ms", wire::Kind::U32, 0).units("ms"),
         wire::FieldInfo::new("press_abs", wire::Kind::F32, 4).units("hPa"),

@@ -53,6 +53,7 @@ impl wire::Message for SerialControl {
         .len_v1(79)
         .target_system(79)
         .target_component(80);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("device", wire::Kind::U8, 6)
             .values(<SerialControlDev as wire::Enum>::INFO),

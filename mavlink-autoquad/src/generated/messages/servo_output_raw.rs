@@ -80,6 +80,7 @@ impl wire::Message for ServoOutputRaw {
             37,
         )
         .len_v1(21);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_usec", wire::Kind::U32, 0).units("us"),
         wire::FieldInfo::new("port", wire::Kind::U8, 20),

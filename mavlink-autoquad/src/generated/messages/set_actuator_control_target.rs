@@ -42,6 +42,7 @@ impl wire::Message for SetActuatorControlTarget {
         )
         .target_system(41)
         .target_component(42);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_usec", wire::Kind::U64, 0).units("us"),
         wire::FieldInfo::new("group_mlx", wire::Kind::U8, 40),

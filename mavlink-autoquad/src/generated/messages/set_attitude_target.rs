@@ -59,6 +59,7 @@ impl wire::Message for SetAttitudeTarget {
         .len_v1(39)
         .target_system(36)
         .target_component(37);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_boot_ms", wire::Kind::U32, 0).units("ms"),
         wire::FieldInfo::new("target_system", wire::Kind::U8, 36),

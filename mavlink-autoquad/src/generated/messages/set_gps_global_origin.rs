@@ -44,6 +44,7 @@ impl wire::Message for SetGpsGlobalOrigin {
         )
         .len_v1(13)
         .target_system(12);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 12),
         wire::FieldInfo::new("latitude", wire::Kind::I32, 0).units("degE7"),

@@ -65,6 +65,7 @@ impl wire::Message for SetHomePosition {
         )
         .len_v1(53)
         .target_system(52);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 52),
         wire::FieldInfo::new("latitude", wire::Kind::I32, 0).units("degE7"),

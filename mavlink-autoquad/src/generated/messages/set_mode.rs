@@ -37,6 +37,7 @@ impl wire::Message for SetMode {
             6,
         )
         .target_system(4);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 4),
         wire::FieldInfo::new("base_mode", wire::Kind::U8, 5)

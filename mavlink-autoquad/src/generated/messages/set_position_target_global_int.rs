@@ -75,6 +75,7 @@ impl wire::Message for SetPositionTargetGlobalInt {
         )
         .target_system(50)
         .target_component(51);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_boot_ms", wire::Kind::U32, 0).units("ms"),
         wire::FieldInfo::new("target_system", wire::Kind::U8, 50),

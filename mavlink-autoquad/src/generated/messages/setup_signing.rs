@@ -51,6 +51,7 @@ impl wire::Message for SetupSigning {
         )
         .target_system(8)
         .target_component(9);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 8),
         wire::FieldInfo::new("target_component", wire::Kind::U8, 9),

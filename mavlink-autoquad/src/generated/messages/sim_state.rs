@@ -120,6 +120,7 @@ impl wire::Message for SimState {
             92,
         )
         .len_v1(84);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("q1", wire::Kind::F32, 0),
         wire::FieldInfo::new("q2", wire::Kind::F32, 4),

@@ -243,6 +243,7 @@ impl wire::Message for SmartBatteryInfo {
             109,
         )
         .len_v1(87);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("id", wire::Kind::U8, 18),
         wire::FieldInfo::new("battery_function", wire::Kind::U8, 19)

@@ -40,6 +40,7 @@ impl wire::Message for Statustext {
             54,
         )
         .len_v1(51);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("severity", wire::Kind::U8, 0)
             .values(<MavSeverity as wire::Enum>::INFO),

@@ -62,6 +62,7 @@ impl wire::Message for StorageInformation {
             61,
         )
         .len_v1(27);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("time_boot_ms", wire::Kind::U32, 0).units("ms"),
         wire::FieldInfo::new("storage_id", wire::Kind::U8, 24),

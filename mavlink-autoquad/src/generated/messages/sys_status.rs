@@ -114,6 +114,7 @@ impl wire::Message for SysStatus {
             43,
         )
         .len_v1(31);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("onboard_control_sensors_present", wire::Kind::U32, 0)
             .values(<MavSysStatusSensor as wire::Enum>::INFO),

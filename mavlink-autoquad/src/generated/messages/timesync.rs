@@ -39,6 +39,7 @@ impl wire::Message for Timesync {
         .len_v1(16)
         .target_system(16)
         .target_component(17);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("tc1", wire::Kind::I64, 0).units("ns"),
         wire::FieldInfo::new("ts1", wire::Kind::I64, 8).units("ns"),

@@ -41,6 +41,7 @@ impl wire::Message for V2Extension {
         )
         .target_system(3)
         .target_component(4);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_network", wire::Kind::U8, 2),
         wire::FieldInfo::new("target_system", wire::Kind::U8, 3),

@@ -65,6 +65,7 @@ impl wire::Message for ViconPositionEstimate {
             116,
         )
         .len_v1(32);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("usec", wire::Kind::U64, 0).units("us"),
         wire::FieldInfo::new("x", wire::Kind::F32, 8).units("m"),

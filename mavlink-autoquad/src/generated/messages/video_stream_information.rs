@@ -69,6 +69,7 @@ impl wire::Message for VideoStreamInformation {
             215,
         )
         .len_v1(213);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("stream_id", wire::Kind::U8, 18),
         wire::FieldInfo::new("count", wire::Kind::U8, 19),

@@ -54,6 +54,7 @@ impl wire::Message for VideoStreamStatus {
             20,
         )
         .len_v1(19);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("stream_id", wire::Kind::U8, 18),
         wire::FieldInfo::new("flags", wire::Kind::U16, 8)

@@ -59,6 +59,7 @@ impl wire::Message for VisionSpeedEstimate {
             57,
         )
         .len_v1(20);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("usec", wire::Kind::U64, 0).units("us"),
         wire::FieldInfo::new("x", wire::Kind::F32, 8).units("m/s"),

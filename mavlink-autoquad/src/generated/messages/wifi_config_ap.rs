@@ -38,6 +38,7 @@ impl wire::Message for WifiConfigAp {
             98,
         )
         .len_v1(96);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::array("ssid", wire::Kind::Char, 32, 0),
         wire::FieldInfo::array("password", wire::Kind::Char, 64, 32),

@@ -61,6 +61,7 @@ impl wire::Message for CommandAck {
         .len_v1(3)
         .target_system(8)
         .target_component(9);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("command", wire::Kind::U16, 0)
             .values(<MavCmd as wire::Enum>::INFO),

@@ -77,6 +77,7 @@ impl wire::Message for MissionItem {
         .len_v1(37)
         .target_system(32)
         .target_component(33);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 32),
         wire::FieldInfo::new("target_component", wire::Kind::U8, 33),

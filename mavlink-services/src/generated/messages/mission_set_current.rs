@@ -37,6 +37,7 @@ impl wire::Message for MissionSetCurrent {
         )
         .target_system(2)
         .target_component(3);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 2),
         wire::FieldInfo::new("target_component", wire::Kind::U8, 3),

@@ -43,6 +43,7 @@ impl wire::Message for MissionWritePartialList {
         .len_v1(6)
         .target_system(4)
         .target_component(5);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 4),
         wire::FieldInfo::new("target_component", wire::Kind::U8, 5),
