@@ -9,25 +9,22 @@ use crate::{Instant, Outgoing};
 /// The whole of it is a loop: hand over what comes, send what it says, wait for the next of both.
 ///
 /// ```
-/// use mavlink_services::{Instant, Output, Service};
-/// use mavlink_wire::{Encode, Frame};
+/// use mavlink_services::{Instant, Outgoing, Service};
+/// use mavlink_wire::Frame;
 ///
 /// /// What a loop does each time that a frame came, or the deadline passed.
 /// fn step<S: Service>(
 ///     service: &mut S,
 ///     frame: Option<&Frame<'_>>,
 ///     now: Instant,
-///     mut send: impl FnMut(&dyn Encode),
+///     mut send: impl FnMut(&Outgoing),
 ///     mut tell: impl FnMut(S::Event),
 /// ) -> Option<Instant> {
 ///     if let Some(frame) = frame {
 ///         service.handle(frame, now);
 ///     }
-///     while let Some(output) = service.poll(now) {
-///         match output {
-///             Output::Send(message) => send(&message),
-///             Output::Event(event) => tell(event),
-///         }
+///     while let Some(event) = service.next_event(now, &mut send) {
+///         tell(event);
 ///     }
 ///     service.deadline()
 /// }
@@ -48,6 +45,19 @@ pub trait Service {
 
     /// When there will be something to do although no frame comes; `None` is never. Ask after [`poll`](Self::poll) gave `None`.
     fn deadline(&self) -> Option<Instant>;
+
+    /// Polls until there is an event, and sends what is to be sent before it. `None`: all is done for now.
+    fn next_event(&mut self, now: Instant, mut send: impl FnMut(&Outgoing)) -> Option<Self::Event>
+    where
+        Self: Sized,
+    {
+        loop {
+            match self.poll(now)? {
+                Output::Send(message) => send(&message),
+                Output::Event(event) => return Some(event),
+            }
+        }
+    }
 }
 
 /// What a machine wants.

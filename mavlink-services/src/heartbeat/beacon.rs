@@ -64,6 +64,13 @@ impl Beacon {
     }
 }
 
+/// Every second, the first one at once.
+impl From<Heartbeat> for Beacon {
+    fn from(heartbeat: Heartbeat) -> Self {
+        Self { heartbeat, interval: Duration::from_secs(1), next: Instant::ZERO }
+    }
+}
+
 impl Service for Beacon {
     type Event = Infallible;
 

@@ -227,9 +227,9 @@ impl<P: Parameters> Component<P> {
             message = self.message(cursor.next).ok();
             (cursor.next, cursor.remaining) = (cursor.next.saturating_add(1), cursor.remaining - 1);
         }
-        let late = now - cursor.due;
-        let behind = self.options.pace.saturating_mul(BEHIND);
-        cursor.due += late.saturating_sub(behind);
+        // In additions: a product of durations can panic.
+        let tolerated = (0..BEHIND).fold(cursor.due, |due, _| due + self.options.pace);
+        cursor.due += now - tolerated;
         cursor.due += self.options.pace;
         self.list = (cursor.remaining > 0).then_some(cursor);
         Some(message?.into())

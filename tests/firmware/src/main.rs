@@ -3,9 +3,8 @@
 #![no_std]
 #![no_main]
 
+mod panic;
 mod uart;
-
-use core::panic::PanicInfo;
 
 use cortex_m_rt::entry;
 use cortex_m_semihosting::debug::{self, EXIT_FAILURE, EXIT_SUCCESS};
@@ -62,14 +61,4 @@ fn sent<E>(result: Result<(), E>) {
     if result.is_err() {
         debug::exit(EXIT_FAILURE);
     }
-}
-
-unsafe extern "C" {
-    safe fn a_panic_is_reachable() -> !;
-}
-
-/// Does not link if a panic can be reached.
-#[panic_handler]
-fn panic(_: &PanicInfo<'_>) -> ! {
-    a_panic_is_reachable()
 }

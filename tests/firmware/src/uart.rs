@@ -19,6 +19,12 @@ impl Uart {
         Self(())
     }
 
+    /// Whether a byte has come.
+    #[allow(dead_code, reason = "a gateway waits for bytes")]
+    pub fn has_byte() -> bool {
+        !Self::is(RECEIVE_EMPTY)
+    }
+
     fn is(flag: u32) -> bool {
         // SAFETY: a register of this chip that can be read at any time.
         unsafe { with_exposed_provenance::<u32>(FLAGS).read_volatile() & flag != 0 }
