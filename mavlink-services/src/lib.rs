@@ -42,8 +42,12 @@
 //! comes out are types of this crate, and messages of [`common`].
 
 #![no_std]
+#![cfg_attr(docsrs, feature(doc_cfg))]
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
+
+#[cfg(feature = "std")]
+extern crate std;
 
 mod address;
 pub mod command;
@@ -51,6 +55,8 @@ pub mod command;
 #[rustfmt::skip]
 #[path = "generated/mod.rs"]
 pub mod common;
+#[cfg(feature = "std")]
+mod driver;
 pub mod heartbeat;
 mod instant;
 pub mod interval;
@@ -61,11 +67,15 @@ pub mod param;
 mod retry;
 mod service;
 pub mod timesync;
+pub mod vehicle;
 
 pub use address::Address;
+#[cfg(feature = "std")]
+pub use driver::{Error, Patience, Station};
 pub use instant::Instant;
 pub use operation::{Operation, Update};
 pub use outgoing::Outgoing;
 pub(crate) use outgoing::convert;
 pub use retry::Retry;
 pub use service::{Output, Service, earliest};
+pub use vehicle::Vehicle;
