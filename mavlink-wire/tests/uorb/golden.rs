@@ -6,7 +6,7 @@ use mavlink_wire::uorb::{Topic, places};
 use crate::topic::{EscReport, EscStatus};
 
 pub(crate) const V1_14: &[u8] = include_bytes!("logs/v1_14.ulg");
-const V2026_02: &[u8] = include_bytes!("logs/v2026_02.ulg");
+pub(crate) const V2026_02: &[u8] = include_bytes!("logs/v2026_02.ulg");
 pub(crate) const MAIN: &[u8] = include_bytes!("logs/main.ulg");
 
 pub(crate) fn read(log: &[u8]) -> Vec<(u8, EscStatus)> {

@@ -17,6 +17,17 @@ fn a_log_is_written_as_another_program_writes_it() {
     assert_eq!(log.finish().unwrap(), MAIN);
 }
 
+/// So does what a log says about itself: pyulog reads this one, and writes the same bytes.
+#[test]
+fn infos_are_written_as_another_program_writes_them() {
+    let log = Writer::new(vec![], 123_456).info("sys_name", "AutoQuad").info("ver_hw", "M4").topic::<EscStatus>();
+    let mut log = log.begin().unwrap();
+    for (instance, status) in read(MAIN) {
+        log.write(instance, &status).unwrap();
+    }
+    assert_eq!(log.finish().unwrap(), include_bytes!("logs/infos.ulg"));
+}
+
 #[test]
 fn instances_and_infos_are_read_again() {
     let mut log = Writer::new(vec![], 5).info("sys_name", "AutoQuad").topic::<EscStatus>().begin().unwrap();

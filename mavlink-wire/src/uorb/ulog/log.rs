@@ -1,7 +1,7 @@
 //! A log in memory.
 
 use super::sections::Sections;
-use super::{LogError, Records, Samples};
+use super::{Binding, LogError, Records, Samples, format};
 use crate::uorb::Topic;
 
 /// A ULog file in memory.
@@ -37,6 +37,14 @@ impl<'a> Log<'a> {
     #[must_use]
     pub fn read<T: Topic>(&self) -> Samples<'a, T> {
         self.read_topic(T::TOPICS.first().copied().unwrap_or_default())
+    }
+
+    /// How records of this topic are read, for a program that takes them from another reader. The definitions are enough of a
+    /// log: the first piece of a file that comes piece by piece. `None` if the log does not define it.
+    #[must_use]
+    pub fn bind<T: Topic>(&self, topic: &str) -> Option<Binding<T>> {
+        let records = self.records();
+        Binding::of(topic, |name| format::find(&records, name))
     }
 
     /// What the log has of another topic of the same message, `vehicle_attitude_groundtruth`.
