@@ -99,7 +99,7 @@
 //!   code for every case: see [Flash](#flash). The frames are the same.
 //! - `std`: links to addresses of UDP, TCP and files (module `link`); frames over `std::io` (`io`), over a UDP socket of yours
 //!   (`udp`), and in log files ([`tlog`], of which a part needs no std).
-//! - `serial`: links over serial ports.
+//! - `serial`: links over serial ports. `tokio`: links for async tasks (`link::tokio`), with `tokio-serial` over serial ports, too.
 //! - `tokio-codec`: a codec for `tokio_util::codec` (`tokio_codec`).
 //! - `embedded-io`, `embedded-io-async`: frames over the traits of these crates (modules of the same names).
 //! - `signing`: signatures are made and verified, in the module `signing`. Without it they are only handed over

@@ -65,8 +65,11 @@
 mod address;
 mod chunk;
 mod connection;
+mod ends;
 mod error;
+mod file;
 mod inbox;
+mod line;
 mod options;
 mod outbox;
 mod peer;
@@ -74,6 +77,9 @@ mod peers;
 mod shared;
 mod sources;
 mod statistics;
+mod tcp;
+#[cfg(feature = "tokio")]
+pub mod tokio;
 
 pub use address::{Address, AddressError};
 pub use connection::{Link, ReceiveHalf, SendHalf};

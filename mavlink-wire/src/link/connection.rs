@@ -1,17 +1,18 @@
 //! Links that wait by blocking.
 
-mod file;
-mod line;
 mod receive;
 mod send;
 #[cfg(feature = "serial")]
 mod serial;
 mod stream;
-mod tcp;
-mod udp;
+pub(super) mod udp;
 
 pub use receive::ReceiveHalf;
 pub use send::SendHalf;
+#[cfg(feature = "tokio")]
+pub(super) use send::{is_sent, of_sending};
+#[cfg(feature = "tokio-serial")]
+pub(super) use serial::of_opening;
 
 use std::boxed::Box;
 use std::net::SocketAddr;
@@ -20,16 +21,17 @@ use std::sync::{Arc, Mutex};
 use std::time::Instant;
 use std::vec::Vec;
 
+use super::ends::Opener;
+use super::file::Recording;
+use super::line::Line;
 use super::shared::Shared;
 use super::statistics::Counters;
-use super::{Address, LinkError, LinkStatistics, Options, Peer};
+use super::{Address, LinkError, LinkStatistics, Options, Peer, tcp};
 #[cfg(feature = "signing")]
 use crate::signing::Verifier;
 use crate::{ComponentId, Encode, Frame, Losses, Sender, SystemId};
-use file::Recording;
-use line::Line;
 use send::Outgoing;
-use stream::Opener;
+use stream::Stream;
 
 /// Frames from and to whoever is at an address.
 ///
@@ -44,7 +46,7 @@ pub struct Link {
 /// The ways of both halves, and what they share.
 struct Opened {
     shared: Shared,
-    line: Option<Arc<Line>>,
+    line: Option<Arc<Line<Box<dyn Stream>>>>,
     receiving: receive::Carrier,
     sending: send::Carrier,
     is_stream: bool,
@@ -95,16 +97,14 @@ fn open(address: &Address, options: &Options) -> Result<Opened, LinkError> {
             datagrams(socket, shared.listening(local))
         }
         Address::UdpOut(to) => {
-            let (socket, to) = udp::towards(to, false)?;
-            let shared = Shared::new(options.peers(), counters, options);
+            let (to, shared) = (udp::resolve(to)?, Shared::new(options.peers(), counters, options));
             shared.peers.name(Some(to.into()));
-            datagrams(socket, shared)
+            datagrams(udp::towards(to, false)?, shared)
         }
         Address::UdpBroadcast(to) => {
-            let (socket, to) = udp::towards(to, true)?;
-            let shared = Shared::new(options.peers(), counters, options).listening(None);
+            let (to, shared) = (udp::resolve(to)?, Shared::new(options.peers(), counters, options));
             shared.peers.name(Some(to.into()));
-            datagrams(socket, shared)
+            datagrams(udp::towards(to, true)?, shared.listening(None))
         }
         Address::TcpIn(at) => {
             let (listener, local) = tcp::Listener::new(at)?;
@@ -113,7 +113,7 @@ fn open(address: &Address, options: &Options) -> Result<Opened, LinkError> {
         }
         Address::TcpOut(to) => {
             let shared = Shared::new(options.only_peer(), counters, options);
-            connection(Box::new(tcp::Caller::new(to)), shared, options)
+            connection(Box::new(tcp::Caller::new(to, true)), shared, options)
         }
         #[cfg(feature = "serial")]
         Address::Serial { path, baud } => {
@@ -128,7 +128,7 @@ fn open(address: &Address, options: &Options) -> Result<Opened, LinkError> {
             Ok(Opened {
                 shared: Shared::new(options.only_peer(), counters, options),
                 line: None,
-                receiving: receive::Carrier::of_recording(recording),
+                receiving: receive::Carrier::of_recording(recording, options.table),
                 sending: send::Carrier::Nothing,
                 is_stream: true,
             })
@@ -147,7 +147,11 @@ fn datagrams(socket: std::net::UdpSocket, shared: Shared) -> Result<Opened, Link
 }
 
 /// A link that is a connection, or a device.
-fn connection(opener: Box<dyn Opener>, shared: Shared, options: &Options) -> Result<Opened, LinkError> {
+fn connection(
+    opener: Box<dyn Opener<Box<dyn Stream>>>,
+    shared: Shared,
+    options: &Options,
+) -> Result<Opened, LinkError> {
     let line = Line::open(opener, options.reconnects, shared.peers.clone(), shared.counters.clone())?;
     let line = Arc::new(line);
     let receiving = receive::Carrier::Line { line: line.clone(), end: None, heard: Instant::now() };

@@ -1,20 +1,22 @@
 //! The half that receives.
 
+use std::boxed::Box;
 use std::fs::File;
 use std::io::{ErrorKind, Read};
 use std::sync::Arc;
 use std::thread;
 use std::time::{Duration, Instant};
 
-use super::file::{Log, Recording};
-use super::line::{End, Line, Side};
+use super::stream::Stream;
 use super::udp::Receiving;
+use crate::link::file::{Log, Recording};
+use crate::link::line::{End, Line};
 use crate::link::shared::Shared;
 use crate::link::{Inbox, LinkError, LinkStatistics, Peer};
 use crate::parser::not_told;
 #[cfg(feature = "signing")]
 use crate::signing::Verifier;
-use crate::{Frame, Losses};
+use crate::{Frame, Losses, Table};
 
 /// So often somebody who waits looks whether the link was closed.
 const SLICE: Duration = Duration::from_millis(200);
@@ -35,17 +37,14 @@ pub struct ReceiveHalf {
 
 pub(super) enum Carrier {
     Datagrams(Receiving),
-    Line { line: Arc<Line>, end: Option<End>, heard: Instant },
+    Line { line: Arc<Line<Box<dyn Stream>>>, end: Option<End<Box<dyn Stream>>>, heard: Instant },
     Stream { file: File, ended: bool },
-    Log(std::boxed::Box<Log>),
+    Log(Box<Log<File>>),
 }
 
 impl Carrier {
-    pub(super) fn of_recording(recording: Recording) -> Self {
-        match recording {
-            Recording::Stream(file) => Self::Stream { file, ended: false },
-            Recording::Log(log) => Self::Log(log),
-        }
+    pub(super) fn of_recording(Recording { file, is_log }: Recording, table: &'static Table<'static>) -> Self {
+        if is_log { Self::Log(Box::new(Log::new(file, table))) } else { Self::Stream { file, ended: false } }
     }
 }
 
@@ -136,7 +135,7 @@ impl ReceiveHalf {
 
     fn deliver_logged(&mut self) -> Result<Option<(Frame<'_>, Peer)>, LinkError> {
         let Carrier::Log(log) = &mut self.carrier else { return Ok(None) };
-        let frame = log.next()?.ok_or(LinkError::Ended)?;
+        let frame = log.next().map_err(LinkError::Io)?.ok_or(LinkError::Ended)?;
         self.losses.count(&frame);
         Ok(Some((frame, Peer::NEARBY)))
     }
@@ -146,7 +145,7 @@ impl ReceiveHalf {
         match &mut self.carrier {
             Carrier::Datagrams(socket) => socket.wait(&mut self.inbox, limit),
             Carrier::Line { line, end, heard } => {
-                line.refresh(end, Side::Reading)?;
+                line.refresh_reader(end)?;
                 if end.is_none() {
                     thread::sleep(limit.min(POLL));
                 } else {
@@ -161,7 +160,13 @@ impl ReceiveHalf {
 }
 
 /// Reads from a connection, or notices that it is lost.
-fn read(line: &Line, end: &mut Option<End>, heard: &mut Instant, inbox: &mut Inbox<'_>, limit: Duration) {
+fn read(
+    line: &Line<Box<dyn Stream>>,
+    end: &mut Option<End<Box<dyn Stream>>>,
+    heard: &mut Instant,
+    inbox: &mut Inbox<'_>,
+    limit: Duration,
+) {
     let Some(open) = end else { return };
     let began = Instant::now();
     match open.stream.read_within(inbox.space(), limit) {

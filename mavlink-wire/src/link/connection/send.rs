@@ -1,5 +1,6 @@
 //! The half that sends.
 
+use std::boxed::Box;
 use std::io::ErrorKind;
 use std::net::{SocketAddr, UdpSocket};
 use std::string::{String, ToString};
@@ -7,8 +8,9 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 use std::vec::Vec;
 
-use super::line::{End, Line, Side};
+use super::stream::Stream;
 use crate::frame::key::SETUP_SIGNING;
+use crate::link::line::{End, Line};
 use crate::link::shared::Shared;
 use crate::link::{LinkError, Outbox, Parcel, Peer};
 use crate::{ComponentId, Encode, EncodeError, Frame, Sender, SystemId};
@@ -17,7 +19,7 @@ use crate::{ComponentId, Encode, EncodeError, Frame, Sender, SystemId};
 #[derive(Clone)]
 pub struct SendHalf {
     pub(super) shared: Arc<Shared>,
-    pub(super) line: Option<Arc<Line>>,
+    pub(super) line: Option<Arc<Line<Box<dyn Stream>>>>,
     pub(super) outgoing: Arc<Mutex<Outgoing>>,
 }
 
@@ -33,7 +35,7 @@ pub(super) enum Carrier {
     },
     /// A connection or device, and what it has not taken yet of the last frame.
     Line {
-        end: Option<End>,
+        end: Option<End<Box<dyn Stream>>>,
         pending: Option<Parcel>,
     },
     /// A file is not written.
@@ -161,9 +163,7 @@ impl SendHalf {
         let (Carrier::Line { end, pending }, Some(line)) = (&mut outgoing.carrier, &self.line) else {
             return Ok(outgoing);
         };
-        let before = end.as_ref().map(End::generation);
-        line.refresh(end, Side::Writing)?;
-        if end.as_ref().map(End::generation) != before {
+        if line.refresh_writer(end)? {
             // The rest of a frame means nothing to somebody else.
             *pending = None;
         }
@@ -219,7 +219,12 @@ impl SendHalf {
     }
 
     /// Writes what is left of a frame, as far as there is room within the timeout.
-    fn write_pending(&self, line: &Line, end: &mut Option<End>, pending: &mut Option<Parcel>) -> Result<(), LinkError> {
+    fn write_pending(
+        &self,
+        line: &Line<Box<dyn Stream>>,
+        end: &mut Option<End<Box<dyn Stream>>>,
+        pending: &mut Option<Parcel>,
+    ) -> Result<(), LinkError> {
         let deadline = Instant::now() + self.shared.send_timeout;
         while let (Some(open), Some(parcel)) = (end.as_mut(), pending.as_mut()) {
             if parcel.bytes().is_empty() {
@@ -247,7 +252,7 @@ impl SendHalf {
 }
 
 /// Why a datagram was not sent.
-fn of_sending(error: std::io::Error, to: SocketAddr) -> LinkError {
+pub(in crate::link) fn of_sending(error: std::io::Error, to: SocketAddr) -> LinkError {
     match error.kind() {
         ErrorKind::WouldBlock | ErrorKind::TimedOut | ErrorKind::OutOfMemory => LinkError::Full,
         ErrorKind::PermissionDenied => LinkError::NoPermission { address: Peer::from(to).to_string() },
@@ -255,7 +260,8 @@ fn of_sending(error: std::io::Error, to: SocketAddr) -> LinkError {
     }
 }
 
-fn is_sent(count: usize, peer: Peer) -> Result<(), LinkError> {
+/// An error, if somebody in particular has got nothing.
+pub(in crate::link) fn is_sent(count: usize, peer: Peer) -> Result<(), LinkError> {
     if count > 0 {
         return Ok(());
     }

@@ -12,7 +12,8 @@ use serialport::SerialPort;
 #[cfg(unix)]
 use serialport::TTYPort as Port;
 
-use super::stream::{Attempt, Opener, Stream};
+use super::stream::Stream;
+use crate::link::ends::{Attempt, Opener, Shut};
 use crate::link::{LinkError, Peer};
 
 impl Stream for Port {
@@ -29,8 +30,10 @@ impl Stream for Port {
     fn twin(&self) -> Result<Box<dyn Stream>> {
         Ok(Box::new(self.try_clone_native()?))
     }
+}
 
-    /// Nothing wakes who waits: he waits for a slice of time alone.
+/// Nothing wakes who waits: he waits for a slice of time alone.
+impl Shut for Port {
     fn shut(&self) {}
 }
 
@@ -46,8 +49,8 @@ impl Device {
     }
 }
 
-impl Opener for Device {
-    fn attempt(&mut self) -> Attempt {
+impl Opener<Box<dyn Stream>> for Device {
+    fn attempt(&mut self) -> Attempt<Box<dyn Stream>> {
         let open = || {
             let port = serialport::new(&self.path, self.baud).open_native()?;
             take_in_parts(&port)?;

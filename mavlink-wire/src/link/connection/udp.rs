@@ -4,10 +4,8 @@ use std::io::ErrorKind;
 use std::net::{SocketAddr, ToSocketAddrs, UdpSocket};
 use std::time::{Duration, Instant};
 
+use super::stream::SHORTEST;
 use crate::link::{Inbox, LinkError, is_passing};
-
-/// Zero would mean to wait for ever.
-const SHORTEST: Duration = Duration::from_millis(1);
 
 /// A socket that receives.
 pub(super) struct Receiving {
@@ -46,13 +44,17 @@ pub(in crate::link) fn listen(address: &str) -> Result<UdpSocket, LinkError> {
     UdpSocket::bind(address).map_err(|error| LinkError::of_listening(error, address))
 }
 
-/// A socket to send there, and where that is.
-pub(in crate::link) fn towards(address: &str, broadcasts: bool) -> Result<(UdpSocket, SocketAddr), LinkError> {
-    let unreachable = |reason| LinkError::Unreachable { address: address.into(), reason };
-    let to = address.to_socket_addrs().map_err(unreachable)?.next();
-    let to = to.ok_or_else(|| unreachable(ErrorKind::NotFound.into()))?;
+/// A socket to send there.
+pub(in crate::link) fn towards(to: SocketAddr, broadcasts: bool) -> Result<UdpSocket, LinkError> {
     let any = if to.is_ipv4() { "0.0.0.0:0" } else { "[::]:0" };
     let socket = UdpSocket::bind(any).map_err(LinkError::Io)?;
     socket.set_broadcast(broadcasts).map_err(LinkError::Io)?;
-    Ok((socket, to))
+    Ok(socket)
+}
+
+/// The first address that a name has.
+pub(super) fn resolve(address: &str) -> Result<SocketAddr, LinkError> {
+    let unreachable = |reason| LinkError::Unreachable { address: address.into(), reason };
+    let first = address.to_socket_addrs().map_err(unreachable)?.next();
+    first.ok_or_else(|| unreachable(ErrorKind::NotFound.into()))
 }

@@ -89,6 +89,17 @@ impl<R> Reader<'_, R> {
         self.scan.skipped_bytes()
     }
 
+    /// What is read from.
+    #[must_use]
+    pub fn get_ref(&self) -> &R {
+        &self.inner
+    }
+
+    /// What is read from. Bytes that are taken out of it are missing here.
+    pub fn get_mut(&mut self) -> &mut R {
+        &mut self.inner
+    }
+
     /// What was read from.
     pub fn into_inner(self) -> R {
         self.inner

@@ -3,6 +3,8 @@
 mod address;
 mod errors;
 mod file;
+#[cfg(feature = "tokio")]
+mod polled;
 #[cfg(all(unix, feature = "serial"))]
 mod serial;
 mod tcp;

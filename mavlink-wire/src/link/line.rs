@@ -5,9 +5,9 @@ use std::string::{String, ToString};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
-use super::stream::{Opener, Stream};
-use crate::link::statistics::Counters;
-use crate::link::{LinkError, Peer, Peers};
+use super::ends::{Ends, Opener, Parts, Shut};
+use super::statistics::Counters;
+use super::{LinkError, Peer, Peers};
 
 /// How long to wait after the first attempt that failed; then twice as long each time.
 const FIRST_WAIT: Duration = Duration::from_millis(100);
@@ -19,16 +19,16 @@ const LONGEST_WAIT: Duration = Duration::from_secs(5);
 const LASTING: Duration = Duration::from_secs(1);
 
 /// What both halves of a link share of a connection.
-pub(super) struct Line {
-    state: Mutex<State>,
+pub(super) struct Line<E: Ends> {
+    state: Mutex<State<E>>,
     reconnects: bool,
     peers: Peers,
     counters: Arc<Counters>,
 }
 
-struct State {
-    opener: Box<dyn Opener>,
-    connection: Option<Connection>,
+struct State<E: Ends> {
+    opener: Box<dyn Opener<E>>,
+    connection: Option<Connection<E>>,
     /// Counts connections, so that each half knows whether its own is still the same.
     generation: u64,
     /// When it was opened or lost.
@@ -39,43 +39,28 @@ struct State {
 }
 
 /// An open connection, and the hands that the halves have not taken yet.
-struct Connection {
-    reader: Option<Box<dyn Stream>>,
-    writer: Option<Box<dyn Stream>>,
-    kept: Box<dyn Stream>,
+struct Connection<E: Ends> {
+    reader: Option<E::Reader>,
+    writer: Option<E::Writer>,
+    kept: Box<dyn Shut>,
     peer: Peer,
 }
 
 /// A half of a connection.
-pub(super) struct End {
-    pub(super) stream: Box<dyn Stream>,
+pub(super) struct End<S> {
+    pub(super) stream: S,
     pub(super) peer: Peer,
     generation: u64,
 }
 
-impl End {
-    /// Which of the connections that were made one after the other.
-    pub(super) const fn generation(&self) -> u64 {
-        self.generation
-    }
-}
-
-/// Which half.
-#[derive(Clone, Copy)]
-pub(super) enum Side {
-    Reading,
-    Writing,
-}
-
-impl Line {
+impl<E: Ends> Line<E> {
     /// A line that is opened now, or as soon as somebody comes.
     pub(super) fn open(
-        mut opener: Box<dyn Opener>,
+        opener: Box<dyn Opener<E>>,
         reconnects: bool,
         peers: Peers,
         counters: Arc<Counters>,
     ) -> Result<Self, LinkError> {
-        let first = opener.attempt()?;
         let state = State {
             opener,
             connection: None,
@@ -85,69 +70,65 @@ impl Line {
             trouble: None,
         };
         let line = Self { state: Mutex::new(state), reconnects, peers, counters };
-        if let Some((stream, peer)) = first {
-            line.adopt(&mut line.lock(), stream, peer)?;
-        }
+        line.attempt(&mut line.lock())?;
         Ok(line)
     }
 
-    fn lock(&self) -> MutexGuard<'_, State> {
+    fn lock(&self) -> MutexGuard<'_, State<E>> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Brings a half up to date: it keeps its end, gets that of a new connection, or has none for now. Opens the line if it is
-    /// time to.
-    pub(super) fn refresh(&self, end: &mut Option<End>, side: Side) -> Result<(), LinkError> {
+    /// Brings the half that reads up to date: it keeps its end, gets that of a new connection, or has none for now. Opens the
+    /// line if it is time to. Whether it is another end than before.
+    pub(super) fn refresh_reader(&self, end: &mut Option<End<E::Reader>>) -> Result<bool, LinkError> {
+        self.refresh(end, |connection| &mut connection.reader)
+    }
+
+    /// The same of the half that writes.
+    pub(super) fn refresh_writer(&self, end: &mut Option<End<E::Writer>>) -> Result<bool, LinkError> {
+        self.refresh(end, |connection| &mut connection.writer)
+    }
+
+    fn refresh<S>(
+        &self,
+        end: &mut Option<End<S>>,
+        half: impl FnOnce(&mut Connection<E>) -> &mut Option<S>,
+    ) -> Result<bool, LinkError> {
         let mut state = self.lock();
         if state.connection.is_none() {
             self.reopen(&mut state)?;
         }
         let generation = state.generation;
-        let Some(connection) = &mut state.connection else {
-            *end = None;
-            return Ok(());
-        };
-        if end.as_ref().is_some_and(|end| end.generation == generation) {
-            return Ok(());
+        let Some(connection) = &mut state.connection else { return Ok(end.take().is_some()) };
+        let is_same = end.as_ref().is_some_and(|end| end.generation == generation);
+        if !is_same {
+            let peer = connection.peer;
+            *end = half(connection).take().map(|stream| End { stream, peer, generation });
         }
-        let taken = match side {
-            Side::Reading => connection.reader.take(),
-            Side::Writing => connection.writer.take(),
-        };
-        let peer = connection.peer;
-        *end = taken.map(|stream| End { stream, peer, generation });
-        Ok(())
+        Ok(!is_same)
     }
 
     /// Tries to open the line, if it is time to.
-    fn reopen(&self, state: &mut State) -> Result<(), LinkError> {
-        let is_first = state.generation == 0;
-        if !self.reconnects && !is_first {
+    fn reopen(&self, state: &mut State<E>) -> Result<(), LinkError> {
+        if !self.reconnects && state.generation > 0 {
             return Err(LinkError::Closed);
         }
-        if state.since.elapsed() < state.wait {
-            return Ok(());
-        }
-        match state.opener.attempt().and_then(|opened| match opened {
-            Some((stream, peer)) => self.adopt(state, stream, peer),
-            None => Ok(()),
-        }) {
-            Ok(()) => {}
-            Err(error) => {
-                state.trouble = Some(error.to_string());
-                state.since = Instant::now();
-                state.wait = (state.wait * 2).clamp(FIRST_WAIT, LONGEST_WAIT);
-            }
+        if state.since.elapsed() >= state.wait
+            && let Err(error) = self.attempt(state)
+        {
+            state.trouble = Some(error.to_string());
+            state.since = Instant::now();
+            state.wait = (state.wait * 2).clamp(FIRST_WAIT, LONGEST_WAIT);
         }
         Ok(())
     }
 
-    /// Takes over a new connection.
-    fn adopt(&self, state: &mut State, stream: Box<dyn Stream>, peer: Peer) -> Result<(), LinkError> {
-        let (reader, writer) = (stream.twin().map_err(LinkError::Io)?, stream.twin().map_err(LinkError::Io)?);
-        if let Some(former) =
-            state.connection.replace(Connection { reader: Some(reader), writer: Some(writer), kept: stream, peer })
-        {
+    /// Goes on with opening, and takes over what is open.
+    fn attempt(&self, state: &mut State<E>) -> Result<(), LinkError> {
+        let Some((ends, peer)) = state.opener.attempt()? else { return Ok(()) };
+        let Parts { reader, writer, kept } = ends.split().map_err(LinkError::Io)?;
+        let connection = Connection { reader: Some(reader), writer: Some(writer), kept, peer };
+        if let Some(former) = state.connection.replace(connection) {
             former.kept.shut();
         }
         state.generation += 1;
@@ -158,7 +139,7 @@ impl Line {
     }
 
     /// Gives up a connection that has ended or failed.
-    pub(super) fn lose(&self, end: &mut Option<End>, why: &dyn ToString) {
+    pub(super) fn lose<S>(&self, end: &mut Option<End<S>>, why: &dyn ToString) {
         let (mut state, Some(end)) = (self.lock(), end.take()) else { return };
         // The other half may have noticed it before, and there may be a new one.
         if end.generation != state.generation {
@@ -166,21 +147,32 @@ impl Line {
         }
         if let Some(connection) = state.connection.take() {
             connection.kept.shut();
-            let lasted = state.since.elapsed() >= LASTING;
-            state.wait = if lasted { FIRST_WAIT } else { (state.wait * 2).clamp(FIRST_WAIT, LONGEST_WAIT) };
+            state.wait = match state.since.elapsed() {
+                _ if state.opener.is_listener() => Duration::ZERO,
+                lasted if lasted >= LASTING => FIRST_WAIT,
+                _ => (state.wait * 2).clamp(FIRST_WAIT, LONGEST_WAIT),
+            };
             (state.since, state.trouble) = (Instant::now(), Some(why.to_string()));
             self.peers.name(None);
         }
     }
 
+    /// Goes on with the first attempt; whether it has succeeded, and why not.
+    #[cfg(feature = "tokio")]
+    pub(super) fn try_first(&self) -> Result<bool, LinkError> {
+        let mut state = self.lock();
+        if state.connection.is_none() {
+            self.attempt(&mut state)?;
+        }
+        Ok(state.connection.is_some())
+    }
+
     /// Takes another client in place of one that has been silent, if somebody waits at a listener.
     pub(super) fn replace_silent(&self) {
         let mut state = self.lock();
-        if state.opener.is_listener()
-            && let Ok(Some((stream, peer))) = state.opener.attempt()
-        {
-            // What does not work is as good as nobody.
-            let _ = self.adopt(&mut state, stream, peer);
+        if state.opener.is_listener() {
+            // Whoever comes and does not work is as good as nobody.
+            let _ = self.attempt(&mut state);
         }
     }
 

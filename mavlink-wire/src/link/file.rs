@@ -1,55 +1,52 @@
 //! Logs and streams that were kept.
 
-use std::boxed::Box;
 use std::fs::File;
 use std::io::{ErrorKind, Read, Seek};
 use std::path::Path;
 use std::vec;
 
-use crate::link::LinkError;
+use super::LinkError;
 use crate::{Frame, Statistics, Table, tlog};
 
 /// Bytes at the start of a file that tell what it is.
 const HEAD: usize = 4096;
 
-/// A file, and how it is read.
-pub(in crate::link) enum Recording {
-    /// Frames, and perhaps others' bytes between them.
-    Stream(File),
-    /// A time in front of each frame.
-    Log(Box<Log>),
+/// A file.
+pub(super) struct Recording {
+    pub(super) file: File,
+    /// A time stands in front of each frame. Else there are frames, and perhaps others' bytes between them.
+    pub(super) is_log: bool,
 }
 
 /// The reader of a log, and what it found.
-pub(in crate::link) struct Log {
-    reader: tlog::Reader<'static, File>,
+pub(super) struct Log<R> {
+    reader: tlog::Reader<'static, R>,
     found: Statistics,
 }
 
 impl Recording {
-    pub(in crate::link) fn open(path: &str, table: &'static Table<'static>) -> Result<Self, LinkError> {
+    pub(super) fn open(path: &str, table: &'static Table<'static>) -> Result<Self, LinkError> {
         let open = || {
             let mut file = File::open(path)?;
             if file.metadata()?.is_dir() {
                 return Err(ErrorKind::IsADirectory.into());
             }
             let is_log = is_called_log(path) || begins_like_log(&mut file, table)?;
-            Ok((file, is_log))
+            Ok(Self { file, is_log })
         };
-        let (file, is_log) = open().map_err(|error| LinkError::of_file(error, path))?;
-        Ok(if is_log {
-            Self::Log(Box::new(Log { reader: tlog::Reader::new(file, table), found: Statistics::default() }))
-        } else {
-            Self::Stream(file)
-        })
+        open().map_err(|error| LinkError::of_file(error, path))
     }
 }
 
-impl Log {
+impl<R: Read> Log<R> {
+    pub(super) fn new(input: R, table: &'static Table<'static>) -> Self {
+        Self { reader: tlog::Reader::new(input, table), found: Statistics::default() }
+    }
+
     /// The next frame; `None` at the end.
-    pub(in crate::link) fn next(&mut self) -> Result<Option<Frame<'_>>, LinkError> {
+    pub(super) fn next(&mut self) -> std::io::Result<Option<Frame<'_>>> {
         let Self { reader, found } = self;
-        let entry = reader.read_reporting_bad_checksums(|_| found.bad_checksums += 1).map_err(LinkError::Io)?;
+        let entry = reader.read_reporting_bad_checksums(|_| found.bad_checksums += 1)?;
         if let Some(entry) = &entry {
             found.frames += 1;
             found.unverified += u64::from(!entry.frame.is_verified());
@@ -57,7 +54,13 @@ impl Log {
         Ok(entry.map(|entry| entry.frame))
     }
 
-    pub(in crate::link) fn statistics(&self) -> Statistics {
+    /// What is read from.
+    #[cfg(feature = "tokio")]
+    pub(super) fn input(&mut self) -> &mut R {
+        self.reader.get_mut()
+    }
+
+    pub(super) fn statistics(&self) -> Statistics {
         Statistics { skipped_bytes: self.reader.skipped_bytes(), ..self.found }
     }
 }

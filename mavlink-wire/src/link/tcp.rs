@@ -1,66 +1,42 @@
 //! TCP, from both sides.
 
-use std::boxed::Box;
-use std::io::{ErrorKind, Read, Result, Write};
-use std::net::{Shutdown, SocketAddr, TcpListener, TcpStream, ToSocketAddrs};
+use std::io::{self, ErrorKind};
+use std::net::{SocketAddr, TcpListener, TcpStream, ToSocketAddrs};
 use std::string::String;
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 use std::thread;
 use std::time::Duration;
 
-use super::stream::{Attempt, Opener, Stream};
-use crate::link::LinkError;
+use super::LinkError;
+use super::ends::{Attempt, Ends, Opener};
 
 /// How long an attempt to connect may take.
 const ATTEMPT: Duration = Duration::from_secs(5);
 
-/// Zero would mean to wait for ever.
-const SHORTEST: Duration = Duration::from_millis(1);
-
-impl Stream for TcpStream {
-    fn read_within(&mut self, buffer: &mut [u8], limit: Duration) -> Result<usize> {
-        self.set_read_timeout(Some(limit.max(SHORTEST)))?;
-        self.read(buffer)
-    }
-
-    fn write_within(&mut self, bytes: &[u8], limit: Duration) -> Result<usize> {
-        self.set_write_timeout(Some(limit.max(SHORTEST)))?;
-        self.write(bytes)
-    }
-
-    fn twin(&self) -> Result<Box<dyn Stream>> {
-        Ok(Box::new(self.try_clone()?))
-    }
-
-    fn shut(&self) {
-        // One that is closed already needs no closing.
-        let _ = self.shutdown(Shutdown::Both);
-    }
-}
-
 /// Frames go out at once: a heartbeat that waits for company is late.
-fn ready(stream: TcpStream) -> Result<TcpStream> {
+fn ready(stream: TcpStream) -> io::Result<TcpStream> {
     stream.set_nonblocking(false)?;
     stream.set_nodelay(true)?;
     Ok(stream)
 }
 
-/// Connects to an address. After the first time, in a thread of its own, so that nobody waits longer than he wants to.
+/// Connects to an address: in a thread of its own, but for a first time, so that nobody waits longer than he wants to.
 pub(super) struct Caller {
     address: String,
-    first: bool,
-    attempt: Option<Receiver<core::result::Result<TcpStream, LinkError>>>,
+    blocks: bool,
+    attempt: Option<Receiver<Result<TcpStream, LinkError>>>,
 }
 
 impl Caller {
-    pub(super) fn new(address: &str) -> Self {
-        Self { address: address.into(), first: true, attempt: None }
+    /// `blocks`: whether the first attempt is made at once.
+    pub(super) fn new(address: &str, blocks: bool) -> Self {
+        Self { address: address.into(), blocks, attempt: None }
     }
 }
 
-impl Opener for Caller {
-    fn attempt(&mut self) -> Attempt {
-        if core::mem::take(&mut self.first) {
+impl<E: Ends> Opener<E> for Caller {
+    fn attempt(&mut self) -> Attempt<E> {
+        if core::mem::take(&mut self.blocks) {
             return with_peer(connect(&self.address)?);
         }
         let Some(attempt) = &self.attempt else {
@@ -82,13 +58,16 @@ impl Opener for Caller {
     }
 }
 
-fn with_peer(stream: TcpStream) -> Attempt {
-    let peer = stream.peer_addr().map_err(LinkError::Io)?;
-    Ok(Some((Box::new(stream), peer.into())))
+fn with_peer<E: Ends>(stream: TcpStream) -> Attempt<E> {
+    let with_peer = || {
+        let peer = stream.peer_addr()?;
+        Ok((E::of_tcp(stream)?, peer.into()))
+    };
+    with_peer().map(Some).map_err(LinkError::Io)
 }
 
 /// Tries all addresses that a name has.
-fn connect(address: &str) -> core::result::Result<TcpStream, LinkError> {
+fn connect(address: &str) -> Result<TcpStream, LinkError> {
     let unreachable = |reason| LinkError::Unreachable { address: address.into(), reason };
     let mut last = ErrorKind::NotFound.into();
     for to in address.to_socket_addrs().map_err(unreachable)? {
@@ -105,7 +84,7 @@ pub(super) struct Listener(TcpListener);
 
 impl Listener {
     /// A listener, and where it listens.
-    pub(super) fn new(address: &str) -> core::result::Result<(Self, SocketAddr), LinkError> {
+    pub(super) fn new(address: &str) -> Result<(Self, SocketAddr), LinkError> {
         let listen = || {
             let listener = TcpListener::bind(address)?;
             listener.set_nonblocking(true)?;
@@ -116,10 +95,10 @@ impl Listener {
     }
 }
 
-impl Opener for Listener {
-    fn attempt(&mut self) -> Attempt {
+impl<E: Ends> Opener<E> for Listener {
+    fn attempt(&mut self) -> Attempt<E> {
         match self.0.accept() {
-            Ok((stream, from)) => Ok(Some((Box::new(ready(stream).map_err(LinkError::Io)?), from.into()))),
+            Ok((stream, _)) => ready(stream).map_err(LinkError::Io).and_then(with_peer),
             // Of one that has gone again before it was accepted, too.
             Err(error)
                 if matches!(

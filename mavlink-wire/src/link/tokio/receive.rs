@@ -1,0 +1,289 @@
+//! The half that receives.
+
+use core::future::{Future, poll_fn};
+use std::boxed::Box;
+use std::io::{ErrorKind, Read};
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+use std::vec;
+use std::vec::Vec;
+
+use ::tokio::fs::File;
+use ::tokio::io::{AsyncRead, ReadBuf};
+use ::tokio::net::UdpSocket;
+use ::tokio::time::{sleep, timeout, timeout_at};
+
+use super::Common;
+use super::ends::{Hand, Opened};
+use crate::link::file::{Log, Recording};
+use crate::link::line::{End, Line};
+use crate::link::{Inbox, LinkError, LinkStatistics, Peer, is_passing};
+use crate::parser::not_told;
+#[cfg(feature = "signing")]
+use crate::signing::Verifier;
+use crate::{Frame, FrameBuf, Losses, Table};
+
+/// So often somebody who waits for a connection looks whether it is there.
+const POLL: Duration = Duration::from_millis(20);
+
+/// After so long, a silent client of a listener gives its place to one who waits.
+const SILENT: Duration = Duration::from_secs(5);
+
+/// Bytes of a log that are read at once.
+const CHUNK: usize = 8192;
+
+/// The half of a [`Link`](super::Link) that receives.
+pub struct ReceiveHalf {
+    common: Arc<Common>,
+    inbox: Inbox<'static>,
+    carrier: Carrier,
+    losses: Losses,
+}
+
+pub(super) enum Carrier {
+    Datagrams(Arc<UdpSocket>),
+    Line { line: Arc<Line<Opened>>, end: Option<End<Hand>>, heard: Instant },
+    Stream { file: File, ended: bool },
+    Log { file: File, log: Box<Log<Supply>>, last: Option<Box<FrameBuf>> },
+}
+
+/// What was read of a log and is not used yet.
+pub(super) struct Supply {
+    bytes: Vec<u8>,
+    start: usize,
+    end: usize,
+    ended: bool,
+}
+
+impl Carrier {
+    pub(super) fn line(line: Arc<Line<Opened>>) -> Self {
+        Self::Line { line, end: None, heard: Instant::now() }
+    }
+
+    pub(super) fn of_recording(Recording { file, is_log }: Recording, table: &'static Table<'static>) -> Self {
+        let file = File::from_std(file);
+        if is_log {
+            let supply = Supply { bytes: vec![0; CHUNK], start: 0, end: 0, ended: false };
+            Self::Log { file, log: Box::new(Log::new(supply, table)), last: None }
+        } else {
+            Self::Stream { file, ended: false }
+        }
+    }
+}
+
+impl ReceiveHalf {
+    pub(super) const fn new(common: Arc<Common>, inbox: Inbox<'static>, carrier: Carrier) -> Self {
+        Self { common, inbox, carrier, losses: Losses::new() }
+    }
+
+    /// The next frame; waits for it as long as it takes. While nobody is there, it waits for somebody to come. May be dropped.
+    ///
+    /// # Errors
+    ///
+    /// [`LinkError::Closed`], [`LinkError::Ended`] at the end of a file, or what the system says.
+    pub async fn receive(&mut self) -> Result<Frame<'_>, LinkError> {
+        self.deliver().await.map(|(frame, _)| frame)
+    }
+
+    /// The next frame; `None` if there was none until then. Bytes without a frame do not make it later.
+    ///
+    /// # Errors
+    ///
+    /// As of [`receive`](Self::receive).
+    pub async fn receive_until(&mut self, deadline: Instant) -> Result<Option<Frame<'_>>, LinkError> {
+        Ok(self.receive_from(deadline).await?.map(|(frame, _)| frame))
+    }
+
+    /// The next frame, and who sent it; `None` if there was none until then.
+    ///
+    /// # Errors
+    ///
+    /// As of [`receive`](Self::receive).
+    pub async fn receive_from(&mut self, deadline: Instant) -> Result<Option<(Frame<'_>, Peer)>, LinkError> {
+        match timeout_at(deadline.into(), self.deliver()).await {
+            Ok(delivered) => delivered.map(Some),
+            Err(_) => Ok(None),
+        }
+    }
+
+    /// What was received and sent so far.
+    #[must_use]
+    pub fn statistics(&self) -> LinkStatistics {
+        let received = match &self.carrier {
+            Carrier::Log { log, .. } => log.statistics(),
+            _ => self.inbox.statistics(),
+        };
+        self.common.shared.counters.with(received, self.inbox.refused)
+    }
+
+    /// What was lost on the way, by component, as far as the numbers of the frames tell.
+    #[must_use]
+    pub const fn losses(&self) -> &Losses {
+        &self.losses
+    }
+
+    /// What says which frames to trust, if something does; its time and its streams are to be saved.
+    #[cfg(feature = "signing")]
+    pub fn verifier(&mut self) -> Option<&mut Verifier> {
+        self.inbox.verifier.as_mut()
+    }
+
+    /// Trusts what this verifier trusts from now on, or everything: for a key that was given out.
+    #[cfg(feature = "signing")]
+    pub fn set_verifier(&mut self, verifier: Option<Verifier>) {
+        self.inbox.verifier = verifier;
+    }
+
+    async fn deliver(&mut self) -> Result<(Frame<'_>, Peer), LinkError> {
+        self.common.shared.check()?;
+        if matches!(self.carrier, Carrier::Log { .. }) {
+            return self.deliver_logged().await;
+        }
+        let delivery = loop {
+            if let Some(delivery) = self.inbox.find(&mut not_told) {
+                break delivery;
+            }
+            self.common.unless_closed(wait(&mut self.carrier, &mut self.inbox)).await??;
+        };
+        // There is somebody wherever something was found.
+        let (frame, peer) = self.inbox.frame(&delivery).ok_or(LinkError::Closed)?;
+        self.losses.count(&frame);
+        Ok((frame, peer))
+    }
+
+    async fn deliver_logged(&mut self) -> Result<(Frame<'_>, Peer), LinkError> {
+        let Carrier::Log { file, log, last } = &mut self.carrier else { return Err(LinkError::Ended) };
+        let frame = self.common.unless_closed(next_of_log(file, log, last)).await??;
+        self.losses.count(&frame);
+        Ok((frame, Peer::NEARBY))
+    }
+}
+
+/// Waits for bytes, or until the rest of a frame has been waited for long enough. May be dropped at any time: what was read is
+/// in the inbox, and all else is where it was.
+async fn wait(carrier: &mut Carrier, inbox: &mut Inbox<'static>) -> Result<(), LinkError> {
+    let began = Instant::now();
+    let patience = inbox.patience();
+    match carrier {
+        Carrier::Datagrams(socket) => match within(patience, socket.recv_from(inbox.space())).await {
+            Some(Ok((length, from))) => inbox.fill(length, from.into(), began.elapsed()),
+            Some(Err(error)) if is_passing(error.kind()) => {}
+            Some(Err(error)) => return Err(LinkError::Io(error)),
+            None => drop(inbox.give_up()),
+        },
+        Carrier::Line { line, end, heard } => {
+            line.refresh_reader(end)?;
+            if end.is_none() {
+                sleep(POLL).await;
+            } else {
+                read(line, end, heard, inbox).await;
+            }
+        }
+        Carrier::Stream { file, ended } => {
+            if core::mem::take(ended) {
+                return Err(LinkError::Ended);
+            }
+            match read_file(file, inbox.space()).await.map_err(LinkError::Io)? {
+                0 => {
+                    inbox.end();
+                    *ended = true;
+                }
+                length => inbox.fill(length, Peer::NEARBY, Duration::ZERO),
+            }
+        }
+        Carrier::Log { .. } => {}
+    }
+    Ok(())
+}
+
+/// Reads from a connection, or notices that it is lost.
+async fn read(line: &Line<Opened>, end: &mut Option<End<Hand>>, heard: &mut Instant, inbox: &mut Inbox<'static>) {
+    let Some(open) = end else { return };
+    let (began, limit) = (Instant::now(), inbox.patience().unwrap_or(SILENT).min(SILENT));
+    let buffer = inbox.space();
+    match within(Some(limit), poll_fn(|context| open.stream.poll_read(context, buffer))).await {
+        Some(Ok(0)) => {
+            inbox.end();
+            line.lose(end, &"the other side has closed the connection");
+        }
+        Some(Ok(length)) => {
+            inbox.fill(length, open.peer, began.elapsed());
+            *heard = Instant::now();
+        }
+        Some(Err(error)) if error.kind() == ErrorKind::Interrupted => {}
+        Some(Err(error)) => {
+            inbox.end();
+            line.lose(end, &error);
+        }
+        None => {
+            inbox.give_up();
+            if heard.elapsed() >= SILENT {
+                line.replace_silent();
+            }
+        }
+    }
+}
+
+/// The next frame of a log.
+async fn next_of_log<'f>(
+    file: &mut File,
+    log: &mut Log<Supply>,
+    last: &'f mut Option<Box<FrameBuf>>,
+) -> Result<Frame<'f>, LinkError> {
+    loop {
+        match log.next() {
+            Ok(Some(frame)) => {
+                let kept = last.insert(Box::new(frame.into()));
+                return Ok(kept.as_frame());
+            }
+            Ok(None) => return Err(LinkError::Ended),
+            Err(error) if error.kind() == ErrorKind::WouldBlock => log.input().fill(file).await?,
+            Err(error) => return Err(LinkError::Io(error)),
+        }
+    }
+}
+
+impl Supply {
+    /// Reads on.
+    async fn fill(&mut self, file: &mut File) -> Result<(), LinkError> {
+        let length = read_file(file, &mut self.bytes).await.map_err(LinkError::Io)?;
+        (self.start, self.end, self.ended) = (0, length, length == 0);
+        Ok(())
+    }
+}
+
+/// Gives what was read; says [`ErrorKind::WouldBlock`] when more has to be.
+impl Read for Supply {
+    fn read(&mut self, buffer: &mut [u8]) -> std::io::Result<usize> {
+        if core::mem::take(&mut self.ended) {
+            return Ok(0);
+        }
+        let mut rest = self.bytes.get(self.start..self.end).unwrap_or_default();
+        if rest.is_empty() {
+            return Err(ErrorKind::WouldBlock.into());
+        }
+        let count = rest.read(buffer)?;
+        self.start += count;
+        Ok(count)
+    }
+}
+
+async fn read_file(file: &mut File, buffer: &mut [u8]) -> std::io::Result<usize> {
+    let mut buffer = ReadBuf::new(buffer);
+    poll_fn(|context| core::pin::Pin::new(&mut *file).poll_read(context, &mut buffer)).await?;
+    Ok(buffer.filled().len())
+}
+
+/// What comes of a future within this time, if there is a limit.
+async fn within<T>(limit: Option<Duration>, future: impl Future<Output = T>) -> Option<T> {
+    match limit {
+        Some(limit) => timeout(limit, future).await.ok(),
+        None => Some(future.await),
+    }
+}
+
+impl core::fmt::Debug for ReceiveHalf {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("ReceiveHalf").field("common", &self.common).field("inbox", &self.inbox).finish_non_exhaustive()
+    }
+}
