@@ -4,14 +4,10 @@ use std::process::Command;
 
 #[test]
 fn errors_are_sentences() {
-    let (decode, udp, esc_table) =
-        (env!("CARGO_BIN_EXE_decode"), env!("CARGO_BIN_EXE_udp"), env!("CARGO_BIN_EXE_esc-table"));
+    let (decode, udp) = (env!("CARGO_BIN_EXE_decode"), env!("CARGO_BIN_EXE_udp"));
     for (program, arguments, said) in [
         (decode, &["none.tlog"][..], "decode: none.tlog: "),
         (udp, &["nowhere"], "udp: `nowhere` is no address: write it as 127.0.0.1:14550"),
-        (esc_table, &["tlog", "none.tlog"], "esc-table: none.tlog: "),
-        (esc_table, &["udp", "nowhere"], "esc-table: nowhere: "),
-        (esc_table, &[], "esc-table: usage: "),
     ] {
         let output = Command::new(program).args(arguments).output().unwrap();
         let text = String::from_utf8(output.stderr).unwrap();

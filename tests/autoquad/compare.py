@@ -1,4 +1,7 @@
-"""Compares the table of `autoquad csv` with what pymavlink and a packed C structure read in the same tlog."""
+"""Compares the table of `autoquad csv` with what pymavlink and a packed C structure read in the same tlog.
+
+usage: compare.py XML TLOG TABLE [FRAMES]; with FRAMES, the tlog has so many.
+"""
 
 import csv
 import ctypes
@@ -59,10 +62,14 @@ def differs(row, name, value):
 
 
 def main():
-    xml, log, table = sys.argv[1:]
+    xml, log, table, *frames = sys.argv[1:]
     with open(table, newline="") as file:
         rows = list(csv.DictReader(file))
-    wanted = list(expected(load(xml), Path(log).read_bytes()))
+    module, recorded = load(xml), Path(log).read_bytes()
+    count = sum(1 for _ in messages(module, recorded))
+    if frames and count != int(frames[0]):
+        sys.exit(f"{log}: {count} frames, not {frames[0]}")
+    wanted = list(expected(module, recorded))
     if len(rows) != len(wanted) or not rows:
         sys.exit(f"{table}: {len(rows)} rows, not {len(wanted)}")
     for number, (row, values) in enumerate(zip(rows, wanted), 2):
@@ -70,7 +77,7 @@ def main():
         iso = datetime.datetime.fromisoformat(row["time"]).timestamp()
         if wrong or abs(iso - float(row["unix_time (s)"])) > 1e-5:
             sys.exit(f"{table}:{number}: {wrong}: {row}, not {values}")
-    print(f"{table}: {len(rows)} rows are what pymavlink reads")
+    print(f"{len(rows)} rows of {Path(table).name} are what pymavlink reads in {count} frames")
 
 
 if __name__ == "__main__":

@@ -1,12 +1,18 @@
 //! The program for people who have an AutoQuad: `autoquad --help` says what it does.
 
+mod bridge;
 mod csv;
 mod failure;
+mod interrupt;
+mod monitor;
 mod output;
 mod plot;
+mod quantity;
+mod record;
 mod recording;
 mod salvage;
 mod simulate;
+mod station;
 mod telemetry;
 mod time;
 
@@ -24,16 +30,23 @@ struct Cli {
 }
 
 const AFTER_HELP: &str = "\
-Try it without a vehicle:
+Connect an AutoQuad:
+  autoquad monitor serial:/dev/ttyUSB0:57600
+  autoquad bridge serial:/dev/ttyUSB0:57600 udpout:127.0.0.1:14550
+
+Or try it without one:
   autoquad simulate --tlog flight.tlog
+  autoquad monitor flight.tlog
   autoquad plot flight.tlog --out flight.svg
-  autoquad csv flight.tlog --out flight.csv
 
 `autoquad COMMAND --help` has more examples.";
 
 #[derive(Subcommand)]
 enum Command {
     Simulate(simulate::Simulate),
+    Monitor(monitor::Monitor),
+    Bridge(bridge::Bridge),
+    Record(record::Record),
     Csv(csv::Csv),
     Plot(plot::Plot),
     Salvage(salvage::Salvage),
@@ -42,6 +55,9 @@ enum Command {
 fn main() -> ExitCode {
     let result = match Cli::parse().command {
         Command::Simulate(simulate) => simulate.run(),
+        Command::Monitor(monitor) => monitor.run(),
+        Command::Bridge(bridge) => bridge.run(),
+        Command::Record(record) => record.run(),
         Command::Csv(csv) => csv.run(),
         Command::Plot(plot) => plot.run(),
         Command::Salvage(salvage) => salvage.run(),
@@ -79,7 +95,7 @@ mod tests {
         let lines: Vec<String> =
             helps.flat_map(|help| help.lines().map(str::trim).map(str::to_owned).collect::<Vec<_>>()).collect();
         for line in lines.iter().filter(|line| line.starts_with("autoquad ")) {
-            let words = line.split(" (").next().unwrap_or_default().split(" > ").next().unwrap_or_default();
+            let words = line.split(" (").next().unwrap_or_default().split(['>', '|']).next().unwrap_or_default();
             if let Err(error) = Cli::try_parse_from(words.split_whitespace()) {
                 panic!("{line}: {error}");
             }

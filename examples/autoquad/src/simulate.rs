@@ -7,15 +7,18 @@ mod streams;
 mod vehicle;
 
 use std::io::{self, BufWriter};
-use std::path::PathBuf;
-use std::time::Duration;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
 
 use clap::Args;
 use mavlink_autoquad::autoquad::Autoquad;
-use mavlink_autoquad::wire::{Dialect, Frame, MAX_FRAME, Sender, tlog};
+use mavlink_autoquad::wire::link::Options;
+use mavlink_autoquad::wire::{Dialect, Frame, MAX_FRAME, Sender, Version, tlog};
 
 use crate::failure::Failure;
+use crate::interrupt;
 use crate::output::Overwriting;
+use crate::station::{connect, refused, sent};
 use crate::time;
 use streams::Streams;
 use vehicle::{ID, Vehicle};
@@ -23,14 +26,18 @@ use vehicle::{ID, Vehicle};
 /// Makes up an AutoQuad that flies: its motors spool up and carry load, one controller fails, one falls silent.
 ///
 /// It sends what an AutoQuad sends: heartbeat, attitude, position, motor telemetry (AQ_ESC_TELEMETRY) and the datasets of
-/// AQ_TELEMETRY_F. The seed decides which motors are hit; the same seed makes the same flight. Motor ports 4, 8, 12 and 16 have
-/// controllers with firmware 2.1, which counts errors, the others with 3.0, which measures the temperature.
+/// AQ_TELEMETRY_F. Over a link, those two have to be asked for, as of a vehicle: by REQUEST_DATA_STREAM 13 and by
+/// MAV_CMD_AQ_TELEMETRY. The seed decides which motors are hit; the same seed makes the same flight. Motor ports 4, 8, 12 and 16
+/// have controllers with firmware 2.1, which counts errors, the others with 3.0, which measures the temperature.
 #[derive(Args)]
 #[command(after_help = AFTER_HELP)]
 pub(crate) struct Simulate {
-    /// Writes the whole flight into this log, faster than real time.
+    /// Where the vehicle flies: udpout:HOST:PORT, or any other address of a link.
+    #[arg(required_unless_present = "tlog", conflicts_with = "tlog")]
+    address: Option<String>,
+    /// Writes the whole flight into this log instead, faster than real time.
     #[arg(long, value_name = "FILE")]
-    tlog: PathBuf,
+    tlog: Option<PathBuf>,
     #[command(flatten)]
     overwriting: Overwriting,
     /// How many motors it has.
@@ -48,10 +55,18 @@ pub(crate) struct Simulate {
     /// How many times a second the log has motor telemetry.
     #[arg(long, value_name = "HZ", default_value_t = 10, value_parser = clap::value_parser!(u16).range(1..=200))]
     rate: u16,
+    /// Over a link: how many times as fast as real time.
+    #[arg(long, value_name = "TIMES", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=100))]
+    speed: u32,
 }
+
+/// How long a simulated vehicle on a link waits for requests before it goes on.
+const MOMENT: Duration = Duration::from_millis(5);
 
 const AFTER_HELP: &str = "\
 Examples:
+  autoquad simulate udpout:127.0.0.1:14550
+  autoquad simulate tcpin:0.0.0.0:5760 --motors 8 --duration 1h
   autoquad simulate --tlog flight.tlog
   autoquad simulate --tlog fleet.tlog --motors 16 --seed 7 --duration 30m --start 2016-04-30T12:00:00Z";
 
@@ -65,15 +80,49 @@ fn flight_time(text: &str) -> Result<Duration, String> {
 
 impl Simulate {
     pub(crate) fn run(&self) -> Result<(), Failure> {
-        let path = &self.tlog;
-        let file = self.overwriting.create(path)?;
-        let mut writer = tlog::Writer::new(BufWriter::new(file));
-        let vehicle = Vehicle::new(self.motors, self.seed, self.duration, Streams::on(self.rate));
+        match (&self.address, &self.tlog) {
+            (Some(address), _) => self.fly(address),
+            (None, Some(path)) => self.write(path),
+            (None, None) => Err(Failure::new("give an address, or --tlog and a file")),
+        }
+    }
+
+    fn vehicle(&self, streams: Streams) -> Vehicle {
+        Vehicle::new(self.motors, self.seed, self.duration, streams)
+    }
+
+    fn write(&self, path: &Path) -> Result<(), Failure> {
+        let mut writer = tlog::Writer::new(BufWriter::new(self.overwriting.create(path)?));
         let start_us = self.start.unwrap_or_else(time::now_us);
-        let written = record(vehicle, start_us, |time_us, frame| writer.write(time_us, frame))
-            .and_then(|frames| writer.flush().map(|()| frames))
-            .map_err(|error| Failure::file(path, error))?;
+        let written =
+            record(self.vehicle(Streams::on(self.rate)), start_us, |time_us, frame| writer.write(time_us, frame))
+                .and_then(|frames| writer.flush().map(|()| frames))
+                .map_err(|error| Failure::file(path, error))?;
         eprintln!("autoquad: {}: {written} frames written", path.display());
+        Ok(())
+    }
+
+    fn fly(&self, address: &str) -> Result<(), Failure> {
+        interrupt::catch()?;
+        let mut link =
+            connect(address, Options::new(Autoquad::TABLE, Sender::v1(ID.0, ID.1)).with_version(Version::V1))?;
+        let (mut vehicle, start) = (self.vehicle(Streams::off()), Instant::now());
+        eprintln!("autoquad: {address}: vehicle {}, {} motors; it flies for {:?}", ID.0, self.motors, self.duration);
+        while !vehicle.has_landed() && !interrupt::was_caught() {
+            let due_us = (start.elapsed() * self.speed).as_micros();
+            while u128::from(vehicle.elapsed_us()) <= due_us && !vehicle.has_landed() {
+                for message in vehicle.step().map_err(|error| Failure::new(error.to_string()))? {
+                    sent(link.send(&message))?;
+                }
+            }
+            // Systems are not exact to a step: what is due in a moment is sent together.
+            let until = Instant::now() + MOMENT;
+            while let Some(frame) = link.receive_until(until).map_err(|error| refused(&error))? {
+                if let Some(answer) = vehicle.receive(&frame) {
+                    sent(link.send(&answer))?;
+                }
+            }
+        }
         Ok(())
     }
 }
@@ -99,7 +148,7 @@ fn record(
 
 /// A flight in a log, for the tests of what reads logs.
 #[cfg(test)]
-pub(crate) fn flight(path: &std::path::Path, motors: u8, seconds: u64, start_us: u64) {
+pub(crate) fn flight(path: &Path, motors: u8, seconds: u64, start_us: u64) {
     let mut log = tlog::Writer::new(Vec::new());
     let vehicle = Vehicle::new(motors, 1, Duration::from_secs(seconds), Streams::on(10));
     record(vehicle, start_us, |time_us, frame| log.write(time_us, frame)).unwrap();

@@ -2,12 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use mavlink_autoquad::autoquad::{Esc, Esc32Status};
+use mavlink_autoquad::autoquad::Esc;
 use mavlink_autoquad::esc::UptimeClock;
 use mavlink_autoquad::wire::SystemId;
 
-use super::trace::{Trace, Values};
+use super::trace::Trace;
 use crate::failure::Failure;
+use crate::quantity::Quantity;
 use crate::recording::Recording;
 use crate::telemetry::{Firmware, fault};
 
@@ -66,7 +67,7 @@ impl Flight {
 
     fn add(&mut self, time_us: u64, esc: &Esc) {
         self.end_us = self.end_us.max(time_us);
-        self.motors.entry(esc.id).or_insert_with(Trace::new).add(time_us, esc.status.map(values));
+        self.motors.entry(esc.id).or_insert_with(Trace::new).add(time_us, esc.status.map(Quantity::values));
         let trouble = match esc.status {
             None => Some("silent".to_owned()),
             Some(status) => fault(status).map(|reason| reason.to_string()),
@@ -82,14 +83,9 @@ impl Flight {
     }
 }
 
-fn values(status: Esc32Status) -> Values {
-    [Some(status.rpm().into()), Some(status.current()), Some(status.voltage()), status.temperature()]
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plot::trace::Quantity;
     use crate::simulate::flight;
 
     fn read(motors: u8, wanted: Option<SystemId>) -> Option<Flight> {

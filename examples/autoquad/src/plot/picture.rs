@@ -9,7 +9,7 @@ use plotters::prelude::{
 };
 
 use super::flight::{Event, Flight};
-use super::trace::Quantity;
+use crate::quantity::Quantity;
 use crate::time;
 
 /// Colours that sixteen lines can be told apart by.

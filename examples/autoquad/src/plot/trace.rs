@@ -1,5 +1,7 @@
 //! What one controller did over time, in as many bins as a picture can show.
 
+use crate::quantity::{Quantity, Values};
+
 /// Bins that are kept at most: when a flight is longer, two become one.
 const MAX_BINS: usize = 800;
 
@@ -8,40 +10,6 @@ const FIRST_WIDTH_US: u64 = 100_000;
 
 /// Microseconds without a report over which no line is drawn.
 const GAP_US: u64 = 3_000_000;
-
-/// What is plotted, each in a panel of its own.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Quantity {
-    Speed,
-    Current,
-    Voltage,
-    Temperature,
-}
-
-impl Quantity {
-    pub(super) const ALL: [Self; 4] = [Self::Speed, Self::Current, Self::Voltage, Self::Temperature];
-
-    /// What an axis says.
-    pub(super) const fn label(self) -> &'static str {
-        match self {
-            Self::Speed => "speed (rpm)",
-            Self::Current => "current (A)",
-            Self::Voltage => "voltage (V)",
-            Self::Temperature => "temperature (°C)",
-        }
-    }
-
-    /// A value as an axis shows it.
-    pub(super) fn number(self, value: f64) -> String {
-        match self {
-            Self::Speed | Self::Temperature => format!("{value:.0}"),
-            Self::Current | Self::Voltage => format!("{value:.1}"),
-        }
-    }
-}
-
-/// One report, in the order of [`Quantity::ALL`]; what it does not have is `None`.
-pub(super) type Values = [Option<f32>; 4];
 
 /// The lowest and the highest value of a bin, in the order in which they came.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -76,7 +76,6 @@ impl Vehicle {
     }
 
     /// Does what a frame asks for, and gives the answer.
-    #[expect(dead_code, reason = "flights are only recorded so far")]
     pub(super) fn receive(&mut self, frame: &Frame<'_>) -> Option<Autoquad> {
         self.streams.receive(frame, ID)
     }

@@ -1,0 +1,132 @@
+//! `autoquad bridge`: an AutoQuad for the ground stations of today.
+
+mod ground;
+mod vehicle;
+
+use std::fs;
+use std::path::PathBuf;
+use std::sync::mpsc;
+use std::thread;
+use std::time::{Duration, Instant};
+
+use clap::Args;
+use mavlink_autoquad::autoquad::{Autoquad, MavComponent};
+use mavlink_autoquad::wire::link::{Link, Options};
+use mavlink_autoquad::wire::signing::{Key, Signer, Verifier};
+use mavlink_autoquad::wire::{Dialect, Sender, Timestamp};
+
+use crate::failure::Failure;
+use crate::station::{Asking, Running, Station, connect};
+use crate::telemetry::Firmware;
+use crate::time;
+use ground::forward;
+use vehicle::Translation;
+
+/// How often the motors are reported.
+const REPORT: Duration = Duration::from_millis(100);
+
+/// Shows an AutoQuad to ground stations of today: they know ESC_INFO and ESC_STATUS, but take AutoQuad's own messages for damage.
+///
+/// What the vehicle sends goes on to the ground stations, but for AQ_TELEMETRY_F and AQ_ESC_TELEMETRY, whose numbers ArduPilot gave
+/// to other messages. In their place come ESC_INFO once and ESC_STATUS ten times a second, from the vehicle's own system and
+/// component, with sequence numbers that count on. What ground stations send goes to the vehicle as MAVLink 1, which is all that
+/// AutoQuad understands.
+#[derive(Args)]
+#[command(after_help = AFTER_HELP)]
+pub(crate) struct Bridge {
+    /// Where the vehicle is heard: udpin:, udpout:, udpbcast:, tcpin:, tcpout:HOST:PORT or serial:DEVICE:BAUD.
+    vehicle: String,
+    /// Where the ground stations are.
+    #[arg(required = true)]
+    ground: Vec<String>,
+    /// Signs what goes to the ground, all of it as MAVLink 2, and takes only signed frames from there. The file holds the
+    /// passphrase that the ground station uses.
+    #[arg(long, value_name = "FILE")]
+    sign: Option<PathBuf>,
+    #[command(flatten)]
+    running: Running,
+    #[command(flatten)]
+    asking: Asking,
+    #[command(flatten)]
+    firmware: Firmware,
+}
+
+const AFTER_HELP: &str = "\
+Examples:
+  autoquad bridge serial:/dev/ttyUSB0:57600 udpout:127.0.0.1:14550
+  autoquad bridge udpin:0.0.0.0:14551 udpout:192.168.0.7:14550 tcpin:0.0.0.0:5760
+  autoquad bridge serial:/dev/ttyUSB0:57600 udpout:192.168.0.7:14550 --sign passphrase.txt";
+
+impl Bridge {
+    pub(crate) fn run(&self) -> Result<(), Failure> {
+        let run = self.running.start()?;
+        let key = self.sign.as_ref().map(|path| key(path)).transpose()?;
+        let mut station = Station::connect(&self.vehicle, self.asking)?;
+        let (mut sending, mut threads) = (Vec::new(), Vec::new());
+        let (failures, failed) = mpsc::channel();
+        for address in &self.ground {
+            let link = ground_link(address, key.as_ref())?;
+            sending.push(link.sending());
+            let (vehicle, failures) = (station.sending(), failures.clone());
+            threads.push(thread::spawn(move || drop(failures.send(forward(link, &vehicle)))));
+        }
+        let mut translation = Translation::new(self.firmware, key);
+        let mut reported = Instant::now();
+        let result = loop {
+            if !run.goes_on() {
+                break Ok(());
+            }
+            if let Ok(result) = failed.try_recv() {
+                break result;
+            }
+            let received = station.receive_until(reported + REPORT);
+            let frames = match &received {
+                Err(_) => Vec::new(),
+                Ok(frame) => frame.as_ref().map(|frame| translation.forward(frame)).unwrap_or_default(),
+            };
+            if let Err(failure) = received {
+                break Err(failure);
+            }
+            let mut out = frames;
+            if reported.elapsed() >= REPORT {
+                reported = Instant::now();
+                out.extend(translation.report(Timestamp::from_unix_micros(time::now_us())));
+            }
+            for frame in &out {
+                // A ground station that is not there now is no fault, and one that is slow has lost this frame.
+                for ground in &sending {
+                    let _ = ground.send_frame(&frame.as_frame());
+                }
+            }
+            station.say_silence();
+        };
+        sending.iter().for_each(mavlink_autoquad::wire::link::SendHalf::close);
+        threads.into_iter().for_each(|thread| drop(thread.join()));
+        eprintln!("autoquad: {}", translation.tally());
+        result
+    }
+}
+
+/// The key of the passphrase in a file.
+fn key(path: &std::path::Path) -> Result<Key, Failure> {
+    let text = fs::read_to_string(path).map_err(|error| Failure::file(path, error))?;
+    match text.trim_end_matches(['\r', '\n']) {
+        "" => Err(Failure::file(path, "has no passphrase")),
+        passphrase => Ok(Key::of_passphrase(passphrase)),
+    }
+}
+
+/// A link to a ground station. The sender is never used: all frames say by themselves who speaks.
+fn ground_link(address: &str, key: Option<&Key>) -> Result<Link, Failure> {
+    let options = Options::new(Autoquad::TABLE, Sender::v2(1, MavComponent::AUTOPILOT1));
+    let options = match key {
+        Some(key) => options.with_verifier(Verifier::new(Some(key.clone()))),
+        None => options,
+    };
+    connect(address, options)
+}
+
+/// What signs the frames of one component.
+fn signer(key: &Key, now: Timestamp) -> Signer {
+    Signer::new(key.clone(), 0, now)
+}

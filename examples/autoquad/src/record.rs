@@ -1,0 +1,72 @@
+//! `autoquad record`: what a link carries, in a log.
+
+mod files;
+
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
+use clap::Args;
+
+use crate::failure::Failure;
+use crate::output::Overwriting;
+use crate::station::{Asking, Running, Station};
+use crate::time;
+use files::{Files, Rotation};
+
+/// How often what was received is given to the system.
+const FLUSH: Duration = Duration::from_secs(1);
+
+/// Records everything that a link carries as a tlog, which every ground station reads.
+///
+/// AutoQuads are asked to report their motors. What was received is on its way to the disk a second later; Ctrl-C ends the
+/// recording with nothing lost.
+#[derive(Args)]
+#[command(after_help = AFTER_HELP)]
+pub(crate) struct Record {
+    /// Where the vehicle is heard: udpin:, udpout:, udpbcast:, tcpin:, tcpout:HOST:PORT or serial:DEVICE:BAUD.
+    address: String,
+    /// The tlog.
+    log: PathBuf,
+    #[command(flatten)]
+    overwriting: Overwriting,
+    /// Begins another file after so many megabytes: flight.tlog, flight-2.tlog and so on.
+    #[arg(long, value_name = "MB", value_parser = clap::value_parser!(u64).range(1..))]
+    rotate_size: Option<u64>,
+    /// Begins another file after this time.
+    #[arg(long, value_name = "TIME", value_parser = humantime::parse_duration)]
+    rotate_time: Option<Duration>,
+    #[command(flatten)]
+    running: Running,
+    #[command(flatten)]
+    asking: Asking,
+}
+
+const AFTER_HELP: &str = "\
+Examples:
+  autoquad record udpin:0.0.0.0:14550 flight.tlog
+  autoquad record serial:/dev/ttyUSB0:57600 flight.tlog --for 20m
+  autoquad record tcpout:192.168.0.7:5760 fleet.tlog --rotate-time 1h --rotate-size 500";
+
+impl Record {
+    pub(crate) fn run(&self) -> Result<(), Failure> {
+        let run = self.running.start()?;
+        let rotation =
+            Rotation { bytes: self.rotate_size.map(|megabytes| megabytes * 1_000_000), time: self.rotate_time };
+        let mut station = Station::connect(&self.address, self.asking)?;
+        let mut files = Files::create(&self.log, self.overwriting, rotation)?;
+        let mut flushed = Instant::now();
+        while run.goes_on() {
+            if let Some(frame) = station.receive_until(flushed + FLUSH)? {
+                files.write(time::now_us(), &frame)?;
+            }
+            if flushed.elapsed() >= FLUSH {
+                files.flush()?;
+                flushed = Instant::now();
+            }
+            station.say_silence();
+        }
+        let frames = files.finish()?;
+        eprintln!("autoquad: {}: {frames} frames recorded", self.log.display());
+        Ok(())
+    }
+}

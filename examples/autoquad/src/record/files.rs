@@ -1,0 +1,163 @@
+//! The files of a recording: one, or one after another.
+
+use std::fs::File;
+use std::io::{BufWriter, Write};
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+use mavlink_autoquad::wire::Frame;
+use mavlink_autoquad::wire::tlog::{MAX_ENTRY, encode};
+
+use crate::failure::Failure;
+use crate::output::Overwriting;
+
+/// When another file begins.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Rotation {
+    pub(super) bytes: Option<u64>,
+    pub(super) time: Option<Duration>,
+}
+
+/// The files that are written.
+pub(super) struct Files {
+    first: PathBuf,
+    overwriting: Overwriting,
+    rotation: Rotation,
+    number: u32,
+    current: Current,
+    frames: u64,
+}
+
+/// The file that is written now.
+struct Current {
+    path: PathBuf,
+    file: BufWriter<File>,
+    bytes: u64,
+    since: Instant,
+}
+
+impl Current {
+    fn create(path: PathBuf, overwriting: Overwriting) -> Result<Self, Failure> {
+        let file = BufWriter::new(overwriting.create(&path)?);
+        Ok(Self { path, file, bytes: 0, since: Instant::now() })
+    }
+
+    fn write(&mut self, entry: &[u8]) -> Result<(), Failure> {
+        self.file.write_all(entry).map_err(|error| Failure::file(&self.path, error))?;
+        self.bytes += entry.len() as u64;
+        Ok(())
+    }
+
+    fn flush(&mut self) -> Result<(), Failure> {
+        self.file.flush().map_err(|error| Failure::file(&self.path, error))
+    }
+
+    /// Ends the file, with all of it on the disk.
+    fn finish(&mut self) -> Result<(), Failure> {
+        self.flush()?;
+        // Pipes and devices have no disk.
+        let is_file = self.file.get_ref().metadata().is_ok_and(|metadata| metadata.is_file());
+        let synced = if is_file { self.file.get_ref().sync_all() } else { Ok(()) };
+        synced.map_err(|error| Failure::file(&self.path, error))
+    }
+}
+
+impl Files {
+    pub(super) fn create(path: &Path, overwriting: Overwriting, rotation: Rotation) -> Result<Self, Failure> {
+        let current = Current::create(path.to_owned(), overwriting)?;
+        Ok(Self { first: path.to_owned(), overwriting, rotation, number: 1, current, frames: 0 })
+    }
+
+    /// Writes a frame that was received at this Unix time in µs.
+    pub(super) fn write(&mut self, time_us: u64, frame: &Frame<'_>) -> Result<(), Failure> {
+        if self.is_full() {
+            self.rotate()?;
+        }
+        let mut buffer = [0; MAX_ENTRY];
+        if let Some(entry) = encode(time_us, frame, &mut buffer) {
+            self.current.write(entry)?;
+            self.frames += 1;
+        }
+        Ok(())
+    }
+
+    /// Gives to the system what was written.
+    pub(super) fn flush(&mut self) -> Result<(), Failure> {
+        self.current.flush()
+    }
+
+    /// Ends the last file, and gives the number of all frames.
+    pub(super) fn finish(mut self) -> Result<u64, Failure> {
+        self.current.finish()?;
+        Ok(self.frames)
+    }
+
+    fn is_full(&self) -> bool {
+        let Current { bytes, since, .. } = &self.current;
+        self.rotation.bytes.is_some_and(|most| *bytes >= most)
+            || self.rotation.time.is_some_and(|most| since.elapsed() >= most)
+    }
+
+    /// Begins the next file. Where one of its name is there, it takes the next number: a recording goes on.
+    fn rotate(&mut self) -> Result<(), Failure> {
+        self.current.finish()?;
+        loop {
+            self.number += 1;
+            let path = numbered(&self.first, self.number);
+            if self.overwriting.force || !path.exists() {
+                self.current = Current::create(path, self.overwriting)?;
+                return Ok(());
+            }
+        }
+    }
+}
+
+/// `flight.tlog` with the number 2 is `flight-2.tlog`.
+fn numbered(first: &Path, number: u32) -> PathBuf {
+    let mut name = first.file_stem().unwrap_or_default().to_os_string();
+    name.push(format!("-{number}"));
+    if let Some(extension) = first.extension() {
+        name.push(".");
+        name.push(extension);
+    }
+    first.with_file_name(name)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use super::*;
+    use crate::recording::Recording;
+    use crate::simulate::flight;
+
+    #[test]
+    fn files_follow_each_other_without_a_loss() {
+        let folder = tempfile::tempdir().unwrap();
+        let (log, copy) = (folder.path().join("flight.tlog"), folder.path().join("copy.tlog"));
+        flight(&log, 4, 20, 1_462_017_600_000_000);
+        // Somebody's recording is in the way of the second file.
+        fs::write(folder.path().join("copy-2.tlog"), b"mine").unwrap();
+        let rotation = Rotation { bytes: Some(20_000), time: None };
+        let mut files = Files::create(&copy, Overwriting::default(), rotation).unwrap();
+        let (mut recording, mut written) = (Recording::open(&log).unwrap(), 0);
+        while let Some(entry) = recording.read().unwrap() {
+            files.write(entry.time_us.unwrap(), &entry.frame).unwrap();
+            written += 1;
+        }
+        assert_eq!(files.finish().unwrap(), written);
+        assert_eq!(fs::read(folder.path().join("copy-2.tlog")).unwrap(), b"mine");
+        let parts = [None, Some(3), Some(4), Some(5)]
+            .map(|number| number.map_or(copy.clone(), |number| numbered(&copy, number)));
+        let bytes: Vec<u8> = parts.iter().filter_map(|path| fs::read(path).ok()).flatten().collect();
+        assert_eq!(bytes, fs::read(&log).unwrap());
+        assert!(fs::metadata(&copy).unwrap().len() < 20_300);
+        assert!(Files::create(&copy, Overwriting::default(), rotation).is_err());
+    }
+
+    #[test]
+    fn numbers_stand_before_the_extension() {
+        assert_eq!(numbered(Path::new("a/flight.tlog"), 2), Path::new("a/flight-2.tlog"));
+        assert_eq!(numbered(Path::new("flight"), 12), Path::new("flight-12"));
+    }
+}
