@@ -26,8 +26,8 @@ pub use partial::{LostMessage, LostView, Partial};
 pub use validate::{Fault, Valid};
 pub use values::{Command, Entry, Enum, Param, Repr};
 pub use view::{
-    Access, Binding, Condition, Exact, FieldIndex, Key, Meaning, Member, Place, Presence, Repeat, Scaled, Slots,
-    Switch, SwitchOn, View, ViewSentinel, Word,
+    Access, Binding, Condition, Exact, FieldIndex, Key, Meaning, Member, Place, Presence, Record, Repeat, Scaled,
+    Slots, Switch, SwitchOn, View, ViewSentinel, Word,
 };
 pub(crate) use visit::{enums_of_enum_mut, enums_of_message_mut};
 

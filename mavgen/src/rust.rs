@@ -28,6 +28,6 @@ pub(crate) use topic::{
 pub(crate) use tree::{Alias, Child, ChildAccess, Content, Export, File, Use};
 pub(crate) use ty::{AsInt, Element, EnumType, Error, Int, Literal, Shape, Through, Ty};
 pub(crate) use view::{
-    Bind, BitField, Count, Debugged, Holds, Key, Place, Present, Scale, Selector, Slot, SlotElement, SlotField,
-    SlotType, Source, Stored, Switch, Test, View, Word,
+    Bind, BitField, Count, Debugged, Holds, Key, Packed, Place, Present, Record, RecordField, RecordType, Scale,
+    Selector, Slot, SlotElement, Source, Stored, Switch, Test, View, Word,
 };

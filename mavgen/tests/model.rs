@@ -26,7 +26,8 @@ fn what_was_made_illegal_is_not_generated() {
     let (builder, mut resolved) = resolved();
     resolved.dialect.messages[0].crc_extra ^= 1;
     resolved.dialect.messages[0].fields[0].values = Some(Values::Typed(EnumId(usize::MAX)));
-    let message = resolved.dialect.messages.iter_mut().find(|message| !message.views.is_empty()).unwrap();
+    let mut messages = resolved.dialect.messages.iter_mut();
+    let message = messages.find(|message| message.name.text == "AQ_ESC_TELEMETRY").unwrap();
     message.views[0].words[0] = Word::Joined(FieldIndex(usize::MAX));
     let failure = builder.emit(&resolved).unwrap_err();
     let Failure::Model(faults) = &failure else { unreachable!("{failure}") };

@@ -31,4 +31,5 @@ goldens! {
     view_scaled: "../../mavgen/tests/golden/view_scaled/generated/mod.rs", "Bits that stand for another number.";
     view_slots: "../../mavgen/tests/golden/view_slots/generated/mod.rs", "A view for each element of arrays.";
     view_switch: "../../mavgen/tests/golden/view_switch/generated/mod.rs", "Layouts that depend on something.";
+    view_values: "../../mavgen/tests/golden/view_values/generated/mod.rs", "Values in fields, on a condition.";
 }

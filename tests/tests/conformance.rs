@@ -20,6 +20,7 @@ mod reflection;
 mod roots;
 mod selected;
 mod signing;
+mod telemetry;
 mod topics;
 mod typed;
 mod vectors;

@@ -189,6 +189,29 @@ fn view_scaled() {
     assert_eq!(battery.state().temperature(), -6.75);
 }
 
+/// A value that is set makes its condition hold, and leaves other fields alone.
+#[test]
+fn view_values() {
+    use view_values::{OldWind, RawSensors, Sensors, Spraying, Tank, Topic, Wind};
+
+    let wind = Wind { speed: 7.5, r#type: 2.0, age_ms: Some(250) };
+    let sent = Sensors { small: -3, ..Sensors::DEFAULT }.with_wind(wind);
+    let expected = Sensors { index: Topic::WIND, value1: 7.5, value2: 2.0, whole: 250, small: -3, ..Sensors::DEFAULT };
+    assert_eq!(sent, expected);
+    assert_eq!((sent.wind(), sent.tank(), sent.raw()), (Some(wind), None, RawSensors { first: 7.5 }));
+    assert_eq!(sent.old_wind(), Some(OldWind { north: 7.5, east: 2.0 }), "nothing tells them apart");
+    let mut unknown = sent;
+    unknown.set_wind(Wind { age_ms: None, ..wind });
+    assert_eq!((unknown.whole, unknown.wind().unwrap().age_ms), (u16::MAX, None));
+    unknown.index = Topic(77);
+    assert_eq!((unknown.wind(), unknown.old_wind()), (None, None));
+
+    let tank = Tank { status: Spraying::from_bits_retain(0x82), level: -0.1, heat_degc: i8::MIN };
+    assert_eq!(sent.with_tank(tank).tank(), Some(tank), "unknown flags stay");
+    assert_eq!(sent.with_raw(RawSensors { first: -0.0 }).wind().unwrap().speed.to_bits(), (-0.0_f32).to_bits());
+    assert_eq!(Sensors::DEFAULT.with_old_wind(OldWind::default()), Sensors { index: Topic::WIND, ..Sensors::DEFAULT });
+}
+
 #[test]
 fn view_switch() {
     use view_switch::{Layout, Report};

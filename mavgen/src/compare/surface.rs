@@ -7,8 +7,8 @@ use crate::ir::{EnumId, Valid};
 use crate::lower::Items;
 use crate::lower::names::Names;
 use crate::rust::{
-    Content, Default, Element, Enum, Error, Field, Method, Param, Receiver, Shape as FieldShape, Sig, SlotType, Struct,
-    Ty, View,
+    Content, Default, Element, Enum, Error, Field, Method, Packed, Param, Receiver, RecordType, Shape as FieldShape,
+    Sig, Struct, Ty,
 };
 
 /// Public types by name.
@@ -78,8 +78,8 @@ fn add(surface: &mut Surface, content: &Content<'_>) {
             surface.insert(one.ident.to_owned(), of_message(one));
         }
         Content::View(view) => {
-            surface.insert(view.ident.to_owned(), of_view(view));
-            surface.extend(view.slot.as_ref().map(|slot| (slot.ident.to_owned(), of_slot(slot))));
+            surface.extend(view.packed.as_ref().map(|packed| (packed.ident.to_owned(), of_packed(packed))));
+            surface.extend(view.record.as_ref().map(|record| (record.ident.to_owned(), of_record(record))));
             if let Some(message) = surface.get_mut(view.message) {
                 message.members.extend(methods(&view.message_methods));
             }
@@ -123,17 +123,17 @@ fn of_message(message: &Struct<'_>) -> Shape {
     }
 }
 
-fn of_view(view: &View<'_>) -> Shape {
+fn of_packed(packed: &Packed<'_>) -> Shape {
     Shape {
         signature: "a type".to_owned(),
         deprecated: false,
         exhaustive: false,
-        members: methods(&view.methods).chain([implementation(DEBUG)]).collect(),
+        members: methods(&packed.methods).chain([implementation(DEBUG)]).collect(),
     }
 }
 
-fn of_slot(slot: &SlotType<'_>) -> Shape {
-    let fields = slot.fields.iter().map(|field| {
+fn of_record(record: &RecordType<'_>) -> Shape {
+    let fields = record.fields.iter().map(|field| {
         let member = Member { signature: ty(&field.ty), ..Member::default() };
         (Name::Field(field.ident.to_owned()), member)
     });

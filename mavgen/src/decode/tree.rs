@@ -17,7 +17,7 @@ pub struct Contents {
     ///
     /// A bound enum stands here where its condition holds. A view is the record of the members that its layout has, and
     /// [`Node::Unknown`] where its bits mean nothing; where its condition does not hold, it is not here. A view of slots is
-    /// a list of records: the keys, and the view as `status`.
+    /// a list of records: the keys, and the view as `status`. A view of values is the record of them.
     ///
     /// After them comes the `parameter` of a message with one whose type is not that of the field: what it can be, `bytewise`
     /// and as a number that was `cast` to a float ([`parameter_readings`](super::parameter_readings)).
@@ -91,6 +91,9 @@ fn view(tables: &Tables, reading: &Reading<'_>) -> Option<Entry> {
         (Access::Once { getter }, Content::Once(None)) if reading.view.condition.is_none() => (getter, Node::Unknown),
         (Access::Slots(parts), Content::Slots(slots)) => {
             (&parts.items, Node::List(slots.iter().map(|one| slot(tables, one)).collect()))
+        }
+        (Access::Record(parts), Content::Record(Some(values))) => {
+            (&parts.getter, Node::Record(values.iter().map(|one| key(tables, one)).collect()))
         }
         _ => return None,
     };

@@ -5,7 +5,8 @@ use mavlink_wire::reflect::Number;
 use super::Bits;
 use super::tables::kind;
 use crate::ir::{
-    Access, Binding, Condition, EnumId, FieldIndex, Key, Message, Place, Slots, SwitchOn, View, ViewSentinel, Word,
+    Access, Binding, Condition, EnumId, FieldIndex, Key, Message, Place, Record, Slots, SwitchOn, View, ViewSentinel,
+    Word,
 };
 
 /// A view, read from a payload.
@@ -24,6 +25,8 @@ pub enum Content<'d> {
     Once(Option<Bits<'d>>),
     /// Of a view of slots: those that are in use.
     Slots(Vec<Slot<'d>>),
+    /// Of a view of values: those, or `None` where the condition does not hold.
+    Record(Option<Vec<KeyValue<'d>>>),
 }
 
 /// A slot that is in use.
@@ -35,7 +38,7 @@ pub struct Slot<'d> {
     pub status: Option<Bits<'d>>,
 }
 
-/// A field that is copied into a slot.
+/// A field that is copied into a slot, or is a value of a view.
 #[derive(Clone, Copy, Debug)]
 pub struct KeyValue<'d> {
     /// Its name, unit and sentinel.
@@ -62,6 +65,7 @@ pub fn views<'d>(message: &'d Message, payload: &'d [u8]) -> impl Iterator<Item 
         content: match &view.access {
             Access::Once { .. } => Content::Once(source.bits(view, 0)),
             Access::Slots(slots) => Content::Slots(source.slots(view, slots)),
+            Access::Record(record) => Content::Record(source.record(view, record)),
         },
     })
 }
@@ -92,6 +96,12 @@ impl<'d> Source<'d> {
         let used = used.map_or(length, |used| u8::try_from(used).unwrap_or(length).min(length));
         let keys = |index| slots.keys.iter().filter_map(move |key| self.key(key, index)).collect();
         (0..used).map(|index| Slot { keys: keys(index), status: self.bits(view, index) }).collect()
+    }
+
+    /// The values of a record; `None` where they mean nothing.
+    fn record(&self, view: &View, record: &'d Record) -> Option<Vec<KeyValue<'d>>> {
+        let holds = view.condition.as_ref().is_none_or(|condition| self.holds(condition));
+        holds.then(|| record.values.iter().filter_map(|value| self.key(value, 0)).collect())
     }
 
     fn key(&self, key: &'d Key, index: u8) -> Option<KeyValue<'d>> {

@@ -178,6 +178,8 @@ catalogue! {
     727 Count Error "A count is not a scalar unsigned integer.";
     728 UnsuitableField Error "A field is not of a type that it is used for.";
     729 Sentinel Error "A value that means nothing is not understood, does not fit, or excludes nothing more.";
+    730 ViewKind Error "A view of bits has values, or a view of values has what belongs to bits.";
+    731 ValueTwice Error "Two values of a view are one field, or a value is what the condition asks.";
 
     740 BitsPlace Error "Bits have no width, or lie outside of the words.";
     741 BitsOverlap Error "Bits are in two members of one layout.";

@@ -2,6 +2,7 @@
 
 pub(super) mod accessor;
 pub(super) mod bits;
+pub(super) mod record;
 pub(super) mod scaled;
 pub(super) mod slots;
 pub(super) mod source;

@@ -3,7 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::body::{accessor, bits, scaled, slots, source};
+use super::body::{accessor, bits, record, scaled, slots, source};
 use super::doc;
 use super::token::ident;
 use super::ty::{number_in, ty, value_of};
@@ -70,6 +70,8 @@ fn body(kind: &Kind<'_>) -> TokenStream {
         Kind::SlotSet { get, store } => slots::set(get, store),
         Kind::SlotPush { count, length, store } => slots::push(*count, *length, store),
         Kind::SlotStore(slot) => slots::store(slot),
+        Kind::RecordGet(of) => record::get(of),
+        Kind::RecordSet(of) => record::set(of),
         Kind::Params => params(),
         Kind::SentinelGet(sentinel) => accessor::get(sentinel),
         Kind::SentinelSet(sentinel) => accessor::set(sentinel),

@@ -1,4 +1,5 @@
-//! A view: a small type over packed bits, with getters, setters, a `Debug` with units, and how a message gives it.
+//! A view: a small type over packed bits, with getters, setters and a `Debug` with units, or a record of values; and how a
+//! message gives it.
 //!
 //! ```text
 //! /// Status of an ESC.
@@ -24,22 +25,34 @@
 //! ```
 
 mod debug;
+mod record;
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use super::body::slots;
 use super::doc;
 use super::method::method;
 use super::token::ident;
 use super::ty::int;
-use crate::rust::{Docs, View};
+use crate::rust::{Docs, Packed, View};
 
 /// The items of a view's file, without its imports.
 pub(super) fn view(view: &View<'_>) -> TokenStream {
-    let View { ident: name, docs, storage, switch, methods, debug: members, slot, message, message_methods } = view;
+    let View { packed, record, message, message_methods } = view;
+    let (packed, record) = (packed.as_ref().map(self::packed), record.as_ref().map(record::declaration));
+    let (message, methods) = (ident(message), message_methods.iter().map(method));
+    quote! {
+        #packed
+        #record
+        impl #message { #(#methods)* }
+    }
+}
+
+/// The type over the bits.
+fn packed(packed: &Packed<'_>) -> TokenStream {
+    let Packed { ident: name, docs, storage, switch, methods, debug: members } = packed;
     let (docs, debug) = (doc::documentation(docs), debug::debug(name, members));
-    let (name, message, storage) = (ident(name), ident(message), int(*storage));
+    let (name, storage) = (ident(name), int(*storage));
     let layout = switch.as_ref().map(|(name, _)| ident(name));
     let carried = layout.as_ref().map(|layout| quote!(, #layout));
     let members = members.iter().map(|member| {
@@ -50,8 +63,7 @@ pub(super) fn view(view: &View<'_>) -> TokenStream {
     let zero = layout.iter().map(|layout| quote!(#layout: 0));
     let empty = doc::documentation(&Docs::line("All bits zero."));
     let switch = switch.as_ref().map(|(_, of)| int(*of)).map(|of| quote!(#layout: #of,));
-    let (methods, message_methods) = (methods.iter().map(method), message_methods.iter().map(method));
-    let slot = slot.as_ref().map(slots::declaration);
+    let methods = methods.iter().map(method);
     quote! {
         #docs
         #[derive(Clone, Copy, PartialEq, Eq, Hash)]
@@ -63,7 +75,5 @@ pub(super) fn view(view: &View<'_>) -> TokenStream {
         }
         #debug
         wire::view!(#name { bits #carried } [#(#members),*]);
-        #slot
-        impl #message { #(#message_methods)* }
     }
 }

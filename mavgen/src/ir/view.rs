@@ -1,4 +1,5 @@
-//! Views: what bits that are packed into integer fields mean. They come from overlays; the wire does not know them.
+//! Views: what bits that are packed into fields mean, and fields that have another meaning on a condition. They come from
+//! overlays; the wire does not know them.
 
 use std::fmt;
 use std::num::NonZeroU8;
@@ -7,14 +8,14 @@ use std::ops::RangeInclusive;
 use super::{EnumId, Label, Name, Origin, Repr, unit_words};
 use crate::source::Span;
 
-/// A layout of bits over one or more fields of a message.
+/// A layout of bits over one or more fields of a message; or values in some of its fields, which has no words and no bits.
 #[derive(Clone, Debug)]
 pub struct View {
     /// Its name: `ESC32_STATUS`, the type `Esc32Status`.
     pub name: Name,
-    /// The integers it is read from, least significant first.
+    /// The integers it is read from, least significant first; none of a view of values.
     pub words: Vec<Word>,
-    /// Bits of all words together: 8 to 128.
+    /// Bits of all words together: 8 to 128; 0 of a view of values.
     pub width: u8,
     /// How a message gives it.
     pub access: Access,
@@ -28,6 +29,14 @@ pub struct View {
     pub members: Vec<Member>,
     /// Where it comes from.
     pub origin: Origin,
+}
+
+impl View {
+    /// A view of values, which are its access.
+    pub(crate) fn of_values(name: Name, access: Access, condition: Option<Condition>, origin: Origin) -> Self {
+        let (words, invalid, members) = (Vec::new(), Vec::new(), Vec::new());
+        Self { name, words, width: 0, access, condition, invalid, switch: None, members, origin }
+    }
 }
 
 /// A field of the message, by its place in [`super::Message::fields`].
@@ -62,6 +71,17 @@ pub enum Access {
     },
     /// Once a slot.
     Slots(Slots),
+    /// Once, as values in fields.
+    Record(Record),
+}
+
+/// Fields that have a name, a unit and a meaning of their own, mostly while the condition of the view holds.
+#[derive(Clone, Debug)]
+pub struct Record {
+    /// `gps` gives `gps()`, `set_gps()` and `with_gps()`.
+    pub getter: Label,
+    /// The values: scalars, each field once.
+    pub values: Vec<Key>,
 }
 
 /// The slots of arrays that a message carries side by side.
@@ -79,7 +99,7 @@ pub struct Slots {
     pub keys: Vec<Key>,
 }
 
-/// A field that is copied into a slot.
+/// A field that is copied into a slot, or is a value of a view.
 #[derive(Clone, Debug)]
 pub struct Key {
     /// Its name: `age` in milliseconds, shown as `age_ms`.

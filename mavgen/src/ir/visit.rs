@@ -1,8 +1,8 @@
 //! Every mention of an enum in the model, in one place: whatever gains one is visited here, and the compiler asks for it.
 
 use super::{
-    Access, Binding, Command, Condition, Entry, Enum, EnumId, Field, Key, Meaning, Member, Message, Param, Scaled,
-    Slots, Switch, SwitchOn, Values, View, ViewSentinel,
+    Access, Binding, Command, Condition, Entry, Enum, EnumId, Field, Key, Meaning, Member, Message, Param, Record,
+    Scaled, Slots, Switch, SwitchOn, Values, View, ViewSentinel,
 };
 
 /// The visits of messages and of enums, to look at ids or to change them.
@@ -63,6 +63,9 @@ macro_rules! visits {
                 Access::Once { getter: _ } => {}
                 Access::Slots(Slots { keys, item: _, items: _, length: _, count: _ }) => {
                     for Key { name: _, place: _, units: _, invalid: _, description: _ } in keys {}
+                }
+                Access::Record(Record { getter: _, values }) => {
+                    for Key { name: _, place: _, units: _, invalid: _, description: _ } in values {}
                 }
             }
         }

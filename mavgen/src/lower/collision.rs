@@ -20,7 +20,9 @@ pub(super) fn diagnostic(collision: &Collision<'_>) -> Option<Diagnostic> {
         Scope::Types | Scope::Fields | Scope::Constants if alike && second.what != What::View => None,
         Scope::Types | Scope::Fields | Scope::Constants => Some(both(name, first, second)),
         Scope::Methods if second.what == What::Accessors => accessors_lost(name, first, second),
-        Scope::Methods | Scope::ViewMethods | Scope::SlotFields => Some(twice(name, first, second)),
+        Scope::Methods | Scope::ViewMethods | Scope::SlotFields | Scope::RecordFields => {
+            Some(twice(name, first, second))
+        }
         Scope::Modules => Some(one_module(name, first, second)),
     }
 }
@@ -45,7 +47,7 @@ fn plural(what: What) -> &'static str {
     }
 }
 
-/// Methods, or fields of a slot, of one name.
+/// Methods, or fields of a slot or record, of one name.
 fn twice(name: &str, first: &Claim<'_>, second: &Claim<'_>) -> Diagnostic {
     let (what, other) = (role(second), role(first));
     let message = match what == other {
@@ -65,6 +67,7 @@ fn role(claim: &Claim<'_>) -> String {
         What::View => format!("a method of view `{text}`"),
         What::Switch => "the getter of the switch".to_owned(),
         What::Key => format!("key `{text}`"),
+        What::Value => format!("value `{text}`"),
         What::Member | What::Message | What::Enum | What::Entry | What::Root => format!("a method of `{text}`"),
     }
 }

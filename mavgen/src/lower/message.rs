@@ -73,11 +73,15 @@ impl<'d> Items<'d> {
     fn overlay_methods(self, message: NamedMessage<'d>) -> Result<Vec<String>, Internal> {
         let views = (0..message.model.views.len()).map(|at| {
             let view = message.view(at)?;
-            let getter = match view.access()? {
-                NamedAccess::Once(getter) => getter,
-                NamedAccess::Slots(slots) => slots.items,
+            let (getter, what) = match view.access()? {
+                NamedAccess::Once(getter) => (getter, "packed bits".to_owned()),
+                NamedAccess::Slots(slots) => (slots.items, "packed bits".to_owned()),
+                NamedAccess::Record(record) => {
+                    let condition = self.condition(message, view)?.map(|asked| format!(" if {asked}"));
+                    (record.getter, format!("values{}", condition.unwrap_or_default()))
+                }
             };
-            Ok(format!("- [`Self::{getter}()`]: packed bits, as `{}`.", view.ty()))
+            Ok(format!("- [`Self::{getter}()`]: {what}, as `{}`.", view.ty()))
         });
         let bindings = message.bindings().map(|(binding, getter)| {
             let (field, bound) = (message.field(binding.field)?.ident, self.enum_type(binding.enum_)?);
@@ -138,6 +142,7 @@ fn seen(message: NamedMessage<'_>) -> Result<Vec<Seen<'_>>, Internal> {
         Ok(match view.access()? {
             NamedAccess::Once(getter) => Seen { getter, gives: under(view.model.condition.is_some()) },
             NamedAccess::Slots(slots) => Seen { getter: slots.items, gives: Gives::Each },
+            NamedAccess::Record(record) => Seen { getter: record.getter, gives: under(view.model.condition.is_some()) },
         })
     });
     bound.chain(views).collect()

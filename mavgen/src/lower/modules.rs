@@ -137,12 +137,12 @@ pub(super) fn views<'d>(maker: &Maker<'_, 'd>, files: &mut Vec<File<'d>>) -> Res
             maker.items.way(MODULE, placement)? + "views"
         };
         let types = match view.access()? {
-            NamedAccess::Once(_) => vec![view.ty()],
+            NamedAccess::Once(_) | NamedAccess::Record(_) => vec![view.ty()],
             NamedAccess::Slots(slots) => vec![slots.item, view.ty()],
         };
         exports.push(plain(Use::Names(from, types.into_iter().map(str::to_owned).collect())));
     }
-    let docs = Docs::line("Views of bits that are packed into fields.");
+    let docs = Docs::line("What overlays see in fields: packed bits, and values.");
     module(maker, "views", docs, Content::Module { children, exports, aliases: Vec::new() })
 }
 

@@ -3,7 +3,7 @@
 use super::names::{AccessNames, EnumNames, MessageNames, ViewNames};
 use super::spelling::is_keyword;
 use crate::internal::Internal;
-use crate::ir::{Access, Binding, Entry, Enum, Field, FieldIndex, Key, Member, Message, Slots, View};
+use crate::ir::{Access, Binding, Entry, Enum, Field, FieldIndex, Key, Member, Message, Record, Slots, View};
 
 /// A message.
 #[derive(Clone, Copy)]
@@ -33,6 +33,8 @@ pub(super) enum NamedAccess<'d> {
     Once(&'d str),
     /// Once a slot.
     Slots(NamedSlots<'d>),
+    /// Once, as a record of values.
+    Record(NamedRecord<'d>),
 }
 
 /// The slots that a message gives a view in.
@@ -46,6 +48,15 @@ pub(super) struct NamedSlots<'d> {
     /// The iterator.
     pub(super) items: &'d str,
     keys: &'d [String],
+}
+
+/// A record of values.
+#[derive(Clone, Copy)]
+pub(super) struct NamedRecord<'d> {
+    model: &'d Record,
+    /// The getter.
+    pub(super) getter: &'d str,
+    values: &'d [String],
 }
 
 /// An enum.
@@ -115,6 +126,9 @@ impl<'d> NamedView<'d> {
             (Access::Slots(model), AccessNames::Slots { item, getter, items, keys }) => {
                 Ok(NamedAccess::Slots(NamedSlots { model, item, getter, items, keys }))
             }
+            (Access::Record(model), AccessNames::Record { getter, values }) => {
+                Ok(NamedAccess::Record(NamedRecord { model, getter, values }))
+            }
             _ => Err(Internal::new(format!("{} is named as what it is not", self.ty()))),
         }
     }
@@ -124,6 +138,13 @@ impl<'d> NamedSlots<'d> {
     /// What a slot carries beside the view, with its fields.
     pub(super) fn keys(self) -> impl Iterator<Item = (&'d Key, &'d str)> {
         self.model.keys.iter().zip(self.keys.iter().map(String::as_str))
+    }
+}
+
+impl<'d> NamedRecord<'d> {
+    /// The values, with the fields of the record.
+    pub(super) fn values(self) -> impl Iterator<Item = (&'d Key, &'d str)> {
+        self.model.values.iter().zip(self.values.iter().map(String::as_str))
     }
 }
 

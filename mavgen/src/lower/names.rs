@@ -13,7 +13,7 @@ use super::spelling;
 use crate::diag::Diagnostics;
 #[cfg(any(feature = "compare", doc))]
 use crate::ir::Dialect;
-use crate::ir::{Access, Enum, FieldIndex, Kept, Message, Partial, Slots, Switch, SwitchOn, View};
+use crate::ir::{Access, Enum, FieldIndex, Kept, Message, Partial, Record, Slots, Switch, SwitchOn, View};
 
 pub(super) use methods::{binding_methods, iterator, view_methods};
 
@@ -78,6 +78,13 @@ pub(crate) enum AccessNames {
         items: String,
         /// The fields of a slot beside the view.
         keys: Vec<String>,
+    },
+    /// Values.
+    Record {
+        /// The getter: `gps`; `set_` and `with_` stand before it.
+        getter: String,
+        /// The fields of the record.
+        values: Vec<String>,
     },
 }
 
@@ -156,6 +163,10 @@ impl ViewNames {
                     getter: spelling::field_name(&item.text),
                     items: spelling::label(items),
                     keys: keys.iter().map(|key| spelling::label(&key.name)).collect(),
+                },
+                Access::Record(Record { getter, values }) => AccessNames::Record {
+                    getter: spelling::label(getter),
+                    values: values.iter().map(|value| spelling::label(&value.name)).collect(),
                 },
             },
             switch,

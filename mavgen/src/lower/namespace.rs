@@ -9,6 +9,7 @@
 //! | [`Scope::Methods`] | accessors of fields, bindings, how a message gives its views | M603 for accessors, else M601 |
 //! | [`Scope::ViewMethods`] | the getter of the switch, and all methods of members | M601 |
 //! | [`Scope::SlotFields`] | the view, and the keys | M601 |
+//! | [`Scope::RecordFields`] | the values of a view | M601 |
 //! | [`Scope::Modules`] | the dialects of a tree | M802 |
 //!
 //! Other names follow from these: variants of the dialect are its message types, flat exports are all types. Files are
@@ -35,6 +36,8 @@ pub(super) enum Scope {
     ViewMethods,
     /// The fields of a slot.
     SlotFields,
+    /// The fields of a record.
+    RecordFields,
     /// The modules of the dialects in one tree.
     Modules,
 }
@@ -64,6 +67,8 @@ pub(super) enum What {
     Member,
     /// A field that is copied into a slot.
     Key,
+    /// A field that is a value of a view.
+    Value,
     /// A dialect in a tree of several.
     Root,
 }
@@ -108,7 +113,7 @@ impl<'a> Namespace<'a> {
             Scope::Methods => &[("a method of every message", &spelling::MESSAGE_METHODS)],
             Scope::ViewMethods => &[("a method of every view", &spelling::VIEW_METHODS)],
             Scope::SlotFields => &[("the field of every slot that holds the view", &[spelling::SLOT_VIEW])],
-            Scope::Types | Scope::Fields | Scope::Constants | Scope::Modules => &[],
+            Scope::Types | Scope::Fields | Scope::Constants | Scope::RecordFields | Scope::Modules => &[],
         };
         for (what, names) in reserved {
             namespace.reserve(what, names);

@@ -2,6 +2,7 @@
 
 mod members;
 mod once;
+mod record;
 mod slots;
 mod source;
 
@@ -11,11 +12,13 @@ use super::spelling;
 use crate::docs::line;
 use crate::internal::Internal;
 use crate::ir::{Meaning, Member, Presence, SwitchOn};
-use crate::rust::{Cell, Debugged, Docs, Int, Kind, Method, Paragraph, Param, Receiver, Sig, SlotType, Ty, View};
+use crate::rust::{
+    Cell, Debugged, Docs, Int, Kind, Method, Packed, Paragraph, Param, Receiver, RecordType, Sig, Ty, View,
+};
 
-/// What a view gives to its message: methods, and the type of a slot.
+/// What a view gives to its message: methods, and the type of a slot or a record.
 struct Given<'d> {
-    slot: Option<SlotType<'d>>,
+    record: Option<RecordType<'d>>,
     methods: Vec<Method<'d>>,
 }
 
@@ -24,27 +27,25 @@ impl<'d> Items<'d> {
     pub(super) fn view(self, message: usize, at: usize) -> Result<View<'d>, Internal> {
         let message = self.message_at(message)?;
         let view = message.view(at)?;
+        let (packed, given) = match view.access()? {
+            NamedAccess::Once(getter) => (Some(self.packed(message, view)?), self.once(message, view, getter)?),
+            NamedAccess::Slots(slots) => (Some(self.packed(message, view)?), self.slots(message, view, slots)?),
+            NamedAccess::Record(record) => (None, self.record(message, view, record)?),
+        };
+        let Given { record, methods: message_methods } = given;
+        Ok(View { packed, record, message: message.ty(), message_methods })
+    }
+
+    /// The type over the bits.
+    fn packed(self, message: NamedMessage<'d>, view: NamedView<'d>) -> Result<Packed<'d>, Internal> {
         let storage = Int::of_bits(view.model.width, false);
         let switch = carried(view)?;
         let mut methods = construction(storage, switch);
         for member in view.members() {
             methods.extend(self.member_methods(view, member)?);
         }
-        let given = match view.access()? {
-            NamedAccess::Once(getter) => self.once(message, view, getter)?,
-            NamedAccess::Slots(slots) => self.slots(message, view, slots)?,
-        };
-        Ok(View {
-            ident: view.ty(),
-            docs: self.view_docs(message, view)?,
-            storage,
-            switch,
-            methods,
-            debug: view.members().map(debugged).collect(),
-            slot: given.slot,
-            message: message.ty(),
-            message_methods: given.methods,
-        })
+        let (docs, debug) = (self.view_docs(message, view)?, view.members().map(debugged).collect());
+        Ok(Packed { ident: view.ty(), docs, storage, switch, methods, debug })
     }
 
     /// The description, where the bits are found, and a table of them.

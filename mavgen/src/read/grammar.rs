@@ -253,9 +253,18 @@ pub(super) static BIND: Element =
 pub(super) static VIEW: Element = prose(
     "view",
     &[text("name"), text("words"), text("item"), text("items"), text("count"), text("partial"), text("if"), text("is")],
-    &[optional(0, &DESCRIPTION), any(0, &KEY), any(0, &INVALID), any(0, &BITS), any(0, &RESERVED), any(0, &SWITCH)],
+    &[
+        optional(0, &DESCRIPTION),
+        any(0, &KEY),
+        any(0, &INVALID),
+        any(0, &BITS),
+        any(0, &RESERVED),
+        any(0, &SWITCH),
+        any(0, &VALUE),
+    ],
 );
 pub(super) static KEY: Element = prose("key", &[text("name"), text("field"), text("units"), text("invalid")], &[]);
+pub(super) static VALUE: Element = prose("value", KEY.attributes, &[]);
 pub(super) static INVALID: Element = container("invalid", &[text("field"), text("value")], &[], false);
 pub(super) static BITS: Element = prose(
     "bits",

@@ -1,4 +1,4 @@
-//! Views: layouts of bits over the fields of a message.
+//! Views: layouts of bits over the fields of a message, or values in them.
 
 mod beside;
 mod branches;
@@ -16,6 +16,7 @@ mod sentinel;
 mod slots;
 mod switch;
 mod units;
+mod values;
 mod words;
 
 use super::message_scope::{EnumUse, MessageScope, condition};
@@ -23,6 +24,7 @@ use super::{spelling, text};
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{Origin, View};
 use crate::syntax::overlay::{self, Part, Piece};
+use words::Words;
 
 /// Resolves a view; what is wrong with it is reported. Where the words are not clear, the rest is not looked at.
 pub(super) fn resolve<'a>(
@@ -33,27 +35,24 @@ pub(super) fn resolve<'a>(
 ) -> Option<View> {
     check_members(scope, element, diagnostics);
     let condition = condition(scope, &element.condition, diagnostics);
-    let words = words::resolve(scope, &element.words, diagnostics)?;
+    let name = spelling::name(&element.name);
+    let origin = Origin {
+        file: scope.file,
+        overlays: Vec::new(),
+        span: element.span,
+        description: text::or_empty(element.description.as_ref()),
+        lifecycle: None,
+    };
+    let Some(words) = &element.words else {
+        let access = values::access(scope, element, condition, diagnostics)?;
+        return Some(View::of_values(name, access, condition, origin));
+    };
+    let words = words::resolve(scope, words, diagnostics)?;
     let access = slots::access(scope, element, &words, diagnostics);
     let invalid = sentinel::sentinels(scope, element, &words, condition, diagnostics);
-    let layout = layout::resolve(scope, element, &words, enum_uses, diagnostics);
-    Some(View {
-        name: spelling::name(&element.name),
-        words: words.list,
-        width: words.width,
-        access: access?,
-        condition,
-        invalid,
-        switch: layout.switch,
-        members: layout.members,
-        origin: Origin {
-            file: scope.file,
-            overlays: Vec::new(),
-            span: element.span,
-            description: text::or_empty(element.description.as_ref()),
-            lifecycle: None,
-        },
-    })
+    let layout::Layout { members, switch } = layout::resolve(scope, element, &words, enum_uses, diagnostics);
+    let Words { list: words, width, .. } = words;
+    Some(View { name, words, width, access: access?, condition, invalid, switch, members, origin })
 }
 
 /// Every `<bits>` of a view.
@@ -75,13 +74,22 @@ pub(super) fn all_bits(element: &overlay::View) -> impl Iterator<Item = &overlay
 /// A view has something to say, and its names are names.
 fn check_members(scope: &MessageScope<'_, '_>, element: &overlay::View, diagnostics: &mut Diagnostics) {
     spelling::check(&element.name, "a view", diagnostics);
-    if scope.whole && all_bits(element).next().is_none() {
+    if scope.whole && all_bits(element).next().is_none() && element.values.is_empty() {
         let message = format!("view `{}` has no members", element.name.value);
         let problem = Diagnostic::new(Code::EmptyView, element.name.span, message);
-        diagnostics.push(problem.help("add `<bits name=\"…\" at=\"…\" width=\"…\"/>`"));
+        diagnostics.push(problem.help(match element.words {
+            Some(_) => "add `<bits name=\"…\" at=\"…\" width=\"…\"/>`",
+            None => "add `<value name=\"…\" field=\"…\"/>`, or `words` and `<bits>`",
+        }));
+    }
+    if let (Some(words), Some(value)) = (&element.words, element.values.first()) {
+        let problem = Diagnostic::new(Code::ViewKind, value.span, "a value belongs to a view without `words`");
+        let problem = problem.related(words.span, "the words");
+        diagnostics.push(problem.help("write another view for the values"));
     }
     all_bits(element).for_each(|bits| spelling::check(&bits.name, "bits", diagnostics));
     element.keys.iter().for_each(|key| spelling::check(&key.name, "a key", diagnostics));
+    element.values.iter().for_each(|value| spelling::check(&value.name, "a value", diagnostics));
     for (name, what) in [(&element.item, "an item"), (&element.items, "an iterator")] {
         name.iter().for_each(|name| spelling::check(name, what, diagnostics));
     }

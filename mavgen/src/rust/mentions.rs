@@ -16,8 +16,9 @@ impl<'d> Mentions<'d> {
     /// Those of a view's file.
     pub(crate) fn of_view(view: &View<'d>) -> Self {
         let mut mentions = Self::default();
-        view.methods.iter().chain(&view.message_methods).for_each(|method| mentions.method(method));
-        view.slot.iter().flat_map(|slot| &slot.fields).for_each(|field| mentions.ty(&field.ty));
+        let own = view.packed.iter().flat_map(|packed| &packed.methods);
+        own.chain(&view.message_methods).for_each(|method| mentions.method(method));
+        view.record.iter().flat_map(|record| &record.fields).for_each(|field| mentions.ty(&field.ty));
         mentions
     }
 
@@ -75,6 +76,10 @@ impl<'d> Mentions<'d> {
             Kind::SlotGet(slot) => {
                 slot.source.when.iter().for_each(|test| self.test(test));
                 slot.keys.iter().filter_map(|key| key.invalid).for_each(|literal| self.literal(literal));
+            }
+            Kind::RecordGet(record) | Kind::RecordSet(record) => {
+                record.when.iter().for_each(|test| self.test(test));
+                record.values.iter().filter_map(|value| value.invalid).for_each(|literal| self.literal(literal));
             }
             Kind::SlotStore(slot) => self.stored(slot),
             Kind::SlotPush { count, .. } => self.made_of(count.as_int),

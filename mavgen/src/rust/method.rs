@@ -1,6 +1,6 @@
 //! Methods: a signature, and a kind with all that the body needs.
 
-use super::{Bind, BitField, Convert, Count, Docs, Error, Scale, Sentinel, Slot, Source, Ty};
+use super::{Bind, BitField, Convert, Count, Docs, Error, Record, Scale, Sentinel, Slot, Source, Ty};
 
 /// A method or an associated function.
 #[derive(Clone, Debug, PartialEq)]
@@ -59,7 +59,7 @@ pub(crate) enum Kind<'d> {
     MemberGet(BitField<'d>),
     /// Of a view: sets some of its bits.
     MemberSet(BitField<'d>),
-    /// Of a view: itself, after this setter.
+    /// Of a view or a message: itself, after this setter.
     With { set: String, indexed: bool, fallible: bool },
     /// Of a view: the value that a raw number stands for.
     ScaledGet(Scale<'d>),
@@ -79,6 +79,10 @@ pub(crate) enum Kind<'d> {
     SlotSet { get: &'d str, store: String },
     /// Of a message: adds a slot by `store`.
     SlotPush { count: Count<'d>, length: u8, store: String },
+    /// Of a message: a record of values.
+    RecordGet(Record<'d>),
+    /// Of a message: sets the values of a record, and what says that they are there.
+    RecordSet(Record<'d>),
     /// Of a message, and private: puts a slot into the arrays.
     SlotStore(Slot<'d>),
     /// Of an enum of commands: what is known of the parameters.

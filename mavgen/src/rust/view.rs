@@ -5,9 +5,22 @@ use std::ops::RangeInclusive;
 use super::{AsInt, Docs, EnumType, Int, Literal, Method, Ty};
 use crate::ir::{Exact, Repeat};
 
-/// A view: its type, the type of its slots if it has some, and what its message gets.
+/// A view: its types, and what its message gets.
 #[derive(Clone, Debug)]
 pub(crate) struct View<'d> {
+    /// The type over its bits, if it has some.
+    pub(crate) packed: Option<Packed<'d>>,
+    /// The type of its slots or of its values.
+    pub(crate) record: Option<RecordType<'d>>,
+    /// The message.
+    pub(crate) message: &'d str,
+    /// The methods that the message gets.
+    pub(crate) message_methods: Vec<Method<'d>>,
+}
+
+/// A type over packed bits.
+#[derive(Clone, Debug)]
+pub(crate) struct Packed<'d> {
     pub(crate) ident: &'d str,
     pub(crate) docs: Docs<'d>,
     /// The integer that holds the bits.
@@ -16,25 +29,19 @@ pub(crate) struct View<'d> {
     pub(crate) switch: Option<(&'d str, Int)>,
     pub(crate) methods: Vec<Method<'d>>,
     pub(crate) debug: Vec<Debugged<'d>>,
-    /// The slot's type.
-    pub(crate) slot: Option<SlotType<'d>>,
-    /// The message.
-    pub(crate) message: &'d str,
-    /// The methods that the message gets.
-    pub(crate) message_methods: Vec<Method<'d>>,
 }
 
 /// `pub struct Esc { pub id: u8, pub status: Option<Esc32Status> }`
 #[derive(Clone, Debug)]
-pub(crate) struct SlotType<'d> {
+pub(crate) struct RecordType<'d> {
     pub(crate) ident: &'d str,
     pub(crate) docs: Docs<'d>,
-    pub(crate) fields: Vec<SlotField<'d>>,
+    pub(crate) fields: Vec<RecordField<'d>>,
 }
 
-/// A public field of a slot.
+/// A public field of a slot or a record of values.
 #[derive(Clone, Debug)]
-pub(crate) struct SlotField<'d> {
+pub(crate) struct RecordField<'d> {
     pub(crate) ident: &'d str,
     pub(crate) ty: Ty<'d>,
     pub(crate) docs: Docs<'d>,
@@ -195,13 +202,23 @@ pub(crate) struct Count<'d> {
     pub(crate) as_int: AsInt<'d>,
 }
 
-/// A field of a slot that is copied from the message.
+/// A field of a slot or a record that is copied from the message.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Key<'d> {
     pub(crate) ident: &'d str,
     pub(crate) place: Place<'d>,
     /// The value that means "not known".
     pub(crate) invalid: Option<Literal<'d>>,
+}
+
+/// A record of values: where a message has them.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Record<'d> {
+    /// Its type.
+    pub(crate) ident: &'d str,
+    pub(crate) values: Vec<Key<'d>>,
+    /// What must hold for the values to mean something.
+    pub(crate) when: Option<Test<'d>>,
 }
 
 /// What says in a message that the bits of a slot mean nothing.

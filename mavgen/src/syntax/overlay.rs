@@ -17,6 +17,7 @@
 //!         <default><bits name="errors" at="16" width="16"/></default>
 //!       </switch>
 //!     </view>
+//!     <view name="WIND" item="wind" if="kind" is="3"><value name="speed" field="x" units="m/s"/></view>
 //!   </message>
 //! </mavlink-overlay>
 //! ```
@@ -112,13 +113,13 @@ pub struct Condition {
     pub value: Option<Text>,
 }
 
-/// `<view>`: a layout of bits over fields.
+/// `<view>`: a layout of bits over fields, or values in fields.
 #[derive(Clone, Debug)]
 pub struct View {
     /// `name`.
     pub name: Text,
-    /// `words`.
-    pub words: Text,
+    /// `words`; a view of values has none.
+    pub words: Option<Text>,
     /// `item`.
     pub item: Option<Text>,
     /// `items`.
@@ -131,6 +132,8 @@ pub struct View {
     pub condition: Condition,
     /// `<key>`, in document order.
     pub keys: Vec<Key>,
+    /// `<value>`, in document order.
+    pub values: Vec<Key>,
     /// `<invalid>`, in document order.
     pub invalids: Vec<Invalid>,
     /// `<bits>`, `<reserved>` and `<switch>`, in document order.
@@ -141,7 +144,7 @@ pub struct View {
     pub span: Span,
 }
 
-/// `<key>`: a field that a slot carries along.
+/// `<key>`: a field that a slot carries along; or `<value>`: a field that a view gives a name.
 #[derive(Clone, Debug)]
 pub struct Key {
     /// `name`.

@@ -129,6 +129,10 @@ constructs! {
     KeyUnits,
     /// A key that is a float.
     KeyFloat,
+    /// A view of values.
+    Values,
+    /// A view of values on a condition.
+    ValuesIf,
     /// A sentinel of a field.
     ViewInvalid,
     /// A sentinel of a field that carries an enum.

@@ -1,4 +1,4 @@
-//! Views: words, slots, keys, sentinels.
+//! Views: words, slots, keys, sentinels, values.
 
 use std::fmt::Write;
 
@@ -17,6 +17,9 @@ const MOST_BITS: u32 = 128;
 
 /// A view of a message, if its fields allow one.
 pub(crate) fn make(chance: &mut Chance, message: &Message, added: &mut Additions<'_>) -> Option<String> {
+    if chance.one_in(4) {
+        return record(chance, message, added);
+    }
     let length = message.fields.iter().filter(|field| field.scalar.is_unsigned()).find_map(|field| field.array);
     match length.filter(|_| !chance.one_in(5)) {
         Some(length) => slots(chance, message, length, added),
@@ -134,7 +137,38 @@ fn key(
     (scope, added): (&mut Scope, &Additions<'_>),
 ) -> Option<String> {
     let field = chance.pick(&message.fields)?;
-    let word = beside(field, Some(length))?;
+    copied(chance, ("key", field), Some(length), (scope, added))
+}
+
+/// A view of some of the scalars.
+fn record(chance: &mut Chance, message: &Message, added: &mut Additions<'_>) -> Option<String> {
+    let condition = added.condition(chance, message, Construct::ValuesIf);
+    let asked = |field: &&Field| condition.contains(&attribute("if", &field.name));
+    let scalars = message.fields.iter().filter(|field| field.array.is_none() && !asked(field));
+    let chosen: Vec<&Field> = scalars.filter(|_| !chance.one_in(3)).collect();
+    let mut scope = Scope::default();
+    let values = chosen.iter().filter_map(|field| copied(chance, ("value", field), None, (&mut scope, added)));
+    let values: String = values.collect();
+    if values.is_empty() {
+        return None;
+    }
+    chance.say(Construct::Values);
+    let item = added.methods.lower(chance, Construct::OddGetterName);
+    for helper in ["set", "with"] {
+        added.methods.take(&format!("{helper}_{item}"));
+    }
+    let head = attribute("name", &added.types.upper(chance, Construct::OddViewName)) + &attribute("item", &item);
+    Some(format!("<view{head}{condition}>\n<description>{}</description>\n{values}</view>\n", prose(chance)))
+}
+
+/// A key or a value.
+fn copied(
+    chance: &mut Chance,
+    (element, field): (&str, &Field),
+    length: Option<u8>,
+    (scope, added): (&mut Scope, &Additions<'_>),
+) -> Option<String> {
+    let word = beside(field, length)?;
     chance.say(match field.scalar.kind {
         Kind::Float => Construct::KeyFloat,
         _ if field.values.is_some() => Construct::EnumKey,
@@ -150,7 +184,7 @@ fn key(
         chance.say(Construct::KeyInvalid);
     }
     let more = optional("units", units) + &optional("invalid", invalid.as_deref());
-    Some(format!("<key{name}{}{more}>{}</key>\n", attribute("field", &word), prose(chance)))
+    Some(format!("<{element}{name}{}{more}>{}</{element}>\n", attribute("field", &word), prose(chance)))
 }
 
 /// What stands in a view, from the end of its start tag on.

@@ -93,6 +93,10 @@ impl Teller<'_> {
                     self.bits(&parts.items.shown(), slot.status.as_ref());
                 }
             }
+            (Access::Record(parts), Content::Record(values)) => {
+                self.say(&parts.getter.shown(), if values.is_some() { "is" } else { "-" });
+                values.iter().flatten().for_each(|value| self.key(message, value));
+            }
             _ => unreachable!("a view and its content"),
         }
     }

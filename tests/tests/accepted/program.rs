@@ -26,6 +26,10 @@ fn sent(message: &dyn Encode) -> String {
     message.payload(Version::V2, &mut [0; 255]).iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
+fn default_of<M: Message>(_: &M) -> M {
+    M::DEFAULT
+}
+
 /// What a getter gave was set, which changes nothing.
 fn same(one: &dyn Encode, other: &dyn Encode) {
     assert_eq!(sent(one), sent(other), "{}", one.info().name);
@@ -87,6 +91,16 @@ impl Sources<'_> {
                 let back = format!("let mut n = m; n.set_{}(v); same(&n, &m);", get.trim_start_matches("r#"));
                 format!("let v: Option<{ty}> = m.{get}().into();\n{}", members(&name, view, &back))
             }
+            Access::Record(record) => {
+                let (name, get) = (record.getter.shown(), ident(&record.getter.shown()));
+                let plain = get.trim_start_matches("r#");
+                let values: String = record.values.iter().map(|value| self::key(message, value)).collect();
+                format!(
+                    "let v: Option<{ty}> = m.{get}().into();\nsay({name:?}, v.map(|_| \"is\"));\n\
+                     if let Some(slot) = v {{\nlet mut n = m; n.set_{plain}(slot); same(&n, &m);\n{}{values}}}\n",
+                    back_from_nothing(&ty, &get)
+                )
+            }
             Access::Slots(slots) => {
                 let (name, get) = (slots.items.shown(), ident(&slots.items.shown()));
                 let one = snake(&slots.item.text);
@@ -101,6 +115,15 @@ impl Sources<'_> {
             }
         }
     }
+}
+
+/// What a record is written into need not have been one: then it is, and has these values.
+fn back_from_nothing(ty: &str, get: &str) -> String {
+    let with = format!("with_{}", get.trim_start_matches("r#"));
+    format!(
+        "let n = default_of(&m).{with}(slot);\nlet w: Option<{ty}> = n.{get}().into();\n\
+         assert_eq!(format!(\"{{w:?}}\"), format!(\"{{v:?}}\"));\n"
+    )
 }
 
 /// Tells the members of `v`, and writes each back.

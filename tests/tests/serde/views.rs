@@ -3,7 +3,7 @@
 use std::fmt::Debug;
 
 use mavlink_autoquad::autoquad::{
-    AqEscTelemetry, Autoquad, Esc, Esc32State, Esc32Status, Heartbeat, MavAutopilot, Statustext,
+    AqEscTelemetry, AqGps, AqTelemetryF, Autoquad, Esc, Esc32State, Esc32Status, Heartbeat, MavAutopilot, Statustext,
 };
 use mavlink_conformance::golden::{view_floats, view_slots, view_switch};
 use mavlink_wire::Message;
@@ -97,6 +97,10 @@ fn a_message_has_its_views_behind_its_fields() {
 
 #[test]
 fn views_under_a_condition_are_left_out_where_it_does_not_hold() {
+    let gps = views(&AqTelemetryF::DEFAULT.with_gps(AqGps { vel_d: -0.5, ..AqGps::default() }));
+    assert!(gps.as_object().unwrap().keys().eq(["gps", "legacy_gps"]), "{gps}");
+    assert_eq!((&gps["gps"]["vel_d"], &gps["gps"]["itow"]), (&json!(-0.5), &json!(0.0)));
+
     let named = views(&BEAT);
     assert!(named.as_object().unwrap().keys().eq(["nav_status"]) && named["nav_status"].is_string(), "{named}");
     assert_eq!(views(&Heartbeat { autopilot: MavAutopilot::PX4, ..BEAT }), json!({}));

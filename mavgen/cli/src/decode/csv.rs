@@ -65,6 +65,12 @@ impl Columns {
     fn view(&mut self, view: &View) {
         match &view.access {
             Access::Once { getter } => self.members(view, &format!("{}.", getter.shown())),
+            Access::Record(record) => {
+                let prefix = format!("{}.", record.getter.shown());
+                for value in &record.values {
+                    self.push(Part::View, (&prefix, &value.name.to_string()), None, value.units.as_deref());
+                }
+            }
             Access::Slots(slots) => {
                 for index in 0..slots.length.get() {
                     let slot = format!("{}[{index}].", slots.items);

@@ -1,4 +1,4 @@
-//! What overlays add to a message: views of packed bits, and enums bound to fields.
+//! What overlays add to a message: views of packed bits and of values, and enums bound to fields.
 
 use std::ops::RangeInclusive;
 
@@ -21,9 +21,10 @@ impl Overlaid<'_> {
     }
 
     fn view_json(&self, view: &View) -> Value {
-        let (getter, slots) = match &view.access {
-            Access::Once { getter } => (Some(getter.shown()), None),
-            Access::Slots(slots) => (None, Some(self.slots_json(slots))),
+        let (getter, slots, values) = match &view.access {
+            Access::Once { getter } => (Some(getter.shown()), None, None),
+            Access::Slots(slots) => (None, Some(self.slots_json(slots)), None),
+            Access::Record(record) => (Some(record.getter.shown()), None, Some(self.keys_json(&record.values))),
         };
         let words: Vec<String> = view.words.iter().map(|word| self.word(*word)).collect();
         let invalid: Vec<Value> = view.invalid.iter().map(|blank| self.blank_json(blank)).collect();
@@ -34,6 +35,7 @@ impl Overlaid<'_> {
             "width": view.width,
             "getter": getter,
             "slots": slots,
+            "values": values,
             "condition": view.condition.as_ref().map(|condition| self.condition_json(condition)),
             "invalid": invalid,
             "switch": view.switch.as_ref().map(|switch| self.switch_json(switch)),
@@ -42,11 +44,15 @@ impl Overlaid<'_> {
     }
 
     fn slots_json(&self, slots: &Slots) -> Value {
-        let keys: Vec<Value> = slots.keys.iter().map(|key| self.key_json(key)).collect();
         let count = slots.count.map(|count| self.field(count));
         json!({
-            "item": slots.item.text, "items": slots.items.shown(), "length": slots.length, "count": count, "keys": keys,
+            "item": slots.item.text, "items": slots.items.shown(), "length": slots.length, "count": count,
+            "keys": self.keys_json(&slots.keys),
         })
+    }
+
+    fn keys_json(&self, keys: &[Key]) -> Vec<Value> {
+        keys.iter().map(|key| self.key_json(key)).collect()
     }
 
     fn key_json(&self, key: &Key) -> Value {
@@ -138,11 +144,17 @@ impl Overlaid<'_> {
                 let count = slots.count.map(|count| format!(", {} of them", self.field(count))).unwrap_or_default();
                 format!("{}[{}]{count}", slots.items, slots.length)
             }
+            Access::Record(record) => {
+                let (name, condition) = (&view.name.text, self.condition(view.condition.as_ref()));
+                lines.push(format!("view {name}: values, as {}{condition}", record.getter));
+                lines.extend(record.values.iter().map(|value| self.key_line("value", value)));
+                return;
+            }
         };
         let (name, width, condition) = (&view.name.text, view.width, self.condition(view.condition.as_ref()));
         lines.push(format!("view {name}: {width} bits of {}, as {access}{condition}", words.join(" ")));
         if let Access::Slots(slots) = &view.access {
-            lines.extend(slots.keys.iter().map(|key| self.key_line(key)));
+            lines.extend(slots.keys.iter().map(|key| self.key_line("key", key)));
         }
         lines.extend(view.invalid.iter().map(|blank| match blank {
             ViewSentinel::Field(place, value) => format!("  unknown if {} is {value}", self.place(*place)),
@@ -151,10 +163,10 @@ impl Overlaid<'_> {
         lines.extend(view.members.iter().map(|member| self.member_line(view, member)));
     }
 
-    fn key_line(&self, key: &Key) -> String {
+    fn key_line(&self, what: &str, key: &Key) -> String {
         let units = key.units.as_ref().map(|units| format!(" {units}")).unwrap_or_default();
         let invalid = key.invalid.map(|value| format!(", unknown if {value}")).unwrap_or_default();
-        format!("  key {}: {}{units}{invalid}", key.name, self.place(key.place))
+        format!("  {what} {}: {}{units}{invalid}", key.name, self.place(key.place))
     }
 
     fn member_line(&self, view: &View, member: &Member) -> String {

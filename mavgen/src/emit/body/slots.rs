@@ -1,8 +1,6 @@
-//! A view of each slot of arrays that lie side by side: the slot's type, an iterator, and setters for simulators.
+//! A view of each slot of arrays that lie side by side: an iterator, and setters for simulators.
 //!
 //! ```text
-//! pub struct Esc { pub id: u8, pub age_ms: Option<u16>, pub status: Option<EscStatus> }
-//!
 //! impl AqEscTelemetry {
 //!     pub fn escs(&self) -> impl Iterator<Item = Esc> + '_ { … }
 //!     pub fn esc(&self, index: usize) -> Option<Esc> { … }
@@ -16,27 +14,9 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::source::{all_hold, array, assign, joined, store_word, value_at, view_of_bits};
-use crate::emit::doc;
 use crate::emit::token::ident;
-use crate::emit::ty::{int, literal, number_in, ty, value_of};
-use crate::rust::{Count, Key, Place, Slot, SlotField, SlotType, Stored, Switch};
-
-/// `pub struct Esc { … }`
-pub(in crate::emit) fn declaration(slot: &SlotType<'_>) -> TokenStream {
-    let (docs, name) = (doc::documentation(&slot.docs), ident(slot.ident));
-    let fields = slot.fields.iter().map(|SlotField { ident: name, ty: of, docs }| {
-        let (docs, name, of) = (doc::documentation(docs), ident(name), ty(of));
-        quote!(#docs pub #name: #of,)
-    });
-    let names = slot.fields.iter().map(|field| ident(field.ident));
-    let eq = slot.fields.iter().all(|field| field.ty.is_eq()).then(|| quote!(, Eq, Hash));
-    quote! {
-        #docs
-        #[derive(Clone, Copy, Debug, Default, PartialEq #eq)]
-        pub struct #name { #(#fields)* }
-        wire::record!(#name { #(#names),* });
-    }
-}
+use crate::emit::ty::{int, literal, number_in, value_of};
+use crate::rust::{Count, Key, Place, Slot, Stored, Switch};
 
 /// `(0..4).map_while(|index| self.esc(index))`
 pub(in crate::emit) fn all(get: &str, length: u8) -> TokenStream {
@@ -74,7 +54,7 @@ pub(in crate::emit) fn get(slot: &Slot<'_>) -> TokenStream {
 }
 
 /// `id: escid`, `age_ms: Some(status_age).filter(|&v| v != 65535)`
-fn key(key: &Key<'_>) -> TokenStream {
+pub(super) fn key(key: &Key<'_>) -> TokenStream {
     let (name, value) = (ident(key.ident), value_at(&key.place));
     match (key.invalid, &key.place) {
         (Some(invalid), _) => {
@@ -152,14 +132,18 @@ pub(in crate::emit) fn store(slot: &Slot<'_>) -> TokenStream {
 
 /// Nothing for a scalar, which belongs to all slots: the first to be set would decide, so none does.
 fn store_key(key: &Key<'_>) -> Option<TokenStream> {
-    let Place::Element(_) = key.place else { return None };
+    matches!(key.place, Place::Element(_)).then(|| stored(key, &quote!(slot)))
+}
+
+/// `self.value1 = value.pdop;`
+pub(super) fn stored(key: &Key<'_>, record: &TokenStream) -> TokenStream {
     let name = ident(key.ident);
     let value = match key.invalid {
         Some(invalid) => {
             let invalid = literal(invalid);
-            quote!(slot.#name.unwrap_or(#invalid))
+            quote!(#record.#name.unwrap_or(#invalid))
         }
-        None => quote!(slot.#name),
+        None => quote!(#record.#name),
     };
-    Some(assign(&key.place, &value))
+    assign(&key.place, &value)
 }

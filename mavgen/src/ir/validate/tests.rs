@@ -5,8 +5,8 @@ use std::num::NonZeroU8;
 use super::*;
 use crate::diag::Diagnostics;
 use crate::ir::{
-    Access, Condition, FieldIndex, Invalid, Meaning, Member, Message, Place, Presence, Repeat, Repr, Scalar, Scope,
-    Sentinel, Slots, SwitchOn, Values, View, ViewSentinel, Word,
+    Access, Condition, FieldIndex, Invalid, Meaning, Member, Message, Place, Presence, Record, Repeat, Repr, Scalar,
+    Scope, Sentinel, Slots, SwitchOn, Values, View, ViewSentinel, Word,
 };
 use crate::read::{Loaded, read, read_overlay};
 use crate::resolve::resolve;
@@ -38,6 +38,8 @@ const OVERLAY: &str = "<mavlink-overlay version='1' for='a.xml'><message name='P
     <view name='FLOW' words='flow' item='flow_bits' partial='true'><bits name='mode' at='0' width='4'/>\
       <switch bits='mode'><case value='0'><bits name='x' at='4' width='4'/></case>\
         <default><reserved at='4' width='4'/></default></switch></view>\
+    <view name='TANK' item='tank' if='kind' is='4'><value name='heat' field='late' invalid='3'/>\
+      <value name='used' field='count'/></view>\
     </message></mavlink-overlay>";
 
 fn legal() -> Dialect {
@@ -72,7 +74,14 @@ fn in_member(dialect: &mut Dialect, name: &str, change: impl FnOnce(&mut Member)
 fn in_slots(dialect: &mut Dialect, change: impl FnOnce(&mut Slots)) {
     in_view(dialect, "NOZZLE", |view| match &mut view.access {
         Access::Slots(slots) => change(slots),
-        Access::Once { .. } => panic!("no slots"),
+        Access::Once { .. } | Access::Record(_) => panic!("no slots"),
+    });
+}
+
+fn in_record(dialect: &mut Dialect, change: impl FnOnce(&mut Record)) {
+    in_view(dialect, "TANK", |view| match &mut view.access {
+        Access::Record(record) => change(record),
+        Access::Once { .. } | Access::Slots(_) => panic!("no record"),
     });
 }
 
@@ -167,6 +176,16 @@ const ILLEGAL: &[(&str, Change)] = &[
     ("it names a field that does not exist", |d| in_view(d, "NOZZLE", |v| v.switch.as_mut().unwrap().on = SwitchOn::Field(Place { field: NONE, element: false }, Repr::U8))),
     ("its switch looks at bits that are not there", |d| in_view(d, "FLOW", |v| v.switch.as_mut().unwrap().on = SwitchOn::Bits { at: 12, width: 5 })),
     ("its switch looks at bits that are not there", |d| in_view(d, "FLOW", |v| v.switch.as_mut().unwrap().on = SwitchOn::Bits { at: 0, width: 0 })),
+    ("it has values, and bits as well", |d| in_view(d, "TANK", |v| v.width = 8)),
+    ("it has no values", |d| in_record(d, |r| r.values.clear())),
+    ("a value is twice in it, or asked by its condition", |d| in_record(d, |r| r.values[1].place = r.values[0].place)),
+    ("a value is twice in it, or asked by its condition", |d| {
+        let asked = pump(d).views[2].condition.unwrap().field;
+        in_record(d, |r| r.values[1].place.field = asked);
+    }),
+    ("it names an element of what has none for each slot, or a whole array", |d| in_record(d, |r| r.values[0].place.element = true)),
+    ("a field cannot have the value of its sentinel", |d| in_record(d, |r| r.values[0].invalid = Some(300))),
+    ("its condition never holds", |d| in_view(d, "TANK", |v| v.condition.as_mut().unwrap().value = 1 << 40)),
     ("it hangs on a switch that there is not", |d| in_view(d, "NOZZLE", |v| v.switch = None)),
     ("its name is none", |d| in_member(d, "open", |m| m.name.name.text = "a-b".to_owned())),
     ("it has no bits", |d| in_member(d, "open", |m| m.width = 0)),

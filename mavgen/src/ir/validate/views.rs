@@ -4,8 +4,8 @@ use std::num::NonZeroU8;
 
 use super::{Faults, Item, members};
 use crate::ir::{
-    Access, Condition, Field, FieldIndex, Key, Message, Place, Scalar, Slots, Switch, SwitchOn, View, ViewSentinel,
-    Word,
+    Access, Condition, Field, FieldIndex, Key, Message, Place, Record, Scalar, Slots, Switch, SwitchOn, View,
+    ViewSentinel, Word,
 };
 
 /// How many bits a view can have: there is no larger integer.
@@ -19,6 +19,13 @@ pub(super) fn check(item: &Item, message: &Message, view: &View, faults: &mut Fa
     let item = item.part("view", name);
     faults.check_name(&item, name);
     faults.check_origin(&item, origin);
+    if let Access::Record(record) = access {
+        let bare = words.is_empty() && *width == 0 && invalid.is_empty() && switch.is_none() && members.is_empty();
+        faults.unless(bare, &item, "it has values, and bits as well");
+        check_condition(&item, message, condition.as_ref(), faults);
+        check_record(&item, message, record, condition.as_ref(), faults);
+        return;
+    }
     check_words(&item, message, words, *width, faults);
     let length = match access {
         Access::Once { getter } => {
@@ -26,6 +33,7 @@ pub(super) fn check(item: &Item, message: &Message, view: &View, faults: &mut Fa
             None
         }
         Access::Slots(slots) => Some(slots.length),
+        Access::Record(_) => None,
     };
     check_slots(&item, message, words, access, faults);
     check_condition(&item, message, condition.as_ref(), faults);
@@ -100,12 +108,34 @@ fn check_slots(item: &Item, message: &Message, words: &[Word], access: &Access, 
         let suits = field.is_some_and(|field| field.ty.array.is_none() && field.ty.scalar.is_unsigned());
         faults.unless(suits, item, "its count is no scalar unsigned integer");
     }
-    for Key { name, place, units: _, invalid, description: _ } in keys {
-        let item = item.part("key", &name.name);
-        faults.check_name(&item, &name.name);
-        if let (Some(field), Some(invalid)) = (check_place(&item, message, *place, Some(*length), faults), invalid) {
-            check_compared(&item, field, *invalid, faults);
-        }
+    keys.iter().for_each(|key| check_key(item, message, key, Some(*length), faults));
+}
+
+fn check_key(item: &Item, message: &Message, key: &Key, slots: Option<NonZeroU8>, faults: &mut Faults<'_>) {
+    let Key { name, place, units: _, invalid, description: _ } = key;
+    let item = item.part("key", &name.name);
+    faults.check_name(&item, &name.name);
+    if let (Some(field), Some(invalid)) = (check_place(&item, message, *place, slots, faults), invalid) {
+        check_compared(&item, field, *invalid, faults);
+    }
+}
+
+/// The values are scalars, each field once; what the condition asks is none of them.
+fn check_record(
+    item: &Item,
+    message: &Message,
+    record: &Record,
+    condition: Option<&Condition>,
+    faults: &mut Faults<'_>,
+) {
+    let Record { getter, values } = record;
+    faults.check_name(item, &getter.name);
+    faults.unless(!values.is_empty(), item, "it has no values");
+    let mut taken: Vec<FieldIndex> = condition.iter().map(|condition| condition.field).collect();
+    for value in values {
+        check_key(item, message, value, None, faults);
+        faults.unless(!taken.contains(&value.place.field), item, "a value is twice in it, or asked by its condition");
+        taken.push(value.place.field);
     }
 }
 

@@ -1,8 +1,10 @@
-//! Methods: those that a message has for its fields and by overlays, those of a view, and the fields of a slot.
+//! Methods: those that a message has for its fields and by overlays, those of a view, and the fields of a slot or a record.
 
 use super::{AccessNames, MessageNames, ViewNames};
 use crate::diag::Diagnostics;
-use crate::ir::{self, Access, Field, FieldIndex, Label, Meaning, Member, Message, Name, Scalar, Values, View};
+use crate::ir::{
+    self, Access, Field, FieldIndex, Label, Meaning, Member, Message, Name, Record, Scalar, Slots, Values, View,
+};
 use crate::lower::namespace::{Claim, Collision, Namespace, Scope, What};
 use crate::lower::{collision, spelling};
 
@@ -24,7 +26,7 @@ pub(super) fn check(message: &Message, names: &MessageNames, diagnostics: &mut D
     }
     for (view, names) in message.views.iter().zip(&names.views) {
         let spans = match &view.access {
-            Access::Once { getter } => [getter.name.span; 2],
+            Access::Once { getter } | Access::Record(Record { getter, .. }) => [getter.name.span; 2],
             Access::Slots(slots) => [slots.item.span, slots.items.name.span],
         };
         for (names, span) in [slot_methods(names), iterators(names)].iter().zip(spans) {
@@ -71,6 +73,7 @@ pub(in crate::lower) fn view_methods(names: &ViewNames) -> Vec<String> {
 fn slot_methods(names: &ViewNames) -> Vec<String> {
     match &names.access {
         AccessNames::Once { getter } => vec![getter.clone(), setter(getter)],
+        AccessNames::Record { getter, .. } => vec![getter.clone(), setter(getter), with(getter)],
         AccessNames::Slots { getter, .. } => {
             let prefixed = ["set_", "push_", "store_"].map(|prefix| format!("{prefix}{getter}"));
             prefixed.into_iter().chain([getter.clone()]).collect()
@@ -81,12 +84,12 @@ fn slot_methods(names: &ViewNames) -> Vec<String> {
 /// Those for all slots.
 fn iterators(names: &ViewNames) -> Vec<String> {
     match &names.access {
-        AccessNames::Once { .. } => Vec::new(),
+        AccessNames::Once { .. } | AccessNames::Record { .. } => Vec::new(),
         AccessNames::Slots { items, .. } => vec![items.clone()],
     }
 }
 
-/// The methods of a view, and the fields of its slot.
+/// The methods of a view, and the fields of its slot or record.
 fn of_view<'a>(view: &'a View, names: &ViewNames, found: &mut Vec<Collision<'a>>) {
     let mut methods = Namespace::of(Scope::ViewMethods);
     if let (Some(name), Some(switch)) = (&names.switch, &view.switch) {
@@ -98,17 +101,24 @@ fn of_view<'a>(view: &'a View, names: &ViewNames, found: &mut Vec<Collision<'a>>
         let collision = methods.claim_each(&member_methods(member, name), by);
         found.extend(collision.or_else(|| operator(member, name, by)));
     }
-    if let (Access::Slots(slots), AccessNames::Slots { keys, .. }) = (&view.access, &names.access) {
-        let mut fields = Namespace::of(Scope::SlotFields);
-        for (key, name) in slots.keys.iter().zip(keys) {
-            found.extend(fields.claim(name.clone(), of_label(What::Key, &key.name)));
+    let (scope, what, keys, names) = match (&view.access, &names.access) {
+        (Access::Slots(Slots { keys: model, .. }), AccessNames::Slots { keys, .. }) => {
+            (Scope::SlotFields, What::Key, model, keys)
         }
+        (Access::Record(record), AccessNames::Record { values, .. }) => {
+            (Scope::RecordFields, What::Value, &record.values, values)
+        }
+        _ => return,
+    };
+    let mut fields = Namespace::of(scope);
+    for (key, name) in keys.iter().zip(names) {
+        found.extend(fields.claim(name.clone(), of_label(what, &key.name)));
     }
 }
 
 /// The methods of bits.
 fn member_methods(member: &Member, name: &str) -> Vec<String> {
-    let with = format!("with_{name}");
+    let with = with(name);
     let Meaning::Scaled(scaled) = &member.meaning else { return vec![name.to_owned(), setter(name), with] };
     let raw = spelling::beside(name, "raw");
     let exact = scaled.exact.as_ref().map(|exact| spelling::beside(name, &exact.suffix()));
@@ -127,6 +137,10 @@ fn operator<'a>(member: &Member, name: &str, by: Claim<'a>) -> Option<Collision<
 
 fn setter(name: &str) -> String {
     format!("set_{name}")
+}
+
+fn with(name: &str) -> String {
+    format!("with_{name}")
 }
 
 fn claim(what: What, name: &Name) -> Claim<'_> {

@@ -29,6 +29,6 @@ impl<'d> Items<'d> {
             inline: true,
             kind: Kind::ViewSet(source),
         };
-        Ok(Given { slot: None, methods: vec![get, set] })
+        Ok(Given { record: None, methods: vec![get, set] })
     }
 }

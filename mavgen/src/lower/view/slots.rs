@@ -8,7 +8,7 @@ use crate::docs::line;
 use crate::internal::Internal;
 use crate::ir::{self, SwitchOn, ViewSentinel};
 use crate::rust::{
-    Count, Docs, Error, Key, Kind, Method, Paragraph, Sig, Slot, SlotElement, SlotField, SlotType, Stored, Ty,
+    Count, Docs, Error, Key, Kind, Method, Paragraph, RecordField, RecordType, Sig, Slot, SlotElement, Stored, Ty,
 };
 
 impl<'d> Items<'d> {
@@ -21,7 +21,7 @@ impl<'d> Items<'d> {
         let slot = self.slot(message, view, slots)?;
         let mut methods = reading(view, slots, &slot);
         methods.extend(writing(slots, slot));
-        Ok(Given { slot: Some(self.declared_slot(message, view, slots)?), methods })
+        Ok(Given { record: Some(self.declared_slot(message, view, slots)?), methods })
     }
 
     /// `pub struct Esc { … }`
@@ -30,14 +30,11 @@ impl<'d> Items<'d> {
         message: NamedMessage<'d>,
         view: NamedView<'d>,
         slots: NamedSlots<'d>,
-    ) -> Result<SlotType<'d>, Internal> {
-        let field = |(key, ident): (&'d ir::Key, &'d str)| {
-            let ty = self.element(message.field(key.place.field)?)?.ty();
-            Ok(SlotField { ident, ty: ty.optional(key.invalid.is_some()), docs: key_docs(key, ident) })
-        };
-        let mut fields = slots.keys().map(field).collect::<Result<Vec<_>, Internal>>()?;
+    ) -> Result<RecordType<'d>, Internal> {
+        let fields = slots.keys().map(|(key, ident)| self.key_field(message, key, ident));
+        let mut fields = fields.collect::<Result<Vec<_>, Internal>>()?;
         let optional = view.model.condition.is_some() || !view.model.invalid.is_empty();
-        fields.push(SlotField {
+        fields.push(RecordField {
             ident: "status",
             ty: Ty::Named(view.ty()).optional(optional),
             docs: Docs::line(match optional {
@@ -46,7 +43,7 @@ impl<'d> Items<'d> {
             }),
         });
         let docs = Docs::line(format!("One slot of [`{}::{}`].", message.ty(), slots.items));
-        Ok(SlotType { ident: slots.item, docs, fields })
+        Ok(RecordType { ident: slots.item, docs, fields })
     }
 
     fn slot(self, message: NamedMessage<'d>, view: NamedView<'d>, slots: NamedSlots<'d>) -> Result<Slot<'d>, Internal> {
@@ -54,11 +51,7 @@ impl<'d> Items<'d> {
             let field = message.field(count)?;
             Ok(Count { field: field.ident, as_int: self.element(field)?.as_int() })
         });
-        let keys = slots.keys().map(|(key, ident)| {
-            let field = message.field(key.place.field)?;
-            let invalid = key.invalid.map(|invalid| self.literal(field, invalid)).transpose()?;
-            Ok(Key { ident, place: place(message, key.place)?, invalid })
-        });
+        let keys = slots.keys().map(|(key, ident)| self.key(message, key, ident));
         Ok(Slot {
             ident: slots.item,
             source: self.source(message, view)?,
@@ -67,6 +60,24 @@ impl<'d> Items<'d> {
             keys: keys.collect::<Result<_, Internal>>()?,
             sentinel: self.sentinel(message, view)?,
         })
+    }
+
+    /// The public field for a key or a value.
+    pub(super) fn key_field(
+        self,
+        message: NamedMessage<'d>,
+        key: &'d ir::Key,
+        ident: &'d str,
+    ) -> Result<RecordField<'d>, Internal> {
+        let ty = self.element(message.field(key.place.field)?)?.ty();
+        Ok(RecordField { ident, ty: ty.optional(key.invalid.is_some()), docs: key_docs(key, ident) })
+    }
+
+    /// Where a key or a value stands.
+    pub(super) fn key(self, message: NamedMessage<'d>, key: &'d ir::Key, ident: &'d str) -> Result<Key<'d>, Internal> {
+        let field = message.field(key.place.field)?;
+        let invalid = key.invalid.map(|invalid| self.literal(field, invalid)).transpose()?;
+        Ok(Key { ident, place: place(message, key.place)?, invalid })
     }
 
     /// How a message says that the bits of a slot mean nothing: by words if it can, else by a field.

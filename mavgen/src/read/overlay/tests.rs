@@ -63,6 +63,19 @@ fn everything_beside_views() {
 }
 
 #[test]
+fn a_view_of_values() {
+    let (view, sources) = view(concat!(
+        "<view name='V' item='v' if='g' is='3'><value name='a' field='x' units='m' invalid='9'>A.</value>",
+        "<value name='b' field='y'/></view>",
+    ));
+    assert!(view.words.is_none() && view.parts.is_empty() && view.keys.is_empty());
+    assert_eq!(values(&sources, [&view.item, &view.condition.field, &view.condition.value]), ["v", "g", "3"]);
+    let [first, second] = &view.values[..] else { panic!("{:?}", view.values) };
+    assert_eq!(values(&sources, [&first.units, &first.invalid, &first.description]), ["m", "9", "A."]);
+    assert_eq!((second.name.value.as_str(), second.field.value.as_str()), ("b", "y"));
+}
+
+#[test]
 fn everything_of_a_view() {
     let (view, sources) = view(concat!(
         "<view name='V' words='a[i] b[i]' item='v' items='vs' count='n' partial='true' if='g' is='3'>",
@@ -74,7 +87,8 @@ fn everything_of_a_view() {
         "<default><reserved at='2' width='3'/></default></switch>",
         "<reserved at='5' width='1'>Zero.</reserved></view>",
     ));
-    assert_eq!((view.name.value.as_str(), view.words.value.as_str()), ("V", "a[i] b[i]"));
+    assert_eq!(view.name.value, "V");
+    assert_eq!(values(&sources, [&view.words]), ["a[i] b[i]"]);
     let attributes =
         [&view.item, &view.items, &view.count, &view.partial, &view.condition.field, &view.condition.value];
     assert_eq!(values(&sources, attributes), ["v", "vs", "n", "true", "g", "3"]);

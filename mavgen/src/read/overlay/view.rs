@@ -1,4 +1,4 @@
-//! `<view>`: its keys, its sentinels and its bits.
+//! `<view>`: its keys, its sentinels and its bits, or its values.
 
 use super::super::elements::{Broken, Elements};
 use super::super::grammar;
@@ -6,17 +6,18 @@ use super::super::tag::Tag;
 use super::{parts, read_condition};
 use crate::syntax::overlay::{Invalid, Key, Part, View};
 
-/// Reads a view; `None` if it has no name or no words.
+/// Reads a view; `None` if it has no name.
 pub(super) fn read<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>) -> Result<Option<View>, Broken> {
     let mut view = View {
         name: tag.require("name"),
-        words: tag.require("words"),
+        words: tag.take("words"),
         item: tag.take("item"),
         items: tag.take("items"),
         count: tag.take("count"),
         partial: tag.take("partial"),
         condition: read_condition(&mut tag),
         keys: Vec::new(),
+        values: Vec::new(),
         invalids: Vec::new(),
         parts: Vec::new(),
         description: None,
@@ -26,7 +27,8 @@ pub(super) fn read<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>) -> Res
     let mut described = None;
     while let Some(tag) = elements.next_child(&grammar::VIEW)? {
         match tag.name {
-            "key" => view.keys.extend(read_key(elements, tag)?),
+            "key" => view.keys.extend(read_key(elements, tag, &grammar::KEY)?),
+            "value" => view.values.extend(read_key(elements, tag, &grammar::VALUE)?),
             "invalid" => view.invalids.extend(read_invalid(elements, tag)?),
             "switch" => view.parts.push(Part::Switch(parts::read_switch(elements, tag)?)),
             "description" => {
@@ -45,7 +47,12 @@ pub(super) fn read<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>) -> Res
     Ok(complete.then_some(view))
 }
 
-fn read_key<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>) -> Result<Option<Key>, Broken> {
+/// A key, or a value, which is spelled alike.
+fn read_key<'t>(
+    elements: &mut Elements<'t, '_>,
+    mut tag: Tag<'t>,
+    grammar: &'static grammar::Element,
+) -> Result<Option<Key>, Broken> {
     let mut key = Key {
         name: tag.require("name"),
         field: tag.require("field"),
@@ -55,7 +62,7 @@ fn read_key<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>) -> Result<Opt
         span: tag.span,
     };
     let complete = elements.close_tag(tag);
-    key.description = elements.trimmed_text(&grammar::KEY)?;
+    key.description = elements.trimmed_text(grammar)?;
     Ok(complete.then_some(key))
 }
 

@@ -52,7 +52,7 @@ fn words(dialect: &Dialect, view: &View) -> Vec<String> {
 fn getter(view: &View) -> String {
     match &view.access {
         Access::Once { getter } => getter.shown(),
-        Access::Slots(_) => panic!("slots"),
+        Access::Slots(_) | Access::Record(_) => panic!("not once"),
     }
 }
 

@@ -5,8 +5,8 @@ use super::sentinel;
 use super::words::{Shape, Words};
 use super::{spelling, text};
 use crate::diag::{Code, Diagnostic, Diagnostics};
-use crate::ir::{Access, FieldIndex, Key, Label, Slots, unit_words};
-use crate::resolve::message_scope::MessageScope;
+use crate::ir::{Access, FieldIndex, Key, Label, Place, Slots, unit_words};
+use crate::resolve::message_scope::{Found, MessageScope};
 use crate::source::Span;
 use crate::syntax::Text;
 use crate::syntax::overlay::{self, View};
@@ -34,13 +34,18 @@ fn once(element: &View, words: &Words, diagnostics: &mut Diagnostics) -> Option<
         text.iter().for_each(|text| stray(text.span, what));
     }
     element.keys.iter().for_each(|key| stray(key.span, "a key"));
+    getter(element, diagnostics).map(|getter| Access::Once { getter })
+}
+
+/// `item`, of a view that a message has once.
+pub(super) fn getter(element: &View, diagnostics: &mut Diagnostics) -> Option<Label> {
     let item = element.item.as_ref();
     if item.is_none() {
         let message = format!("view `{}` has no `item`", element.name.value);
         let problem = Diagnostic::new(Code::Slots, element.span, message);
         diagnostics.push(problem.help("`item=\"…\"` names the getter that the message has for it"));
     }
-    Some(Access::Once { getter: spelling::label(item?) })
+    item.map(spelling::label)
 }
 
 fn slots(
@@ -61,7 +66,11 @@ fn slots(
     let item = required(&element.item, "item", "the type of a slot, and the method that gives one: `esc`");
     let items = required(&element.items, "items", "the iterator over the slots: `escs`");
     let count = element.count.as_ref().and_then(|text| count(scope, text, diagnostics));
-    let keys = element.keys.iter().filter_map(|key| self::key(scope, key, words, diagnostics)).collect();
+    let mut keys = Vec::new();
+    for key in &element.keys {
+        let Some(found) = beside(scope, &key.field, words, diagnostics) else { continue };
+        keys.push(key_of(scope, key, found, diagnostics));
+    }
     Some(Slots { item: spelling::name(&item?), items: spelling::label(&items?), length: shape.length, count, keys })
 }
 
@@ -78,23 +87,23 @@ fn count(scope: &MessageScope<'_, '_>, text: &Text, diagnostics: &mut Diagnostic
     None
 }
 
-fn key(
+/// A key or a value, of a field.
+pub(super) fn key_of(
     scope: &MessageScope<'_, '_>,
     element: &overlay::Key,
-    words: &Words,
+    (place, found): (Place, Found<'_>),
     diagnostics: &mut Diagnostics,
-) -> Option<Key> {
-    let (place, found) = beside(scope, &element.field, words, diagnostics)?;
+) -> Key {
     let invalid = element.invalid.as_ref();
     let invalid = invalid.and_then(|text| sentinel::of_field(scope, text, found, diagnostics));
     // An integer is mostly in a fraction of the plain unit, which its name should say; a float is in the plain one.
     let units = element.units.as_ref().filter(|units| !units.value.trim().is_empty());
     let suffix = units.filter(|_| !found.field.ty.scalar.is_float()).map(|units| unit_words(&units.value));
-    Some(Key {
+    Key {
         name: Label { name: spelling::name(&element.name), suffix },
         place,
         units: units.map(|units| units.value.clone()).or_else(|| text::non_empty(found.syntax.units.as_ref())),
         invalid,
         description: text::or_empty(element.description.as_ref()),
-    })
+    }
 }

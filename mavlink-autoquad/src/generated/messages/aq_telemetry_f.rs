@@ -5,10 +5,35 @@ use wire::generated::{get, put};
 
 /// Twenty raw floats of one AutoQuad dataset, switched on by `MAV_CMD_AQ_TELEMETRY`.
 ///
+/// Nothing in a message says which firmware sent it, and of the datasets 4 to 7 there are two
+/// kinds. Datasets 0 to 2 come from firmware before 7.1 alone, 9 to 15 from firmware 7.1 and later
+/// alone; `MAV_CMD_AQ_REQUEST_VERSION` asks for the version.
+///
 /// In the ardupilotmega dialect the id 150 is `SENSOR_OFFSETS`, with another checksum and length: a
 /// link carries one dialect or the other.
 ///
 /// `AQ_TELEMETRY_F`, message 150 of `autoquad.xml`: 82 bytes, CRC_EXTRA 241.
+///
+/// - [`Self::gps()`]: values if `Index` is 4, as `AqGps`.
+/// - [`Self::ukf()`]: values if `Index` is 5, as `AqUkf`.
+/// - [`Self::supervisor()`]: values if `Index` is 6, as `AqSupervisor`.
+/// - [`Self::stacks()`]: values if `Index` is 7, as `AqStacks`.
+/// - [`Self::gimbal()`]: values if `Index` is 8, as `AqGimbal`.
+/// - [`Self::motors()`]: values if `Index` is 9, as `AqMotors`.
+/// - [`Self::motors_pwm()`]: values if `Index` is 10, as `AqMotorsPwm`.
+/// - [`Self::nav()`]: values if `Index` is 11, as `AqNav`.
+/// - [`Self::imu()`]: values if `Index` is 12, as `AqImu`.
+/// - [`Self::debug()`]: values if `Index` is 13, as `AqDebug`.
+/// - [`Self::rc()`]: values if `Index` is 14, as `AqRc`.
+/// - [`Self::config()`]: values if `Index` is 15, as `AqConfig`.
+/// - [`Self::imu2()`]: values if `Index` is 16, as `AqImu2`.
+/// - [`Self::legacy1()`]: values if `Index` is 0, as `AqLegacy1`.
+/// - [`Self::legacy2()`]: values if `Index` is 1, as `AqLegacy2`.
+/// - [`Self::legacy3()`]: values if `Index` is 2, as `AqLegacy3`.
+/// - [`Self::legacy_gps()`]: values if `Index` is 4, as `AqLegacyGps`.
+/// - [`Self::legacy_ukf()`]: values if `Index` is 5, as `AqLegacyUkf`.
+/// - [`Self::legacy_supervisor()`]: values if `Index` is 6, as `AqLegacySupervisor`.
+/// - [`Self::legacy_stacks()`]: values if `Index` is 7, as `AqLegacyStacks`.
 ///
 /// | offset | field     | type |
 /// |-------:|-----------|---|
@@ -191,4 +216,9 @@ impl wire::Message for AqTelemetryF {
     }
 }
 
-wire::message!(AqTelemetryF);
+wire::message!(
+    AqTelemetryF { maybe gps, maybe ukf, maybe supervisor, maybe stacks, maybe gimbal,
+    maybe motors, maybe motors_pwm, maybe nav, maybe imu, maybe debug, maybe rc, maybe
+    config, maybe imu2, maybe legacy1, maybe legacy2, maybe legacy3, maybe legacy_gps,
+    maybe legacy_ukf, maybe legacy_supervisor, maybe legacy_stacks }
+);
