@@ -30,6 +30,10 @@ mod px4 {}
 mod rust_mavlink {}
 
 #[cfg(doctest)]
+#[doc = include_str!("../../docs/services.md")]
+mod services {}
+
+#[cfg(doctest)]
 #[doc = include_str!("../../mavgen/README.md")]
 mod mavgen_readme {}
 
