@@ -66,8 +66,9 @@ fn items<'l, 't>(lines: &'l [&'t str], indent: usize) -> impl Iterator<Item = &'
     std::iter::from_fn(move || {
         let ends = |at: usize, line: &str| {
             let begins_next = |next: &&str| starts_at(next, indent) && !next.trim_start().starts_with(['}', ')', ']']);
-            let is_own = starts_at(line, indent) && !is_attribute(line) && line.ends_with([';', '}']);
-            is_own || line.ends_with(';') && rest.get(at + 1).is_some_and(begins_next)
+            let is_own = starts_at(line, indent) && line.ends_with([';', '}']);
+            let is_before_next = line.ends_with(';') && rest.get(at + 1).is_some_and(begins_next);
+            !is_attribute(line) && (is_own || is_before_next)
         };
         let last = rest.iter().enumerate().position(|(at, line)| ends(at, line)).unwrap_or(rest.len().checked_sub(1)?);
         let (item, others) = rest.split_at_checked(last + 1)?;
@@ -134,17 +135,24 @@ mod tests {
             impl C {
                 /// One.
                 pub const ONE: Self = Self(1);
-                /// Two.
+                /// Two;
+                /// or so.
                 pub const TWO: Self = Self(2);
+                /// Long.
+                pub const LONG: Self = Self::of_a_name_that_takes_a_line(111_111_111).and(222_222_222).and(333_333_333);
                 /// Get.
                 pub fn get(self) -> u8 { self.0 }
             }
             mod x;
             mod y;
         });
-        let expected = "use super::A;\nuse super::B;\n\n/// A type.\npub struct C(pub u8);\n\nimpl C {\n    /// One.\n    pub const ONE: Self = \
-                        Self(1);\n    /// Two.\n    pub const TWO: Self = Self(2);\n\n    /// Get.\n    pub fn get(self) -> u8 \
-                        {\n        self.0\n    }\n}\n\nmod x;\nmod y;\n";
+        let constants = "    /// One.\n    pub const ONE: Self = Self(1);\n    /// Two;\n    /// or so.\n    pub const TWO: Self = Self(2);\n";
+        let long = "    /// Long.\n    pub const LONG: Self = Self::of_a_name_that_takes_a_line(111_111_111)\n        .and(222_222_222)\n        \
+                    .and(333_333_333);\n";
+        let get = "    /// Get.\n    pub fn get(self) -> u8 {\n        self.0\n    }\n";
+        let expected = format!(
+            "use super::A;\nuse super::B;\n\n/// A type.\npub struct C(pub u8);\n\nimpl C {{\n{constants}\n{long}\n{get}}}\n\nmod x;\nmod y;\n"
+        );
         assert_eq!(text.unwrap(), expected);
     }
 }
