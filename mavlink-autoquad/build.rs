@@ -5,6 +5,8 @@ fn main() {
     println!("cargo::rustc-check-cfg=cfg(without_esc)");
     #[cfg(feature = "generate")]
     generate();
+    #[cfg(all(feature = "generate", feature = "px4"))]
+    generate_px4();
 }
 
 /// A fork's definitions may lack what our overlay describes, so it applies only to our own.
@@ -28,4 +30,11 @@ fn generate() {
         }
     };
     builder.build_script();
+}
+
+/// PX4's messages about motor controllers, as they are and as they were.
+#[cfg(all(feature = "generate", feature = "px4"))]
+fn generate_px4() {
+    let newest = mavgen::Builder::new("msg/main").name("px4_msgs").overlay("msg/esc.overlay.xml");
+    newest.older("v2026_02", "msg/v2026_02").older("v1_14", "msg/v1_14").build_script();
 }

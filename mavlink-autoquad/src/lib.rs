@@ -130,6 +130,8 @@ pub use mavlink_wire as wire;
 
 #[cfg(not(without_esc))]
 pub mod esc;
+#[cfg(feature = "px4")]
+pub mod px4;
 
 #[cfg(feature = "generate")]
 mavlink_wire::include_dialect!("autoquad");
