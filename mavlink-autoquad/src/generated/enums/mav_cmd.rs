@@ -606,14 +606,12 @@ impl MavCmd {
     /// - 1, System ID: From 0 to 255; in steps of 1.
     /// - 2, Component ID: From 0 to 255; in steps of 1.
     pub const DO_GUIDED_MASTER: Self = Self(221);
-
     /// Limits within which an external controller may act.
     ///
     /// - 1, Timeout: 0 is no limit. In s; at least 0.
     /// - 2, Min Altitude: Below this the vehicle takes back control; 0 is no limit. In m.
     /// - 3, Max Altitude: Above this the vehicle takes back control; 0 is no limit. In m.
     /// - 4, Horiz. Move Limit: Farther than this from where it began the vehicle takes back control;
-
     ///   0 is no limit. In m; at least 0.
     pub const DO_GUIDED_LIMITS: Self = Self(222);
     /// Start or stop the engine.
@@ -633,7 +631,6 @@ impl MavCmd {
     pub const DO_SET_MISSION_CURRENT: Self = Self(224);
     /// Marks the end of the DO commands; not a command itself.
     pub const DO_LAST: Self = Self(240);
-
     /// Calibrate sensors, while disarmed; one at a time.
     ///
     /// - 1, Gyro Temperature: 1 is the gyros, 3 the gyros over temperature. From 0 to 3; in steps of
@@ -647,7 +644,6 @@ impl MavCmd {
     /// - 6, Compmot or Airspeed: 1 is compass and motor interference, 2 airspeed. From 0 to 2; in
     ///   steps of 1.
     /// - 7, ESC or Baro: 1 is the motor controllers, 3 the barometer over temperature. From 0 to 3;
-
     ///   in steps of 1.
     pub const PREFLIGHT_CALIBRATION: Self = Self(241);
     /// Set sensor offsets, while disarmed.
@@ -970,12 +966,10 @@ impl MavCmd {
     /// - 1, Target Camera ID: Component id of the camera, or 1 to 6 for one without; 0 is all. From 0
     ///   to 255; in steps of 1.
     pub const CAMERA_STOP_TRACKING: Self = Self(2010);
-
     /// Start recording.
     ///
     /// - 1, Stream ID: 0 is all streams. At least 0; in steps of 1.
     /// - 2, Status Frequency: How often `CAMERA_CAPTURE_STATUS` is sent meanwhile; 0 is never. In Hz;
-
     ///   at least 0.
     /// - 3, Target Camera ID: Component id of the camera, or 1 to 6 for one without; 0 is all. From 0
     ///   to 255; in steps of 1.
