@@ -10,7 +10,7 @@ use clap::Args;
 use mavgen::output::{self, Differences};
 use mavgen::{Failure, GeneratedFile};
 
-use super::input::{Output, resolve};
+use super::input::{Output, resolve, resolve_topics};
 use super::report::{Report, plural, print_coloured};
 use unified::Unified;
 
@@ -30,13 +30,17 @@ Examples, in CI, with the options that the sources were generated with:
   mavgen check xml/acme.xml --out src/acme
   mavgen check xml/acme.xml --out src/acme --deny-warnings
   mavgen check xml/acme.xml --overlay xml/overlay/acme.xml --out src/acme
+  mavgen check px4_msgs/msg --messages VehicleStatus --out src/px4
 
 Exit status: 0 current, 1 not current, 2 the definitions are wrong or a file cannot be read.";
 
 impl Check {
     pub(super) fn run(&self, report: &Report) -> Result<ExitCode, Failure> {
-        let builder = self.output.builder();
-        let files = builder.emit(&resolve(&builder, report)?)?;
+        let builder = self.output.builder()?;
+        let files = match builder.is_uorb() {
+            true => builder.emit_topics(&resolve_topics(&builder, report)?)?,
+            false => builder.emit(&resolve(&builder, report)?)?,
+        };
         let differences = output::check(&self.output.out, &files).map_err(Failure::Output)?;
         if differences.is_empty() {
             return Ok(ExitCode::SUCCESS);

@@ -8,12 +8,11 @@ use std::process::ExitCode;
 
 use clap::Args;
 use mavgen::ir::{Dialect, Enum, Field, Message, Scalar};
-use mavgen::{Failure, Resolved};
+use mavgen::{Failure, Resolved, Topics};
 use serde_json::{Value, json};
 
-use super::input::{Input, resolve};
+use super::input::{Input, resolve, resolve_topics};
 use super::report::{self, Report, plural};
-use super::topics::Topics;
 use view::Overlaid;
 
 /// Prints the resolved dialect: wire order, offsets, checksums, merged enums, packed bits.
@@ -39,21 +38,19 @@ Examples:
 
 impl Dump {
     pub(super) fn run(&self, report: &Report) -> Result<ExitCode, Failure> {
-        if let Some(topics) = self.input.topics()? {
-            return self.topics(&topics, report);
+        let builder = self.input.builder()?;
+        if builder.is_uorb() {
+            return self.topics(&resolve_topics(&builder, report)?);
         }
-        let Resolved { dialect, others, .. } = resolve(&self.input.builder(), report)?;
+        let Resolved { dialect, others, .. } = resolve(&builder, report)?;
         for dialect in std::iter::once(&dialect).chain(&others) {
             report::print(&if self.json { json(dialect) } else { text(dialect) })?;
         }
         Ok(ExitCode::SUCCESS)
     }
 
-    fn topics(&self, topics: &Topics, report: &Report) -> Result<ExitCode, Failure> {
-        if !topics.is_fine(self.input.reading.definitions.deny_warnings, report) {
-            return Ok(ExitCode::from(2));
-        }
-        for definition in &topics.definitions {
+    fn topics(&self, topics: &Topics) -> Result<ExitCode, Failure> {
+        for definition in &topics.union.definitions {
             report::print(&if self.json { uorb::json(definition) } else { uorb::text(definition) })?;
         }
         Ok(ExitCode::SUCCESS)

@@ -6,7 +6,7 @@ use std::time::Instant;
 use clap::Args;
 use mavgen::Failure;
 
-use super::input::{Output, resolve};
+use super::input::{Output, resolve, resolve_topics};
 use super::report::{Report, plural};
 
 /// Writes Rust sources into a folder.
@@ -15,7 +15,8 @@ use super::report::{Report, plural};
 /// everything else in the folder is left alone. If something is wrong, with the definitions or with the folder, it stays as
 /// it was.
 ///
-/// Several dialects become one tree with a module for each. What is the same in them is one type.
+/// Several dialects become one tree with a module for each. What is the same in them is one type. Of uORB messages, several
+/// definitions become one type for each message.
 #[derive(Args)]
 #[command(after_help = AFTER_HELP)]
 pub(super) struct Generate {
@@ -29,6 +30,8 @@ Examples:
   mavgen generate xml/acme.xml --overlay xml/overlay/acme.xml --out src/acme
   mavgen generate xml/acme.xml xml/ardupilotmega.xml --out src/dialects
   mavgen generate xml/common.xml --messages 'HEARTBEAT,PARAM_*' --out src/small
+  mavgen generate px4_msgs/msg --messages VehicleStatus --out src/px4
+  mavgen generate msg/main --older v1_14=msg/v1_14 --out src/px4
 
 In the crate, `mod acme;` takes the sources in; they need the crate mavlink-wire and nothing else.
 
@@ -36,9 +39,11 @@ Exit status: 0 the folder holds the sources, 2 something is wrong and nothing wa
 
 impl Generate {
     pub(super) fn run(&self, report: &Report) -> Result<ExitCode, Failure> {
-        let (start, builder) = (Instant::now(), self.output.builder());
-        let resolved = resolve(&builder, report)?;
-        let done = builder.write(&resolved)?;
+        let (start, builder) = (Instant::now(), self.output.builder()?);
+        let done = match builder.is_uorb() {
+            true => builder.write_topics(&resolve_topics(&builder, report)?)?,
+            false => builder.write(&resolve(&builder, report)?)?,
+        };
         let (written, kept, removed) = (plural(done.written, "file"), done.kept, done.removed);
         let (out, elapsed) = (self.output.out.display(), start.elapsed().as_millis());
         report.note(&format!("{out}: {written} written, {kept} kept, {removed} removed, in {elapsed} ms"));

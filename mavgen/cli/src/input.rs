@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use mavgen::diag::{Diagnostic, Diagnostics, Severity};
 use mavgen::source::Sources;
-use mavgen::{Builder, Failure, Resolved};
+use mavgen::{Builder, Failure, Resolved, Topics};
 
 use super::report::Report;
 
@@ -22,6 +22,9 @@ pub(super) struct Input {
     /// newest first.
     #[arg(long, value_name = "NAME=DIR")]
     pub(super) older: Vec<String>,
+    /// What the newest definition of the uORB messages is called, if not as its folder: the constant of each message.
+    #[arg(long, value_name = "NAME")]
+    pub(super) definition: Option<String>,
 }
 
 /// How definitions are read, and what overlays add to them.
@@ -50,7 +53,7 @@ pub(super) struct Definitions {
     pub(super) deny_warnings: bool,
     /// Leave out the warnings of this code, as M313: neither told nor denied; several are separated by commas.
     #[arg(long, value_name = "CODE", value_delimiter = ',')]
-    pub(super) allow: Vec<String>,
+    allow: Vec<String>,
 }
 
 /// The definitions, and a folder for what becomes of them.
@@ -64,9 +67,13 @@ pub(super) struct Output {
 }
 
 impl Input {
-    pub(super) fn builder(&self) -> Builder {
+    pub(super) fn builder(&self) -> Result<Builder, Failure> {
+        if self.is_uorb() {
+            return self.topics();
+        }
+        self.check_dialect()?;
         let (first, others) = self.xml.split_first().map_or((Path::new(""), &[][..]), |(xml, rest)| (xml, rest));
-        others.iter().fold(self.reading.builder(first), |builder, xml| builder.root(xml))
+        Ok(others.iter().fold(self.reading.builder(first), |builder, xml| builder.root(xml)))
     }
 }
 
@@ -106,6 +113,13 @@ pub(super) fn resolve(builder: &Builder, report: &Report) -> Result<Resolved, Fa
     Ok(resolved)
 }
 
+/// As [`resolve`], uORB messages.
+pub(super) fn resolve_topics(builder: &Builder, report: &Report) -> Result<Topics, Failure> {
+    let topics = builder.topics().map_err(|failure| concerning_failure(builder, failure))?;
+    report.diagnostics(&concerning(builder, &topics.diagnostics, &topics.sources), &topics.sources);
+    Ok(topics)
+}
+
 /// Reads and resolves what the user will not mend: its warnings are not shown.
 pub(super) fn resolve_silently(builder: &Builder) -> Result<Resolved, Failure> {
     builder.resolve().map_err(|failure| concerning_failure(builder, failure))
@@ -135,7 +149,7 @@ pub(super) fn concerning(builder: &Builder, diagnostics: &Diagnostics, sources: 
 }
 
 impl Output {
-    pub(super) fn builder(&self) -> Builder {
-        self.input.builder().out_dir(&self.out)
+    pub(super) fn builder(&self) -> Result<Builder, Failure> {
+        Ok(self.input.builder()?.out_dir(&self.out))
     }
 }

@@ -5,7 +5,7 @@ use std::process::ExitCode;
 use clap::Args;
 use mavgen::diag::{Code, Diagnostics, Severity};
 use mavgen::source::Sources;
-use mavgen::{Builder, Failure, Problems, Resolved};
+use mavgen::{Builder, Failure, Problems, Resolved, Topics};
 
 use super::input::Input;
 use super::report::{Report, plural};
@@ -41,33 +41,26 @@ const UNREADABLE: [Code; 3] = [Code::Unreadable, Code::NotUtf8, Code::TooLarge];
 
 impl Lint {
     pub(super) fn run(&self, report: &Report) -> Result<ExitCode, Failure> {
-        if let Some(topics) = self.input.topics()? {
-            if topics.diagnostics.iter().any(|diagnostic| UNREADABLE.contains(&diagnostic.code)) {
-                report.diagnostics(&topics.diagnostics, &topics.sources);
-                return Ok(ExitCode::from(2));
-            }
-            let warned = topics.diagnostics.iter().any(|one| one.severity() == Severity::Warning);
-            return Ok(self.judge(&topics.diagnostics, &topics.sources, warned, report));
-        }
         // Denied warnings are found here, beside all the others.
-        let builder = self.input.builder().deny_warnings(false).lint(true);
-        match builder.resolve() {
-            Ok(Resolved { diagnostics, sources, .. }) => {
-                Ok(self.judge(&diagnostics, &sources, warns(&builder, &diagnostics, &sources), report))
-            }
+        let builder = self.input.builder()?.deny_warnings(false).lint(true);
+        let found = match builder.is_uorb() {
+            true => builder.topics().map(|Topics { diagnostics, sources, .. }| (diagnostics, sources)),
+            false => builder.resolve().map(|Resolved { diagnostics, sources, .. }| (diagnostics, sources)),
+        };
+        match found {
+            Ok((diagnostics, sources)) => Ok(self.judge(&builder, &diagnostics, &sources, report)),
             Err(Failure::Definitions(problems)) => {
                 let Problems { diagnostics, sources, .. } = &*problems;
                 if diagnostics.iter().any(|diagnostic| UNREADABLE.contains(&diagnostic.code)) {
                     return Err(Failure::Definitions(problems));
                 }
-                Ok(self.judge(diagnostics, sources, warns(&builder, diagnostics, sources), report))
+                Ok(self.judge(&builder, diagnostics, sources, report))
             }
             Err(other) => Err(other),
         }
     }
 
-    /// Says what was found; `warned` is whether there is a warning that can be denied.
-    fn judge(&self, found: &Diagnostics, sources: &Sources, warned: bool, report: &Report) -> ExitCode {
+    fn judge(&self, builder: &Builder, found: &Diagnostics, sources: &Sources, report: &Report) -> ExitCode {
         report.diagnostics(found, sources);
         let count = |severity| found.iter().filter(|diagnostic| diagnostic.severity() == severity).count();
         let (errors, warnings, notes) = (count(Severity::Error), count(Severity::Warning), count(Severity::Note));
@@ -79,16 +72,12 @@ impl Lint {
             plural(warnings, "warning"),
             plural(notes, "note")
         ));
-        let denied = self.input.reading.definitions.deny_warnings && warned;
+        // What no other command tells, none other would deny.
+        let mut all = found.iter().filter(|one| one.severity() == Severity::Warning && !one.code.is_for_lint());
+        let denied = self.input.reading.definitions.deny_warnings && all.any(|one| builder.concerns(one, sources));
         if denied {
             report.denied();
         }
         if errors > 0 || denied { ExitCode::from(1) } else { ExitCode::SUCCESS }
     }
-}
-
-/// Whether there is a warning that another command would deny: what none other tells, none other denies.
-fn warns(builder: &Builder, found: &Diagnostics, sources: &Sources) -> bool {
-    let mut all = found.iter().filter(|one| one.severity() == Severity::Warning && !one.code.is_for_lint());
-    all.any(|one| builder.concerns(one, sources))
 }

@@ -76,7 +76,9 @@ impl Builder {
         let mut wanted: Option<HashSet<String>> = None;
         let mut read = Vec::new();
         for (name, folder) in &definitions {
-            if let (None, Some(names)) = (&wanted, &self.messages) {
+            // Of older definitions, what is wanted of the newest; a file alone is a selection as well.
+            let names = self.messages.as_deref().unwrap_or_default();
+            if wanted.is_none() && (self.messages.is_some() || !folder.is_dir()) {
                 wanted = Some(selected(folder, names).map_err(Failure::Usage)?.into_iter().collect());
             }
             let is_wanted = |name: &str| wanted.as_ref().is_none_or(|wanted| wanted.contains(name));

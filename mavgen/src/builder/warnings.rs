@@ -42,12 +42,18 @@ impl Builder {
 
     /// Whether a diagnostic is about what the user of this builder wrote: a dialect's own file, one of the overlays, or no file at all.
     ///
+    /// Of uORB messages, those are the files of the newest definition that were read.
+    ///
     /// A file that one of those includes is somebody else's. So is a dialect's own file if it begins with the comment of a
     /// vendored copy, or lies in a folder of [`Builder::include_dir`].
     pub fn concerns(&self, diagnostic: &Diagnostic, sources: &Sources) -> bool {
         let Some(file) = diagnostic.span.and_then(|span| sources.get(span.file)) else { return true };
-        let is_among = |paths: &[PathBuf]| paths.iter().any(|named| named == file.path());
-        is_among(&self.overlays) || is_among(&self.roots) && !self.is_upstream(file)
+        let is_among = |paths: &[PathBuf], path: &Path| paths.iter().any(|named| named == path);
+        let folders = || file.path().ancestors().skip(1);
+        let is_message = file.path().extension().is_some_and(|extension| extension == "msg");
+        let is_own =
+            is_among(&self.roots, file.path()) || is_message && folders().any(|folder| is_among(&self.roots, folder));
+        is_among(&self.overlays, file.path()) || is_own && !self.is_upstream(file)
     }
 
     fn is_upstream(&self, file: &SourceFile) -> bool {

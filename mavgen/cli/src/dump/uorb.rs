@@ -5,10 +5,10 @@ use std::fmt::Write;
 use mavgen::ir::{Invalid, Scope, Sentinel};
 use mavgen::uorb::log_format;
 use mavgen::uorb::model::{Element, Enum, Field, Message, Package};
+use mavgen::uorb::union::Definition;
 use serde_json::{Number, Value, json};
 
 use super::line;
-use crate::topics::Definition;
 
 /// A definition as JSON. What a message nests stands before it; fields, constants and entries are in the order of the file.
 pub(super) fn json(definition: &Definition) -> String {

@@ -68,7 +68,7 @@ fn what_is_wrong_with_the_usage_is_2() {
             &["lint", "msg", "--messages", "PumpStats"][..],
             "error: no message of msg is called `PumpStats` (did you mean `PumpStatus`?)\n",
         ),
-        (&["lint", "empty"], "error: no `.msg` file is in empty\n"),
+        (&["lint", "empty"], "error[M001]: no `.msg` file is in empty\n\n"),
         (&["dump", "msg/Pump.msg"], "error: there is no file msg/Pump.msg\n"),
         (
             &["dump", "msg/PumpStatus.msg", "old/PumpStatus.msg"],
@@ -131,7 +131,7 @@ fn json_has_everything() {
     let text = stdout(&mavgen(folder.path(), &arguments));
     let objects: Vec<Value> = serde_json::Deserializer::from_str(&text).into_iter().collect::<Result<_, _>>().unwrap();
     let [newest, older] = &objects[..] else { panic!("{text}") };
-    assert_eq!((&newest["definition"], &older["definition"]), (&"msg".into(), &"v1".into()));
+    assert_eq!((&newest["definition"], &older["definition"]), (&"newest".into(), &"v1".into()));
     assert_eq!(older["messages"][0]["cdr_len"], 9);
     let status = &newest["messages"][1];
     assert_eq!(
@@ -147,4 +147,21 @@ fn json_has_everything() {
     assert_eq!((field(3, "units"), field(3, "invalid"), field(4, "array")), (&"m".into(), &"NaN".into(), &2.into()));
     assert_eq!(newest["enums"][1]["entries"][1]["value"], 512);
     assert_eq!(status["constants"][0]["value"], 3);
+}
+
+#[test]
+fn generated_topics_are_current_until_a_file_changes() {
+    let folder = folder();
+    let options = ["msg/PumpStatus.msg", "--overlay", "pump.overlay.xml", "--older", "v1=old", "--definition", "main"];
+    let run = |command: &str| mavgen(folder.path(), &[&[command][..], &options, &["--out", "src/px4"]].concat());
+    let generated = run("generate");
+    assert_eq!(generated.status.code(), Some(0), "{}", stderr(&generated));
+    let text = fs::read_to_string(folder.path().join("src/px4/messages/pump_status.rs")).unwrap();
+    assert!(text.contains("const MAIN: ") && text.contains("const V1: "), "{text}");
+    assert!(!folder.path().join("src/px4/messages/broken.rs").exists());
+    assert_eq!(run("check").status.code(), Some(0));
+    fs::write(folder.path().join("msg/Valve.msg"), "uint64 timestamp\nint16 turns\n").unwrap();
+    let checked = run("check");
+    assert_eq!(checked.status.code(), Some(1));
+    assert!(stdout(&checked).contains("i16"), "{}", stdout(&checked));
 }
