@@ -3,6 +3,8 @@
 mod error;
 mod session;
 mod station;
+#[cfg(feature = "tokio")]
+pub(crate) mod tokio;
 mod verbs;
 
 pub use error::Error;

@@ -67,6 +67,12 @@ pub mod param;
 mod retry;
 mod service;
 pub mod timesync;
+#[cfg(feature = "tokio")]
+pub mod tokio {
+    //! Stations for async tasks.
+
+    pub use crate::driver::tokio::Station;
+}
 pub mod vehicle;
 
 pub use address::Address;
