@@ -5,9 +5,12 @@ use std::process::Command;
 #[test]
 fn errors_are_sentences() {
     let (decode, udp) = (env!("CARGO_BIN_EXE_decode"), env!("CARGO_BIN_EXE_udp"));
+    let router = env!("CARGO_BIN_EXE_router");
     for (program, arguments, said) in [
         (decode, &["none.tlog"][..], "decode: none.tlog: "),
-        (udp, &["nowhere"], "udp: `nowhere` is no address: write it as 127.0.0.1:14550"),
+        (udp, &["nowhere"], "udp: `nowhere` is no address of a link: "),
+        (router, &["udpin:127.0.0.1:0"], "router: usage: "),
+        (router, &["udpin:127.0.0.1:0", "file:none.tlog"], "router: there is no file none.tlog: "),
     ] {
         let output = Command::new(program).args(arguments).output().unwrap();
         let text = String::from_utf8(output.stderr).unwrap();

@@ -1,17 +1,15 @@
-//! Sends a HEARTBEAT and an AQ_ESC_TELEMETRY over UDP, as an AutoQuad does, and receives them.
+//! Sends a HEARTBEAT and an AQ_ESC_TELEMETRY, as an AutoQuad does, and receives them.
 //!
 //! `udp` alone talks to itself on the loopback interface and ends; `udp ADDRESS` sends once a second to a ground station,
-//! for example to `127.0.0.1:14550`.
+//! for example to `udpout:127.0.0.1:14550`, or whatever else a link connects to.
 
 use std::error::Error;
-use std::io;
-use std::net::{SocketAddr, UdpSocket};
 use std::process::ExitCode;
 use std::thread::sleep;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use mavlink_autoquad::autoquad::{AqEscTelemetry, Autoquad, Heartbeat, MavAutopilot, MavComponent, MavState, MavType};
-use mavlink_autoquad::wire::udp::Endpoint;
+use mavlink_autoquad::wire::link::{Link, LinkError, Options};
 use mavlink_autoquad::wire::{Dialect, Message, Sender};
 
 const BEAT: Heartbeat = Heartbeat {
@@ -32,34 +30,27 @@ fn main() -> ExitCode {
 }
 
 fn run() -> Result<(), Box<dyn Error>> {
-    match std::env::args().nth(1) {
-        Some(address) => {
-            let to = address.parse().map_err(|_| format!("`{address}` is no address: write it as 127.0.0.1:14550"))?;
-            let mut vehicle = endpoint("0.0.0.0:0", 1)?;
-            for second in 0.. {
-                send(&mut vehicle, to, second)?;
-                sleep(Duration::from_secs(1));
-            }
-        }
-        None => {
-            let (mut vehicle, mut station) = (endpoint("127.0.0.1:0", 1)?, endpoint("127.0.0.1:0", 255)?);
-            station.socket().set_read_timeout(Some(Duration::from_secs(5)))?;
-            send(&mut vehicle, station.socket().local_addr()?, 0)?;
-            receive(&mut station, 2)?;
+    if let Some(address) = std::env::args().nth(1) {
+        let vehicle = connect(&address, 1)?;
+        for second in 0.. {
+            send(&vehicle, second)?;
+            sleep(Duration::from_secs(1));
         }
     }
+    let mut station = connect("udpin:127.0.0.1:0", 255)?;
+    let address = station.local_addr().ok_or("the station listens nowhere")?;
+    send(&connect(&format!("udpout:{address}"), 1)?, 0)?;
+    receive(&mut station, 2)
+}
+
+fn connect(address: &str, system: u8) -> Result<Link, LinkError> {
+    Link::connect(address, Options::new(Autoquad::TABLE, Sender::v1(system, MavComponent::AUTOPILOT1)))
+}
+
+fn send(vehicle: &Link, second: u32) -> Result<(), LinkError> {
+    vehicle.send(&BEAT)?;
+    vehicle.send(&telemetry(second))?;
     Ok(())
-}
-
-fn endpoint(address: &str, system: u8) -> io::Result<Endpoint<'static>> {
-    let sender = Sender::v1(system, MavComponent::AUTOPILOT1);
-    Ok(Endpoint::new(UdpSocket::bind(address)?, Autoquad::TABLE, sender))
-}
-
-/// One datagram a message, which is how ground stations expect them.
-fn send(vehicle: &mut Endpoint<'_>, to: SocketAddr, second: u32) -> io::Result<()> {
-    vehicle.send_to(&BEAT, to)?;
-    vehicle.send_to(&telemetry(second), to)
 }
 
 /// Four motors that have been silent: the fourth never answered.
@@ -76,9 +67,10 @@ fn telemetry(second: u32) -> AqEscTelemetry {
     }
 }
 
-fn receive(station: &mut Endpoint<'_>, frames: usize) -> io::Result<()> {
+fn receive(station: &mut Link, frames: usize) -> Result<(), Box<dyn Error>> {
+    let deadline = Instant::now() + Duration::from_secs(5);
     for _ in 0..frames {
-        let (frame, from) = station.receive()?;
+        let (frame, from) = station.receive_from(deadline)?.ok_or("nothing came in 5 s")?;
         match frame.message() {
             Some(Autoquad::Heartbeat(beat)) => println!("{from}: {} is {}", beat.r#type, beat.system_status),
             Some(Autoquad::AqEscTelemetry(telemetry)) => println!("{from}: {telemetry:?}"),
