@@ -34,6 +34,7 @@ fn a_ring_of_two_routers_carries_each_frame_once() {
     let to = |scheme: &str, port: usize| format!("{scheme}:127.0.0.1:{}", ports[port]);
     let one = Router::new(&[to("udpin", 0), to("udpin", 2), to("udpin", 3)]);
     let other = Router::new(&[to("udpin", 1), to("udpout", 2), to("udpout", 3)]);
+    assert!(one.0.is_ok() && other.0.is_ok());
     let connect =
         |port, system| Link::connect(&to("udpout", port), Options::new(Autoquad::TABLE, Sender::v2(system, 1)));
     let (mut station, mut vehicle) = (connect(0, 255).unwrap(), connect(1, 1).unwrap());

@@ -12,13 +12,9 @@ use mavlink_autoquad::wire::{Dialect, Routes, Sender};
 
 fn main() -> ExitCode {
     let addresses: Vec<String> = std::env::args().skip(1).collect();
-    route(&addresses).map_or_else(
-        |error| {
-            eprintln!("router: {error}");
-            ExitCode::FAILURE
-        },
-        |()| ExitCode::SUCCESS,
-    )
+    let Err(error) = route(&addresses) else { return ExitCode::SUCCESS };
+    eprintln!("router: {error}");
+    ExitCode::FAILURE
 }
 
 fn route(addresses: &[String]) -> Result<(), Box<dyn Error>> {
@@ -29,10 +25,9 @@ fn route(addresses: &[String]) -> Result<(), Box<dyn Error>> {
     let links: Vec<Link> = addresses.iter().map(|to| Link::connect(to, options.clone())).collect::<Result<_, _>>()?;
     let (receiving, sending): (Vec<_>, Vec<_>) = links.into_iter().map(Link::split).unzip();
     let routes = Mutex::new(Routes::new(Autoquad::TABLE, (0..=u8::MAX).take(sending.len()).collect()));
-    let began = Instant::now();
+    let (began, sending, routes) = (Instant::now(), &sending, &routes);
     thread::scope(|scope| {
         for ((from, address), link) in (0..).zip(addresses).zip(receiving) {
-            let (sending, routes) = (&sending, &routes);
             scope.spawn(move || match carry(link, from, sending, routes, began) {
                 LinkError::Ended | LinkError::Closed => {}
                 error => eprintln!("router: {address}: {error}"),
