@@ -7,6 +7,8 @@ mod file;
 mod polled;
 #[cfg(all(unix, feature = "serial"))]
 mod serial;
+#[cfg(feature = "signing")]
+mod signed;
 mod tcp;
 mod udp;
 

@@ -147,3 +147,17 @@ fn closing_wakes_who_waits() {
     sending.close();
     assert!(matches!(waiting.join().unwrap(), Err(LinkError::Closed)));
 }
+
+#[test]
+fn a_silent_client_gives_its_place_to_one_who_waits() {
+    let (mut station, address) = listener(station());
+    let mut first = TcpStream::connect(&address).unwrap();
+    first.write_all(&stream(Sender::v2(1, 1), 0..1)).unwrap();
+    assert_eq!(next(&mut station), sent(0..1)[0]);
+    // Its cable is cut: it does not even say goodbye.
+    let mut second = TcpStream::connect(&address).unwrap();
+    second.write_all(&stream(Sender::v2(2, 1), 1..2)).unwrap();
+    let (frame, peer) = station.receive_from(soon()).unwrap().unwrap();
+    assert_eq!((frame.system_id().to_u32(), peer.address()), (2, second.local_addr().ok()));
+    assert_eq!(station.statistics().connections, 2);
+}
