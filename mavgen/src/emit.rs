@@ -4,6 +4,7 @@
 //! the formatting with it; the result does not depend on how they do.
 
 mod body;
+mod command;
 mod dialect;
 mod doc;
 mod enums;
@@ -56,6 +57,7 @@ fn content(content: &Content<'_>) -> Result<TokenStream, Internal> {
         Content::Topic(topic) => topic::topic(topic),
         Content::View(view) => view::view(view),
         Content::Enum(one) => enums::enum_(one),
+        Content::Command(command) => command::command(command),
         Content::Dialect(dialect) => dialect::dialect(dialect),
     })
 }

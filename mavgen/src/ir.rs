@@ -4,6 +4,7 @@
 //! spelled out: wire order, offsets, checksums, merged enums with every value filled in, bits of views. It belongs to no
 //! language: names are those of the definitions.
 
+mod carrier;
 mod crc;
 mod kept;
 mod label;
@@ -16,6 +17,7 @@ mod values;
 mod view;
 mod visit;
 
+pub(crate) use carrier::Carrier;
 pub(crate) use kept::Kept;
 pub use label::Label;
 pub(crate) use label::unit_words;

@@ -10,6 +10,7 @@
 mod accessors;
 mod binding;
 mod collision;
+mod command;
 mod conflicts;
 mod docs;
 mod enums;

@@ -4,6 +4,7 @@
 //! body needs, and says its signature by itself. What a field of a message is as an integer is a fact of its type ([`AsInt`]).
 
 mod accessor;
+mod command;
 mod docs;
 mod enums;
 mod mentions;
@@ -16,6 +17,7 @@ mod ty;
 mod view;
 
 pub(crate) use accessor::{Convert, Extent, Sentinel, Unknown};
+pub(crate) use command::{Command, CommandField, FRAME, Fixed, INT, LONG, ParamTy};
 pub(crate) use docs::{Cell, Docs, ListItem, Paragraph};
 pub(crate) use enums::{Constant, DialectEnum, Enum, ParamInfo, Variant};
 pub(crate) use mentions::Mentions;

@@ -56,6 +56,9 @@
 //! A [`Sender`] per link numbers the frames and writes each into a buffer of yours. Prefer `..Message::DEFAULT` over
 //! naming every field: definitions grow.
 //!
+//! A command of `MAV_CMD` is a type with its params as fields ([`Command`]): [`AsLong::long`] makes the `COMMAND_LONG` that carries
+//! it, [`AsInt::int`] the `COMMAND_INT`.
+//!
 //! # Forwarding
 //!
 //! [`Frame::bytes`] are what came, to the byte. A [`FrameBuf`] keeps a frame for a queue, and can give it another sequence
@@ -157,8 +160,8 @@ pub use glue::interop;
 pub use glue::serde;
 pub use log::tlog;
 pub use message::{
-    Chars, Dialect, Encode, Enum, EnumInfo, FieldInfo, Invalid, Kind, Message, MessageInfo, ParamInfo, Payload, Repr,
-    Sentinel, Targeted, flags,
+    AsInt, AsLong, Chars, Command, CommandError, Dialect, Encode, Enum, EnumInfo, FieldInfo, Invalid, Kind, Message,
+    MessageInfo, ParamError, ParamInfo, Params, Payload, Repr, Sentinel, Targeted, flags,
 };
 pub use parser::{Arrival, Losses, Parser, Received, Statistics, Table};
 pub use routes::{LinkNumbers, Links, Routes};

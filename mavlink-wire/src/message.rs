@@ -1,6 +1,7 @@
 //! Messages: what they implement, what they are made of, and what is said of them.
 
 pub(crate) mod chars;
+pub(crate) mod command;
 pub(crate) mod dialect;
 pub(crate) mod enums;
 mod field;
@@ -12,6 +13,7 @@ pub(crate) mod scale;
 pub(crate) mod wire;
 
 pub use chars::Chars;
+pub use command::{AsInt, AsLong, Command, CommandError, ParamError, Params};
 pub use dialect::Dialect;
 pub use enums::{Enum, Repr};
 pub use field::{FieldInfo, Invalid, Kind, Sentinel};

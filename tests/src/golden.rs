@@ -15,12 +15,12 @@ macro_rules! goldens {
 
 goldens! {
     bind: "../../mavgen/tests/golden/bind/generated/mod.rs", "Enums on plain integers, on a condition.";
-    commands: "../../mavgen/tests/golden/commands/generated/mod.rs", "Commands with params.";
     definitions: "../../mavgen/tests/golden/definitions/generated/mod.rs", "uORB messages of several definitions.";
     deprecated: "../../mavgen/tests/golden/deprecated/generated/mod.rs", "What is deprecated, and what only names it.";
     fields: "../../mavgen/tests/golden/fields/generated/mod.rs", "Fields of all types.";
     flags: "../../mavgen/tests/golden/flags/generated/mod.rs", "Values that are combined bit by bit.";
     invalid: "../../mavgen/tests/golden/invalid/generated/mod.rs", "Values that mean \"not known\".";
+    mav_cmd: "../../mavgen/tests/golden/commands/generated/mod.rs", "Commands with params, and as types.";
     names: "../../mavgen/tests/golden/names/generated/mod.rs", "Names that Rust has already.";
     open_enums: "../../mavgen/tests/golden/open_enums/generated/mod.rs", "Enums, and fields of other widths.";
     roots: "../../mavgen/tests/golden/roots/generated/mod.rs", "Two dialects.";

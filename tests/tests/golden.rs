@@ -1,7 +1,7 @@
 //! What the goldens of mavgen do: one test for each construct, with bytes and numbers worked out by hand.
 
 use mavlink_conformance::golden::*;
-use mavlink_wire::{Chars, Dialect, Encode, MAX_PAYLOAD, Message, Targeted, Version};
+use mavlink_wire::{AsInt, AsLong, Chars, Command, Dialect, Encode, MAX_PAYLOAD, Message, Targeted, Version};
 
 /// The payload of a message, without the zeros that MAVLink 2 cuts.
 fn payload(message: &impl Encode) -> Vec<u8> {
@@ -87,12 +87,75 @@ fn deprecated() {
 
 #[test]
 fn commands() {
-    use commands::MavCmd;
+    use mav_cmd::MavCmd;
 
     let labels: Vec<_> = MavCmd::SPRAY.params().iter().map(|param| (param.index, param.label)).collect();
     assert_eq!(labels[..3], [(1, Some("Nozzle")), (2, Some("Flow")), (3, Some("Mode"))]);
     assert_eq!(MavCmd::SPRAY.params()[0].max, Some(4.0));
     assert!(MavCmd::STOP.params().is_empty());
+}
+
+#[test]
+#[expect(deprecated, reason = "one of them is deprecated")]
+fn commands_are_typed() {
+    use mav_cmd::commands::{Commands, GoTo, LongCommand, SprayModeCommand, Stop};
+    use mav_cmd::{CommandInt, CommandLong, MavCmd, MavFrame, SprayMode, SprayParts};
+
+    let go = GoTo { r#type: SprayParts::RIGHT, latitude: 47.397_742_1, longitude: -8.5, ..GoTo::DEFAULT };
+    let long = go.long(1, 2).unwrap();
+    let expected =
+        CommandLong { command: MavCmd::GO_TO, target_system: 1, target_component: 2, ..CommandLong::DEFAULT };
+    let expected = CommandLong { param1: 65_536.0, param2: 0.1, param5: 47.397_743, param6: -8.5, ..expected };
+    assert!(long.param7.is_nan(), "an altitude that nobody set is not known");
+    assert_eq!(CommandLong { param7: 0.0, ..long }, expected);
+    let int = go.int(MavFrame::GLOBAL, 1, 2).unwrap();
+    assert_eq!((int.x, int.y, int.frame, int.param1), (473_977_421, -85_000_000, MavFrame::GLOBAL, 65_536.0));
+    assert_eq!(GoTo::try_from(&int).unwrap().latitude.to_bits(), go.latitude.to_bits());
+    let local = GoTo { latitude: 1.5, longitude: f64::NAN, ..go }.int(MavFrame::LOCAL_NED, 0, 0).unwrap();
+    assert_eq!((local.x, local.y), (15_000, i32::MAX), "metres; not known");
+
+    let number = SprayModeCommand { _4th: SprayMode(3), number: 7.0, ..SprayModeCommand::DEFAULT };
+    let int = number.int(MavFrame::MISSION, 0, 0).unwrap();
+    assert_eq!((int.param1, int.x, int.y, int.z.is_nan()), (3.0, 65_536, 7, true), "no place, so no scale");
+    assert_eq!(SprayModeCommand::try_from(&int), Ok(number));
+    let place = LongCommand { latitude_x: 473_977_421.0, longitude_y: -1.0 };
+    assert_eq!(LongCommand::try_from(&place.int(MavFrame::GLOBAL, 0, 0).unwrap()), Ok(place), "degE7 is the integer");
+    assert!(Commands.long(0, 0).unwrap().param6.is_nan());
+    assert_eq!(
+        Commands.int(MavFrame::GLOBAL, 0, 0).unwrap(),
+        CommandInt { command: MavCmd::COMMANDS, y: i32::MAX, ..CommandInt::DEFAULT }
+    );
+    assert_eq!(Stop::try_from(&Stop.long(0, 0).unwrap()), Ok(Stop));
+}
+
+#[test]
+#[expect(deprecated, reason = "one of them is deprecated")]
+fn commands_that_cannot_be_carried() {
+    use mav_cmd::commands::{GoTo, SprayModeCommand, Stop};
+    use mav_cmd::{CommandInt, MavCmd, MavFrame, SprayMode, SprayParts};
+    use mavlink_wire::{CommandError, ParamError};
+
+    let param = |index, error| Some(CommandError::Param { index, error });
+    let go = |latitude, frame| GoTo { latitude, ..GoTo::DEFAULT }.int(frame, 1, 1).err();
+    assert_eq!(go(214.748_364_6, MavFrame::GLOBAL), None);
+    assert_eq!(go(214.748_364_7, MavFrame::GLOBAL), param(5, ParamError::OutOfRange), "it would not be known");
+    assert_eq!(go(f64::INFINITY, MavFrame::GLOBAL), param(5, ParamError::OutOfRange));
+    assert_eq!(go(1.0, MavFrame::MISSION), Some(CommandError::Frame { frame: 2 }));
+    let parts = |bits| GoTo { r#type: SprayParts::from_bits_retain(bits), ..GoTo::DEFAULT }.long(1, 1).err();
+    assert_eq!((parts(1 << 31), parts((1 << 24) + 1)), (None, param(1, ParamError::NoFloat)));
+    let number = |number| SprayModeCommand { number, ..SprayModeCommand::DEFAULT };
+    assert_eq!(number(0.5).int(MavFrame::GLOBAL, 1, 1).err(), param(6, ParamError::NotWhole));
+    assert_eq!(number(1e39).long(1, 1).err(), param(6, ParamError::OutOfRange));
+
+    let came = |param1, x| {
+        SprayModeCommand::try_from(&CommandInt { command: MavCmd::SPRAY_MODE, param1, x, ..CommandInt::DEFAULT })
+    };
+    assert_eq!(came(255.0, 0).map(|command| command._4th), Ok(SprayMode(255)), "no entry, and kept");
+    assert_eq!(came(256.0, 0).err(), param(1, ParamError::OutOfRange));
+    assert_eq!(came(f32::NAN, 0).err(), param(1, ParamError::NotWhole));
+    assert_eq!(came(0.0, -1).err(), param(5, ParamError::OutOfRange));
+    let other = CommandError::OtherCommand { expected: 43, found: 44 };
+    assert_eq!(Stop::try_from(&GoTo::DEFAULT.long(1, 1).unwrap()), Err(other));
 }
 
 #[test]

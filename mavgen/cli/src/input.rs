@@ -64,6 +64,9 @@ pub(super) struct Output {
     /// The folder for the sources.
     #[arg(long, value_name = "DIR")]
     pub(super) out: PathBuf,
+    /// No types for the entries of MAV_CMD: what is generated compiles a little faster.
+    #[arg(long)]
+    no_commands: bool,
 }
 
 impl Input {
@@ -150,6 +153,6 @@ pub(super) fn concerning(builder: &Builder, diagnostics: &Diagnostics, sources: 
 
 impl Output {
     pub(super) fn builder(&self) -> Result<Builder, Failure> {
-        Ok(self.input.builder()?.out_dir(&self.out))
+        Ok(self.input.builder()?.out_dir(&self.out).commands(!self.no_commands))
     }
 }

@@ -109,7 +109,8 @@ impl Builder {
         if let Some(selection) = self.selection()? {
             sources.push_str(&format!("\n// only {selection}, and what they need"));
         }
-        let options = Options { runtime: self.runtime.clone(), deprecated: self.deprecated, sources };
+        let runtime = self.runtime.clone();
+        let options = Options { runtime, deprecated: self.deprecated, commands: false, sources };
         let files = tree(&topics.union, &topics.names, &options);
         files.and_then(|files| emit(&files)).map_err(|internal| Failure::Internal(internal.to_string()))
     }

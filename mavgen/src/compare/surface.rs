@@ -7,7 +7,7 @@ use crate::ir::{EnumId, Valid};
 use crate::lower::Items;
 use crate::lower::names::Names;
 use crate::rust::{
-    Content, Default, Element, Enum, Error, Field, Method, Packed, Param, Receiver, RecordType, Shape as FieldShape,
+    Command, Content, Default, Element, Enum, Error, Field, Method, Packed, Param, Receiver, RecordType, Shape as FieldShape,
     Sig, Struct, Ty,
 };
 
@@ -56,7 +56,7 @@ pub(super) struct Member {
     pub(super) default: Option<String>,
 }
 
-/// The public types of a state: of its enums, and of its messages with their views.
+/// The public types of a state: of its enums, of its messages with their views, and of its commands.
 pub(super) fn surface(dialect: Valid<'_>, names: &Names) -> Result<Surface, Internal> {
     let items = Items::of(dialect, names, true);
     let mut surface = Surface::new();
@@ -66,6 +66,7 @@ pub(super) fn surface(dialect: Valid<'_>, names: &Names) -> Result<Surface, Inte
     for index in 0..dialect.messages.len() {
         items.message_contents(index)?.iter().for_each(|content| add(&mut surface, content));
     }
+    items.command_contents()?.iter().for_each(|content| add(&mut surface, content));
     Ok(surface)
 }
 
@@ -83,6 +84,9 @@ fn add(surface: &mut Surface, content: &Content<'_>) {
             if let Some(message) = surface.get_mut(view.message) {
                 message.members.extend(methods(&view.message_methods));
             }
+        }
+        Content::Command(command) => {
+            surface.insert(format!("commands::{}", command.ident), of_command(command));
         }
         // What these export are the types of the others.
         Content::Module { .. } | Content::Dialect(_) => {}
@@ -120,6 +124,22 @@ fn of_message(message: &Struct<'_>) -> Shape {
         deprecated: message.deprecated.is_some(),
         exhaustive: true,
         members: fields.chain(methods(&message.methods)).chain(traits).collect(),
+    }
+}
+
+fn of_command(command: &Command<'_>) -> Shape {
+    let fields = command.fields.iter().map(|field| {
+        let signature = ty(&field.ty.ty());
+        (
+            Name::Field(field.ident.to_owned()),
+            Member { signature, deprecated: false, default: Some(field.default.to_string()) },
+        )
+    });
+    Shape {
+        signature: "a struct".to_owned(),
+        deprecated: command.deprecated.is_some(),
+        exhaustive: true,
+        members: fields.collect(),
     }
 }
 

@@ -154,6 +154,8 @@ catalogue! {
     602 Lifecycle Warning "A lifecycle element does not say since when, as `YYYY-MM`, or what replaces it.";
     603 AccessorLost Warning "A field has no getter and setter, because another field's have their names.";
     604 ReservedName Warning "A name means something in C or Python, so that pymavlink does not take it.";
+    605 CommandLost Warning "A command has no type of its own, because another has its name.";
+    606 ParamLabel Warning "A param of a command is named after its number, because its label makes no name of its own.";
 
     700 OverlayVersion Error "An overlay is of a version that is not known.";
     701 OverlayBase Error "An overlay belongs to a file that is not part of the dialect.";

@@ -50,6 +50,10 @@ fn used(of: &Use) -> Result<TokenStream, Internal> {
                 _ => quote!(#module::{#(#names),*}),
             }
         }
+        Use::Renamed(item, name) => {
+            let (item, name) = (path(item)?, ident(name));
+            quote!(#item as #name)
+        }
         Use::All(module) => {
             let module = path(module)?;
             quote!(#module::*)

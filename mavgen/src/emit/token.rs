@@ -50,12 +50,22 @@ pub(crate) fn integer(value: i128) -> TokenStream {
 
 /// A float without a type suffix.
 pub(crate) fn float(value: f64) -> TokenStream {
-    if value.is_nan() {
-        return quote!(f32::NAN);
-    }
-    // Debug formatting writes `1e30` and keeps the point of `2.0`.
-    let text = format!("{:?}", value.abs());
-    let magnitude = text.parse().unwrap_or_else(|_| Literal::f64_unsuffixed(value.abs()));
+    if value.is_nan() { quote!(f32::NAN) } else { finite(value, format!("{:?}", value.abs())) }
+}
+
+/// A `f64` without a type suffix.
+pub(crate) fn double(value: f64) -> TokenStream {
+    if value.is_nan() { quote!(f64::NAN) } else { float(value) }
+}
+
+/// A `f32` without a type suffix, and no more digits than it has.
+pub(crate) fn single(value: f32) -> TokenStream {
+    if value.is_nan() { quote!(f32::NAN) } else { finite(value.into(), format!("{:?}", value.abs())) }
+}
+
+/// A number by its magnitude, in debug formatting: that writes `1e30` and keeps the point of `2.0`.
+fn finite(value: f64, magnitude: String) -> TokenStream {
+    let magnitude = magnitude.parse().unwrap_or_else(|_| Literal::f64_unsuffixed(value.abs()));
     if value.is_sign_negative() { quote!(-#magnitude) } else { quote!(#magnitude) }
 }
 

@@ -3,6 +3,7 @@
 use super::namespace::{Claim, Collision, Scope, What};
 use crate::diag::{Code, Diagnostic};
 use crate::ir::Name;
+use crate::source::Span;
 
 /// The diagnostic about a collision; none if it is no mistake, or is reported as another.
 ///
@@ -10,7 +11,7 @@ use crate::ir::Name;
 /// without accessors because every message has their names is not its author's mistake.
 pub(super) fn diagnostic(collision: &Collision<'_>) -> Option<Diagnostic> {
     let Collision { scope, name, first, second } = collision;
-    let is_named_freely = |what| matches!(what, What::Reserved(_) | What::Root);
+    let is_named_freely = |what| matches!(what, What::Reserved(_) | What::Param | What::Root);
     let is_name = |claim: &Claim<'_>| is_named_freely(claim.what) || Name::fault(claim.text).is_none();
     if !is_name(first) || !is_name(second) {
         return None;
@@ -19,6 +20,8 @@ pub(super) fn diagnostic(collision: &Collision<'_>) -> Option<Diagnostic> {
     match scope {
         Scope::Types | Scope::Fields | Scope::Constants if alike && second.what != What::View => None,
         Scope::Types | Scope::Fields | Scope::Constants => Some(both(name, first, second)),
+        Scope::Commands => Some(command_lost(name, first, second)),
+        Scope::Params => Some(label_taken(name, first, second)),
         Scope::Methods if second.what == What::Accessors => accessors_lost(name, first, second),
         Scope::Methods | Scope::ViewMethods | Scope::SlotFields | Scope::RecordFields => {
             Some(twice(name, first, second))
@@ -68,7 +71,9 @@ fn role(claim: &Claim<'_>) -> String {
         What::Switch => "the getter of the switch".to_owned(),
         What::Key => format!("key `{text}`"),
         What::Value => format!("value `{text}`"),
-        What::Member | What::Message | What::Enum | What::Entry | What::Root => format!("a method of `{text}`"),
+        What::Member | What::Message | What::Enum | What::Entry | What::Param | What::Root => {
+            format!("a method of `{text}`")
+        }
     }
 }
 
@@ -77,6 +82,34 @@ fn role(claim: &Claim<'_>) -> String {
 fn accessors_lost(name: &str, first: &Claim<'_>, second: &Claim<'_>) -> Option<Diagnostic> {
     let message = format!("field `{}` has no getter and setter: `{name}` is there already", second.text);
     Some(problem(Code::AccessorLost, second, message).related(first.span?, format!("this field has `{name}`")))
+}
+
+/// Two commands that would be one type: a definition that is valid elsewhere is not refused.
+fn command_lost(name: &str, first: &Claim<'_>, second: &Claim<'_>) -> Diagnostic {
+    let message = format!("command `{}` has no type: `commands::{name}` is `{}`", second.text, first.text);
+    let problem = problem(Code::CommandLost, second, message).help("send it as a plain `COMMAND_LONG`, or rename it");
+    match first.span {
+        Some(span) => problem.related(span, "this command has it"),
+        None => problem,
+    }
+}
+
+/// Two params of one label.
+fn label_taken(name: &str, first: &Claim<'_>, second: &Claim<'_>) -> Diagnostic {
+    let message = format!("label `{}` is that of another param, which is `{name}` in Rust", second.text);
+    let problem =
+        problem(Code::ParamLabel, second, message).help("this one is named after its number; give it another label");
+    match first.span {
+        Some(span) => problem.related(span, "the other one"),
+        None => problem,
+    }
+}
+
+/// A label that makes no name.
+pub(super) fn no_label(label: &str, span: Span) -> Diagnostic {
+    let message = format!("label `{label}` has no letter that a name can have");
+    Diagnostic::new(Code::ParamLabel, span, message)
+        .help("the param is named after its number; use letters and digits of ASCII")
 }
 
 /// Two dialects that would be one module.

@@ -2,7 +2,7 @@
 
 use super::items::Items;
 use crate::docs::line;
-use crate::ir::{Lifecycle, Limits, Origin, Successor};
+use crate::ir::{Command, Lifecycle, Limits, Origin, Successor};
 use crate::rust::Paragraph;
 
 /// The description, and the stage of life.
@@ -61,6 +61,25 @@ pub(crate) fn quantity(units: Option<&str>, multiplier: Option<&str>, limits: &L
     };
     let step = limits.increment.map(|step| format!("in steps of {step}"));
     [unit, range, step].into_iter().flatten().collect()
+}
+
+/// Descriptions of params that say that there is nothing to describe.
+const NOTHING: [&str; 6] = ["Empty", "Empty.", "Reserved", "Reserved.", "Unused", "Unused."];
+
+/// The description of a param; empty if it says nothing.
+pub(crate) fn meaningful(description: &str) -> &str {
+    if NOTHING.contains(&description.trim()) { "" } else { description }
+}
+
+/// What a command is for.
+pub(crate) fn command_notes(command: &Command) -> Vec<String> {
+    let place = match (command.has_location, command.is_destination) {
+        (true, true) => Some("Params 5, 6 and 7 are a place to go to."),
+        (true, false) => Some("Params 5, 6 and 7 are a place."),
+        _ => None,
+    };
+    let mission = command.mission_only.then_some("Only for missions: not to be sent as a command.");
+    [place, mission].into_iter().flatten().map(str::to_owned).collect()
 }
 
 /// `in m/s` becomes `In m/s`.

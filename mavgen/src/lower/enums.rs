@@ -10,9 +10,6 @@ use crate::rust::{
     Constant, DialectEnum, Docs, Enum, Kind, ListItem, Method, Paragraph, ParamInfo, Receiver, Sig, Ty, Variant,
 };
 
-/// Descriptions that say that there is nothing to describe.
-const NOTHING: [&str; 6] = ["Empty", "Empty.", "Reserved", "Reserved.", "Unused", "Unused."];
-
 impl<'d> Items<'d> {
     /// The items of an enum; `conflicts` are lines about what other dialects have under its name.
     pub(super) fn enum_item(self, id: EnumId, conflicts: Vec<String>) -> Result<Enum<'d>, Internal> {
@@ -73,16 +70,9 @@ impl<'d> Items<'d> {
 
     /// What the command is for, and a list of the parameters that mean something.
     fn command_docs(self, command: &'d Command) -> Result<[Paragraph<'d>; 2], Internal> {
-        let place = match (command.has_location, command.is_destination) {
-            (true, true) => Some("Params 5, 6 and 7 are a place to go to."),
-            (true, false) => Some("Params 5, 6 and 7 are a place."),
-            _ => None,
-        };
-        let mission = command.mission_only.then_some("Only for missions: not to be sent as a command.");
-        let notes = [place, mission].into_iter().flatten().map(str::to_owned).collect();
         let used = command.params.iter().filter(|param| !param.reserved);
         let list = used.map(|param| self.param_item(param)).collect::<Result<_, _>>()?;
-        Ok([Paragraph::Lines(notes), Paragraph::List(list)])
+        Ok([Paragraph::Lines(docs::command_notes(command)), Paragraph::List(list)])
     }
 
     /// `- 1, Hold: time to stay. In s; at least 0.`
@@ -98,8 +88,7 @@ impl<'d> Items<'d> {
             let (name, way) = (self.enum_type(id)?.ident, self.way_to_enum(id)?);
             Ok(format!("A [`{name}`]({way}enums::{name})."))
         });
-        let description = param.origin.description.as_str();
-        let text = if NOTHING.contains(&description.trim()) { "" } else { description };
+        let text = docs::meaningful(&param.origin.description);
         Ok(ListItem { head: param.index.to_string(), label, text, sentences, link: link.transpose()? })
     }
 

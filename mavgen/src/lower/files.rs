@@ -2,10 +2,12 @@
 
 use std::collections::BTreeSet;
 
-use super::folder::Folder;
+use super::command;
+use super::folder::{Commands, Folder};
 use super::items::Items;
 use super::link::Placement;
 use super::message::alias;
+use super::named::NamedCommand;
 use crate::internal::Internal;
 use crate::ir::{EnumId, FileIndex};
 use crate::rust::{Alias, Content, Docs, File, Mentions, Use};
@@ -23,6 +25,8 @@ pub(crate) struct Options {
     pub(crate) runtime: String,
     /// Whether `<deprecated>` becomes `#[deprecated]`; if not, it is only said in the documentation.
     pub(crate) deprecated: bool,
+    /// Whether commands have types.
+    pub(crate) commands: bool,
     /// What the header of `mod.rs` says of the sources: their names and a digest.
     pub(crate) sources: String,
 }
@@ -44,6 +48,13 @@ impl<'d> Items<'d> {
             contents.push(Content::View(Box::new(self.view(at, view)?)));
         }
         Ok(contents)
+    }
+
+    /// What the files of the commands have, in a tree of one dialect.
+    pub(crate) fn command_contents(self) -> Result<Vec<Content<'d>>, Internal> {
+        let Some(commands) = Commands::of_one(self.dialect) else { return Ok(Vec::new()) };
+        let each = self.enum_at(commands.enum_)?.commands();
+        each.map(|command| Ok(Content::Command(Box::new(self.command(command, &commands)?)))).collect()
     }
 }
 
@@ -106,6 +117,21 @@ impl<'d> Maker<'_, 'd> {
             content: Content::Enum(Box::new(item)),
         };
         Ok(Made { file, expect: self.items.is_deprecated(&one.model.origin), alias: None })
+    }
+
+    pub(super) fn command(&self, command: NamedCommand<'d>, of: &Commands) -> Result<Made<'d>, Internal> {
+        let item = self.items.command(command, of)?;
+        let (named, alias) = (Mentions::of_command(&item), command::alias(&item, &command.names.module));
+        let mut uses = self.items.use_enums(&named)?;
+        uses.push(self.runtime());
+        let file = File {
+            path: self.path(&format!("commands/{}.rs", command.names.module)),
+            header: self.header(&command.entry.origin.files().collect())?,
+            docs: Docs::default(),
+            uses,
+            content: Content::Command(Box::new(item)),
+        };
+        Ok(Made { file, expect: named.is_any_deprecated() || self.items.names_deprecated(of)?, alias })
     }
 
     /// A path below the folder.

@@ -10,10 +10,11 @@
 //! The modules of a dialect export all that it has. What is declared there is what another dialect has something else for.
 
 use super::link::{Placement, Root, Union};
+use super::names::COMMANDS;
 use crate::internal::Internal;
-use crate::ir::{Dialect, EnumId};
+use crate::ir::{Carrier, Dialect, EnumId};
 
-/// A module with the modules `messages`, `enums` and `views`, as far as it has something for them.
+/// A module with the modules `messages`, `enums`, `views` and `commands`, as far as it has something for them.
 pub(super) struct Folder<'d> {
     /// What is declared here.
     pub(super) placement: Placement,
@@ -33,6 +34,48 @@ pub(super) struct Folder<'d> {
     pub(super) enums: Vec<Listed<EnumId>>,
     /// The views that it exports, as places of a message and in it.
     pub(super) views: Vec<Listed<(usize, usize)>>,
+    /// The typed commands that it exports, and where they are declared.
+    pub(super) commands: Option<Listed<Commands>>,
+}
+
+/// What typed commands are made of.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) struct Commands {
+    /// The enum of the commands.
+    pub(super) enum_: EnumId,
+    /// `COMMAND_LONG`.
+    pub(super) long: Option<usize>,
+    /// `COMMAND_INT`.
+    pub(super) int: Option<usize>,
+}
+
+impl Commands {
+    /// Those of these enums and messages: `None` if there is no enum of commands, or no message that carries them.
+    fn of(
+        dialect: &Dialect,
+        mut enums: impl Iterator<Item = EnumId>,
+        messages: impl Iterator<Item = usize>,
+    ) -> Option<Self> {
+        let enum_ = enums.find(|id| dialect.enum_by_id(*id).is_some_and(|one| one.name.text == COMMANDS))?;
+        let (mut long, mut int) = (None, None);
+        for at in messages {
+            match dialect.messages.get(at).and_then(Carrier::of) {
+                Some(Carrier::Long) => long = Some(at),
+                Some(Carrier::Int) => int = Some(at),
+                None => {}
+            }
+        }
+        long.or(int).map(|_| Self { enum_, long, int })
+    }
+
+    /// Those of a tree of one dialect.
+    pub(super) fn of_one(dialect: &Dialect) -> Option<Self> {
+        Self::of(dialect, (0..dialect.enums.len()).map(EnumId), 0..dialect.messages.len())
+    }
+
+    fn of_root(union: &Union, root: &Root) -> Option<Self> {
+        Self::of(&union.all, root.enums.iter().copied(), root.messages.iter().copied())
+    }
 }
 
 /// A dialect's name, and the type that holds any message of it.
@@ -70,7 +113,13 @@ impl<'d> Folder<'d> {
             messages: (0..dialect.messages.len()).map(Listed::shared).collect(),
             enums: (0..dialect.enums.len()).map(|at| Listed::shared(EnumId(at))).collect(),
             views: views.map(Listed::shared).collect(),
+            commands: Commands::of_one(dialect).map(Listed::shared),
         }
+    }
+
+    /// The same, without commands if they are not wanted.
+    pub(super) fn with_commands(self, wanted: bool) -> Self {
+        Self { commands: self.commands.filter(|_| wanted), ..self }
     }
 
     /// What several dialects share, then the folder of each.
@@ -79,8 +128,12 @@ impl<'d> Folder<'d> {
         let tops = union.roots.iter().map(|root| top_file(union, root)).collect::<Result<Vec<_>, _>>()?;
         let enums = union.enum_placements.iter().enumerate().filter(|(_, placement)| is_shared(placement));
         let messages = union.message_placements.iter().enumerate().filter(|(_, at)| is_shared(&at.placement));
+        let enums: Vec<EnumId> = enums.map(|(at, _)| EnumId(at)).collect();
         let mut messages: Vec<usize> = messages.map(|(at, _)| at).collect();
         messages.sort_by_key(|at| union.all.messages.get(*at).map(|message| message.id));
+        let commands = Commands::of(&union.all, enums.iter().copied(), messages.iter().copied());
+        let commands =
+            commands.filter(|shared| union.roots.iter().any(|root| Commands::of_root(union, root) == Some(*shared)));
         let mut folders = vec![Self {
             placement: Placement::Shared,
             dialect: None,
@@ -89,16 +142,17 @@ impl<'d> Folder<'d> {
             sources: tops.join(", "),
             roots: union.roots.iter().map(|root| root.module.as_str()).collect(),
             messages: messages.into_iter().map(Listed::shared).collect(),
-            enums: enums.map(|(at, _)| Listed::shared(EnumId(at))).collect(),
+            enums: enums.into_iter().map(Listed::shared).collect(),
             views: views(union).filter(|(listed, _)| is_shared(&listed.placement)).map(|(listed, _)| listed).collect(),
+            commands: commands.map(Listed::shared),
         }];
         for (at, root) in union.roots.iter().enumerate() {
-            folders.push(Self::of_root(union, at, root)?);
+            folders.push(Self::of_root(union, at, root, commands)?);
         }
         Ok(folders)
     }
 
-    fn of_root(union: &'d Union, at: usize, root: &'d Root) -> Result<Self, Internal> {
+    fn of_root(union: &'d Union, at: usize, root: &'d Root, shared: Option<Commands>) -> Result<Self, Internal> {
         let module = &root.module;
         let enums = root.enums.iter().map(|&item| {
             let placement =
@@ -120,6 +174,10 @@ impl<'d> Folder<'d> {
             messages: messages.collect::<Result<_, Internal>>()?,
             enums: enums.collect::<Result<_, Internal>>()?,
             views: views(union).filter(|(_, roots)| roots.contains(&at)).map(|(listed, _)| listed).collect(),
+            commands: Commands::of_root(union, root).map(|item| Listed {
+                item,
+                placement: if shared == Some(item) { Placement::Shared } else { Placement::Root(at) },
+            }),
         })
     }
 }

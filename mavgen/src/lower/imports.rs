@@ -14,6 +14,9 @@ use crate::rust::{Mentions, Use};
 /// How deep the file of an item lies below its folder.
 pub(super) const ITEM: usize = 2;
 
+/// How deep `messages.rs` and the like lie below their folder.
+pub(super) const MODULE: usize = 1;
+
 impl<'d> Items<'d> {
     /// The way from a file that stands `depth` modules below its folder to the folder `to`: `super::super::acme::`.
     pub(super) fn way(self, depth: usize, to: Placement) -> Result<String, Internal> {
@@ -32,7 +35,7 @@ impl<'d> Items<'d> {
     }
 
     /// Where an enum is declared.
-    fn enum_home(self, id: EnumId) -> Result<Placement, Internal> {
+    pub(super) fn enum_home(self, id: EnumId) -> Result<Placement, Internal> {
         let Some(union) = self.union else { return Ok(Placement::Shared) };
         union
             .enum_placements

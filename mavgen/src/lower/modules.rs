@@ -1,17 +1,15 @@
-//! The modules that hold the others together: `mod.rs`, `messages.rs`, `enums.rs`, `views.rs`.
+//! The modules that hold the others together: `mod.rs`, `messages.rs`, `enums.rs`, `views.rs`, `commands.rs`.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::docs;
 use super::files::Maker;
-use super::folder::Listed;
+use super::folder::{Commands, Listed};
+use super::imports::MODULE;
 use super::link::Placement;
 use super::named::NamedAccess;
 use crate::internal::Internal;
 use crate::rust::{Alias, Cell, Child, ChildAccess, Content, Docs, Export, File, Paragraph, Use};
-
-/// How deep one of these modules lies below its folder.
-const MODULE: usize = 1;
 
 /// A public type of a module.
 struct Listing<'d> {
@@ -54,6 +52,16 @@ pub(super) fn root<'d>(maker: &Maker<'_, 'd>) -> Result<File<'d>, Internal> {
     for (module, _) in parts.iter().filter(|(_, is_empty)| !is_empty) {
         children.push(child(module, ChildAccess::Public, false));
         exports.extend(folder.dialect.map(|_| plain(Use::All((*module).to_owned()))));
+    }
+    if let Some(commands) = folder.commands {
+        // Their names are for themselves: a command may be called like a message.
+        match commands.placement == folder.placement {
+            true => {
+                let expect = maker.items.names_deprecated(&commands.item)?;
+                children.push(child("commands", ChildAccess::Public, expect));
+            }
+            false => exports.push(plain(Use::Names("super".to_owned(), vec!["commands".to_owned()]))),
+        }
     }
     let docs = match (folder.placement, folder.dialect) {
         (Placement::Root(_), Some(dialect)) => {
@@ -144,6 +152,35 @@ pub(super) fn views<'d>(maker: &Maker<'_, 'd>, files: &mut Vec<File<'d>>) -> Res
     }
     let docs = Docs::line("What overlays see in fields: packed bits, and values.");
     module(maker, "views", docs, Content::Module { children, exports, aliases: Vec::new() })
+}
+
+/// `commands.rs`, with a table of contents by number; the files of the commands go to `files`.
+pub(super) fn commands<'d>(
+    maker: &Maker<'_, 'd>,
+    commands: Commands,
+    files: &mut Vec<File<'d>>,
+) -> Result<File<'d>, Internal> {
+    let (mut rows, mut listings) = (Vec::new(), Vec::new());
+    for command in maker.items.enum_at(commands.enum_)?.commands() {
+        let (origin, ident) = (&command.entry.origin, command.names.ty.as_str());
+        let (id, link) = (command.entry.value.to_string(), docs::link(ident));
+        rows.push(vec![Cell::Plain(id), Cell::Plain(link), Cell::FirstSentence(&origin.description)]);
+        let made = maker.command(command, &commands)?;
+        files.push(made.file);
+        listings.push(Listing {
+            name: &command.entry.name.text,
+            module: &command.names.module,
+            ident,
+            placement: maker.folder.placement,
+            expect: made.expect,
+            deprecated: maker.items.is_deprecated(origin),
+            alias: made.alias,
+        });
+    }
+    let title = "The commands of the dialect, one type each, with the parameters that have a name.";
+    let contents = Paragraph::Table(vec!["command", "type", ""], rows);
+    let file = module(maker, "commands", Docs::line(title).then(contents), declare(maker, "commands", listings)?)?;
+    Ok(File { uses: maker.items.use_carriers(&commands)?, ..file })
 }
 
 fn module<'d>(maker: &Maker<'_, 'd>, name: &str, docs: Docs<'d>, content: Content<'d>) -> Result<File<'d>, Internal> {

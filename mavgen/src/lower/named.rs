@@ -1,9 +1,11 @@
 //! Parts of the wire model beside what they are called in Rust.
 
-use super::names::{AccessNames, EnumNames, MessageNames, ViewNames};
+use super::names::{AccessNames, CommandNames, EnumNames, MessageNames, ViewNames};
 use super::spelling::is_keyword;
 use crate::internal::Internal;
-use crate::ir::{Access, Binding, Entry, Enum, Field, FieldIndex, Key, Member, Message, Record, Slots, View};
+use crate::ir::{
+    Access, Binding, Command, Entry, Enum, Field, FieldIndex, Key, Member, Message, Param, Record, Slots, View,
+};
 
 /// A message.
 #[derive(Clone, Copy)]
@@ -152,6 +154,29 @@ impl<'d> NamedEnum<'d> {
     /// The entries, with their constants.
     pub(super) fn entries(self) -> impl Iterator<Item = (&'d Entry, &'d str)> {
         self.model.entries.iter().zip(self.names.constants.iter().map(String::as_str))
+    }
+
+    /// The typed commands, by number.
+    pub(super) fn commands(self) -> impl Iterator<Item = NamedCommand<'d>> {
+        let each = self.model.entries.iter().zip(&self.names.commands);
+        each.filter_map(|(entry, names)| {
+            Some(NamedCommand { entry, model: entry.command.as_ref()?, names: names.as_ref()? })
+        })
+    }
+}
+
+/// A typed command.
+#[derive(Clone, Copy)]
+pub(super) struct NamedCommand<'d> {
+    pub(super) entry: &'d Entry,
+    pub(super) model: &'d Command,
+    pub(super) names: &'d CommandNames,
+}
+
+impl<'d> NamedCommand<'d> {
+    /// The params, each with its field, if it has one.
+    pub(super) fn params(self) -> impl Iterator<Item = (&'d Param, Option<&'d str>)> {
+        self.model.params.iter().zip(self.names.fields.iter().map(Option::as_deref))
     }
 }
 

@@ -3,6 +3,7 @@
 //! The spelling is [`super::spelling`]'s; here is what depends on other names.
 
 mod check;
+mod commands;
 mod methods;
 #[cfg(test)]
 mod tests;
@@ -15,6 +16,7 @@ use crate::diag::Diagnostics;
 use crate::ir::Dialect;
 use crate::ir::{Access, Enum, FieldIndex, Kept, Message, Partial, Record, Slots, Switch, SwitchOn, View};
 
+pub(super) use commands::drop_rivals;
 pub(super) use methods::{binding_methods, iterator, view_methods};
 
 /// The names of a dialect, in the order of its model. A keyword is not raw here: `type`, not `r#type`.
@@ -99,6 +101,22 @@ pub(crate) struct EnumNames {
     pub(crate) constants: Vec<String>,
     /// Names of entries in the definitions that are a constant of another entry: only several dialects together can have them.
     pub(crate) renamed: Vec<(String, String)>,
+    /// Of [`Enum::entries`]: the typed commands, which only [`COMMANDS`] has.
+    pub(crate) commands: Vec<Option<CommandNames>>,
+}
+
+/// The enum whose entries are typed commands.
+pub(crate) const COMMANDS: &str = "MAV_CMD";
+
+/// The names of a typed command.
+#[derive(Clone, Debug)]
+pub(crate) struct CommandNames {
+    /// The type: `NavTakeoff`.
+    pub(crate) ty: String,
+    /// The module and file: `nav_takeoff`.
+    pub(crate) module: String,
+    /// Of [`crate::ir::Command::params`]: the fields. A param without a name, or one that is reserved, has none.
+    pub(crate) fields: Vec<Option<String>>,
 }
 
 impl Names {
@@ -108,11 +126,12 @@ impl Names {
         let mut messages: Vec<_> = dialect.messages.iter().map(MessageNames::of).collect();
         let lost = lost.iter().map(|message| spelling::type_name(&message.name.text));
         let taken: HashSet<String> = messages.iter().map(|message| message.ty.clone()).chain(lost).collect();
-        let enums: Vec<_> = dialect.enums.iter().map(|enum_| EnumNames::of(enum_, &taken)).collect();
+        let mut enums: Vec<_> = dialect.enums.iter().map(|enum_| EnumNames::of(enum_, &taken)).collect();
         let types = check::types(partial, &messages, &enums, diagnostics);
         let dialect_name = check::dialect(&dialect.name, &types, diagnostics);
         check::fields(partial, &messages, diagnostics);
         check::constants(dialect, &enums, diagnostics);
+        commands::name(dialect, &mut enums, diagnostics);
         for (message, names) in dialect.messages.iter().zip(&mut messages) {
             names.accessors = methods::check(message, names, diagnostics);
         }
@@ -186,6 +205,7 @@ impl EnumNames {
             module: spelling::item_module_name(&enum_.name.text),
             constants: spelling::constant_names(&enum_.name.text, &own, &entries.collect::<Vec<_>>()),
             renamed: Vec::new(),
+            commands: vec![None; enum_.entries.len()],
         }
     }
 }

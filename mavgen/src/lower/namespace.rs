@@ -6,6 +6,8 @@
 //! | [`Scope::Types`] | messages, enums (suffix `Enum`), views, slots, the dialect (suffix `Dialect`) | M601 |
 //! | [`Scope::Fields`] | the fields of a message | M601 |
 //! | [`Scope::Constants`] | the entries of an enum | M601 |
+//! | [`Scope::Commands`] | the typed commands | M605 |
+//! | [`Scope::Params`] | the params of a command | M606 |
 //! | [`Scope::Methods`] | accessors of fields, bindings, how a message gives its views | M603 for accessors, else M601 |
 //! | [`Scope::ViewMethods`] | the getter of the switch, and all methods of members | M601 |
 //! | [`Scope::SlotFields`] | the view, and the keys | M601 |
@@ -30,6 +32,10 @@ pub(super) enum Scope {
     Fields,
     /// The constants of an enum.
     Constants,
+    /// The typed commands of a dialect.
+    Commands,
+    /// The params of a command.
+    Params,
     /// The methods of a message.
     Methods,
     /// The methods of a view.
@@ -57,6 +63,8 @@ pub(super) enum What {
     Field,
     /// An entry of an enum.
     Entry,
+    /// A param of a command.
+    Param,
     /// A field with a getter and a setter beside it.
     Accessors,
     /// An enum that an overlay binds to a field.
@@ -113,7 +121,13 @@ impl<'a> Namespace<'a> {
             Scope::Methods => &[("a method of every message", &spelling::MESSAGE_METHODS)],
             Scope::ViewMethods => &[("a method of every view", &spelling::VIEW_METHODS)],
             Scope::SlotFields => &[("the field of every slot that holds the view", &[spelling::SLOT_VIEW])],
-            Scope::Types | Scope::Fields | Scope::Constants | Scope::RecordFields | Scope::Modules => &[],
+            Scope::Types
+            | Scope::Fields
+            | Scope::Constants
+            | Scope::Commands
+            | Scope::Params
+            | Scope::RecordFields
+            | Scope::Modules => &[],
         };
         for (what, names) in reserved {
             namespace.reserve(what, names);

@@ -86,6 +86,15 @@ pub(crate) fn label(label: &Label) -> String {
     member(label.shown())
 }
 
+/// The name of a param of a command, after its label: `Horiz. Move Limit` becomes `horiz_move_limit`.
+///
+/// A label may be any text; `None` if it has no letter and no digit of ASCII.
+pub(crate) fn param_name(label: &str) -> Option<String> {
+    let words: String = label.chars().map(|one| if one.is_ascii_alphanumeric() { one } else { '_' }).collect();
+    let name = words.to_snake_case();
+    (!name.is_empty()).then(|| member(name))
+}
+
 /// The name of a method beside the one of this name: `voltage_raw`; what sets `self_` apart from `self` is not needed there.
 pub(crate) fn beside(name: &str, suffix: &str) -> String {
     format!("{}_{suffix}", name.trim_end_matches('_'))
@@ -100,7 +109,7 @@ fn member(name: String) -> String {
 /// The names of the modules around it take an underscore: one inside another of the same name confuses readers, and clippy.
 pub(crate) fn item_module_name(xml: &str) -> String {
     let name = module_name(xml);
-    if ["messages", "enums", "views"].contains(&name.as_str()) { name + "_" } else { name }
+    if ["commands", "messages", "enums", "views"].contains(&name.as_str()) { name + "_" } else { name }
 }
 
 /// The name of the module of a dialect, and of its folder: `my-dialect` becomes `my_dialect`.

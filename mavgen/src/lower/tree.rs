@@ -16,15 +16,17 @@ use crate::rust::{Content, Docs, File, Use};
 /// The files of a dialect, in a fixed order.
 pub(crate) fn tree<'d>(valid: Valid<'d>, names: &'d Names, options: &'d Options) -> Result<Vec<File<'d>>, Internal> {
     let items = Items::of(valid, names, options.deprecated);
-    files(&Maker { items, options, folder: &Folder::of_one(valid.dialect(), &names.dialect) })
+    let folder = Folder::of_one(valid.dialect(), &names.dialect).with_commands(options.commands);
+    files(&Maker { items, options, folder: &folder })
 }
 
 /// The files of several dialects, in a fixed order.
 pub(crate) fn tree_of_several<'d>(union: &'d Union, options: &'d Options) -> Result<Vec<File<'d>>, Internal> {
     let items = Items::of_several(union, options.deprecated);
     let mut files = Vec::new();
-    for folder in &Folder::of_several(union)? {
-        files.extend(self::files(&Maker { items: Items { placement: folder.placement, ..items }, options, folder })?);
+    for folder in Folder::of_several(union)? {
+        let (placement, folder) = (folder.placement, &folder.with_commands(options.commands));
+        files.extend(self::files(&Maker { items: Items { placement, ..items }, options, folder })?);
     }
     Ok(files)
 }
@@ -43,6 +45,9 @@ fn files<'d>(maker: &Maker<'_, 'd>) -> Result<Vec<File<'d>>, Internal> {
     }
     if !views.is_empty() {
         files.push(modules::views(maker, &mut items)?);
+    }
+    if let Some(commands) = maker.folder.commands.filter(|listed| listed.placement == maker.folder.placement) {
+        files.push(modules::commands(maker, commands.item, &mut items)?);
     }
     large.sort_by_key(|file: &File<'d>| match &file.content {
         Content::Enum(one) => Reverse(one.constants.len()),

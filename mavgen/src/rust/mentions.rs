@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use super::{
-    AsInt, EnumType, Holds, Kind, Literal, Method, Place, Sentinel, Sig, Slot, Source, Stored, Struct, Test, Through,
-    Ty, Unknown, View,
+    AsInt, Command, EnumType, Holds, Kind, Literal, Method, ParamTy, Place, Sentinel, Sig, Slot, Source, Stored,
+    Struct, Test, Through, Ty, Unknown, View,
 };
 use crate::ir::EnumId;
 
@@ -27,6 +27,17 @@ impl<'d> Mentions<'d> {
         let mut mentions = Self::default();
         message.methods.iter().for_each(|method| mentions.method(method));
         message.fields.iter().filter_map(|field| field.carries).for_each(|carried| mentions.named(carried));
+        mentions
+    }
+
+    /// Those of a command's file.
+    pub(crate) fn of_command(command: &Command<'d>) -> Self {
+        let mut mentions = Self::default();
+        for field in &command.fields {
+            if let ParamTy::Enum(one) = field.ty {
+                mentions.named(one);
+            }
+        }
         mentions
     }
 

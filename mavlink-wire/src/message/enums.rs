@@ -35,6 +35,9 @@ pub trait Repr: Wire + Eq {
 
     /// The low bits.
     fn from_bits(bits: u64) -> Self;
+
+    /// The number.
+    fn number(self) -> i128;
 }
 
 macro_rules! repr {
@@ -51,6 +54,11 @@ macro_rules! repr {
             #[inline]
             fn from_bits(bits: u64) -> Self {
                 bits as Self
+            }
+
+            #[inline]
+            fn number(self) -> i128 {
+                self.into()
             }
         }
     )*};

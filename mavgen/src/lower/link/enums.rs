@@ -10,7 +10,7 @@ use super::Class;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::internal::Internal;
 use crate::ir::{Entry, Enum, EnumId, Lifecycle, Name, Origin, Repr, enums_of_enum_mut};
-use crate::lower::names::EnumNames;
+use crate::lower::names::{CommandNames, EnumNames, drop_rivals};
 
 /// What has to be equal for two enums to be one type: the name, in the definitions and in Rust, the width, and whether the
 /// values are combined bit by bit.
@@ -113,10 +113,11 @@ impl Class<Enum, EnumNames> {
 
     /// Adds the entries of the same enum in another dialect. An entry that is there already stays as it is.
     fn add(&mut self, root: usize, other: Enum, names: EnumNames) {
-        let places = self.places();
+        let (places, known) = (self.places(), self.item.entries.len());
         let at: Vec<Option<usize>> =
             other.entries.iter().zip(&names.constants).map(|(entry, constant)| places.of(entry, constant)).collect();
-        for ((entry, constant), at) in other.entries.into_iter().zip(names.constants).zip(at) {
+        let named = other.entries.into_iter().zip(names.constants).zip(names.commands);
+        for (((entry, constant), command), at) in named.zip(at) {
             match at.and_then(|at| self.item.entries.get_mut(at)) {
                 Some(known) => {
                     if !places.by_text.contains_key(&entry.name.text) {
@@ -127,9 +128,11 @@ impl Class<Enum, EnumNames> {
                 None => {
                     self.item.entries.push(entry);
                     self.names.constants.push(constant);
+                    self.names.commands.push(command);
                 }
             }
         }
+        drop_rivals(&mut self.names.commands, known);
         self.sort();
         join(&mut self.item.origin, other.origin);
         self.roots.push(root);
@@ -137,10 +140,12 @@ impl Class<Enum, EnumNames> {
 
     /// The entries by value. Of two names for one value, that of the dialect that was named first stays first.
     fn sort(&mut self) {
-        let (entries, constants) = (&mut self.item.entries, &mut self.names.constants);
-        let mut pairs: Vec<(Entry, String)> =
-            std::mem::take(entries).into_iter().zip(std::mem::take(constants)).collect();
-        pairs.sort_by_key(|(entry, _)| entry.value);
+        let (entries, EnumNames { constants, commands, .. }) = (&mut self.item.entries, &mut self.names);
+        let named = std::mem::take(entries).into_iter().zip(std::mem::take(constants)).zip(std::mem::take(commands));
+        let mut named: Vec<((Entry, String), Option<CommandNames>)> = named.collect();
+        named.sort_by_key(|((entry, _), _)| entry.value);
+        let pairs: Vec<(Entry, String)>;
+        (pairs, *commands) = named.into_iter().unzip();
         (*entries, *constants) = pairs.into_iter().unzip();
     }
 

@@ -13,8 +13,12 @@ use ::mavlink_wire as wire;
     reason = "there is no allocator to box the large ones"
 )]
 pub enum Main {
+    /// `COMMAND_INT`, message 75.
+    CommandInt(CommandInt),
+    /// `COMMAND_LONG`, message 76.
+    CommandLong(CommandLong),
     /// `ORDER`, message 307.
     Order(Order),
 }
 
-wire::dialect!(Main { Order });
+wire::dialect!(Main { CommandInt, CommandLong, Order });

@@ -4,10 +4,16 @@
 //!
 //! | entries | enum |
 //! |--------:|---|
-//! |       2 | [`MavCmd`] |
+//! |       8 | [`MavCmd`] |
+//! |       2 | [`SprayParts`] |
+//! |       3 | [`MavFrame`] |
 //! |       1 | [`SprayMode`] |
 mod mav_cmd;
+mod mav_frame;
 mod spray_mode;
+mod spray_parts;
 
 pub use mav_cmd::MavCmd;
+pub use mav_frame::MavFrame;
 pub use spray_mode::SprayMode;
+pub use spray_parts::SprayParts;

@@ -4,7 +4,13 @@
 //!
 //! |  id | message |
 //! |----:|---|
+//! |  75 | [`CommandInt`] |
+//! |  76 | [`CommandLong`] |
 //! | 307 | [`Order`] |
+mod command_int;
+mod command_long;
 mod order;
 
+pub use command_int::CommandInt;
+pub use command_long::CommandLong;
 pub use order::Order;

@@ -17,6 +17,40 @@ impl MavCmd {
     pub const SPRAY: Self = Self(42);
     /// `MAV_CMD_STOP`.
     pub const STOP: Self = Self(43);
+    /// Drives to a place.
+    ///
+    /// Params 5, 6 and 7 are a place to go to.
+    ///
+    /// - 1, Type: A keyword. A [`SprayParts`](super::super::enums::SprayParts).
+    /// - 2, Speed: In m/s; default 0.1.
+    /// - 3, speed: The label of another.
+    /// - 4, °: No label.
+    /// - 5, Latitude
+    /// - 6, Longitude
+    /// - 7, Altitude: In m.
+    pub const GO_TO: Self = Self(44);
+    /// Called like what carries it.
+    ///
+    /// Params 5, 6 and 7 are a place.
+    ///
+    /// - 5, Latitude/X: In degE7.
+    /// - 6, Longitude/Y: In degE7.
+    pub const LONG: Self = Self(45);
+    /// Called like the enum in it.
+    ///
+    /// **Deprecated** since 2024-05, replaced by `MAV_CMD_SPRAY`.
+    ///
+    /// - 1, 4th: Default NaN. A [`SprayMode`](super::super::enums::SprayMode).
+    /// - 5, Parts: Default 65536. A [`SprayParts`](super::super::enums::SprayParts).
+    /// - 6, Number
+    #[deprecated(note = "since 2024-05, replaced by `MAV_CMD_SPRAY`")]
+    pub const SPRAY_MODE: Self = Self(46);
+    /// `MAV_CMD_COMMANDS`.
+    pub const COMMANDS: Self = Self(47);
+    /// `MAV_CMD_GO_2`.
+    pub const GO_2: Self = Self(48);
+    /// Has no type: `GO_2` has its name.
+    pub const GO2: Self = Self(49);
 }
 
 impl MavCmd {
@@ -27,7 +61,7 @@ impl MavCmd {
     }
 }
 
-static PARAMS: [(u16, &[wire::ParamInfo]); 1] = [
+static PARAMS: [(u16, &[wire::ParamInfo]); 5] = [
     (
         42,
         &[
@@ -37,11 +71,52 @@ static PARAMS: [(u16, &[wire::ParamInfo]); 1] = [
             wire::ParamInfo::new(4).default(0.0).reserved(),
         ],
     ),
+    (
+        44,
+        &[
+            wire::ParamInfo::new(1).label("Type").values("SPRAY_PARTS"),
+            wire::ParamInfo::new(2).label("Speed").units("m/s").default(0.1),
+            wire::ParamInfo::new(3).label("speed"),
+            wire::ParamInfo::new(4).label("°"),
+            wire::ParamInfo::new(5).label("Latitude"),
+            wire::ParamInfo::new(6).label("Longitude"),
+            wire::ParamInfo::new(7).label("Altitude").units("m"),
+        ],
+    ),
+    (
+        45,
+        &[
+            wire::ParamInfo::new(5).label("Latitude/X").units("degE7"),
+            wire::ParamInfo::new(6).label("Longitude/Y").units("degE7"),
+        ],
+    ),
+    (
+        46,
+        &[
+            wire::ParamInfo::new(1).label("4th").values("SPRAY_MODE").default(f32::NAN),
+            wire::ParamInfo::new(5)
+                .label("Parts")
+                .values("SPRAY_PARTS")
+                .default(65536.0),
+            wire::ParamInfo::new(6).label("Number"),
+            wire::ParamInfo::new(7).default(f32::NAN).reserved(),
+        ],
+    ),
+    (47, &[wire::ParamInfo::new(6).default(f32::NAN).reserved()]),
 ];
 
 static INFO: wire::EnumInfo = wire::EnumInfo::new(
     "MAV_CMD",
-    &[(42, "MAV_CMD_SPRAY"), (43, "MAV_CMD_STOP")],
+    &[
+        (42, "MAV_CMD_SPRAY"),
+        (43, "MAV_CMD_STOP"),
+        (44, "MAV_CMD_GO_TO"),
+        (45, "MAV_CMD_LONG"),
+        (46, "MAV_CMD_SPRAY_MODE"),
+        (47, "MAV_CMD_COMMANDS"),
+        (48, "MAV_CMD_GO_2"),
+        (49, "MAV_CMD_GO2"),
+    ],
 );
 
 wire::open_enum!(MavCmd, u16, INFO);

@@ -1,0 +1,155 @@
+//! A typed command: its fields and its documentation.
+
+use super::docs;
+use super::folder::Commands;
+use super::imports::MODULE;
+use super::items::Items;
+use super::link::Placement;
+use super::named::NamedCommand;
+use crate::docs::line;
+use crate::internal::Internal;
+use crate::ir::{self, Carrier, Param};
+use crate::rust::{Alias, Command, CommandField, Docs, EnumType, FRAME, Fixed, INT, LONG, Paragraph, ParamTy, Ty, Use};
+
+impl<'d> Items<'d> {
+    /// The items of a command.
+    pub(super) fn command(self, command: NamedCommand<'d>, of: &Commands) -> Result<Command<'d>, Internal> {
+        let NamedCommand { entry, names, .. } = command;
+        let fields = command.params().filter_map(|(param, field)| Some((param, field?)));
+        let fixed = command.params().filter(|(_, field)| field.is_none()).filter_map(|(param, _)| fixed(param));
+        Ok(Command {
+            ident: &names.ty,
+            alias: &entry.name.text,
+            docs: self.command_type_docs(command)?,
+            deprecated: self.deprecation(&entry.origin),
+            id: u16::try_from(entry.value)
+                .map_err(|_| Internal::new(format!("no message carries command {}", entry.value)))?,
+            fields: fields.map(|(param, ident)| self.command_field(command, param, ident)).collect::<Result<_, _>>()?,
+            fixed: fixed.collect(),
+            long: of.long.is_some(),
+            int: of.int.is_some(),
+        })
+    }
+
+    fn command_field(
+        self,
+        command: NamedCommand<'d>,
+        param: &'d Param,
+        ident: &'d str,
+    ) -> Result<CommandField<'d>, Internal> {
+        let ty = self.param_ty(command.model, param)?;
+        let default = match ty {
+            ParamTy::Enum(one) => param.default.filter(|default| is_of(*default, one)).unwrap_or(0.0),
+            _ => param.default.unwrap_or(if is_coordinate(command.model, param) { f64::NAN } else { 0.0 }),
+        };
+        Ok(CommandField { ident, index: param.index, ty, default, docs: param_docs(command.model, param, ty) })
+    }
+
+    fn param_ty(self, command: &ir::Command, param: &Param) -> Result<ParamTy<'d>, Internal> {
+        Ok(match param.enum_ {
+            Some(id) => ParamTy::Enum(self.enum_type(id)?),
+            None if !matches!(param.index, 5 | 6) => ParamTy::Float,
+            None if is_scaled(command, param) => ParamTy::Place,
+            None => ParamTy::Number,
+        })
+    }
+
+    /// The description, what it is, and what it is for.
+    fn command_type_docs(self, command: NamedCommand<'d>) -> Result<Docs<'d>, Internal> {
+        let NamedCommand { entry, model, .. } = command;
+        let file = self.file_name(entry.origin.file)?;
+        let facts = format!("`{}`, command {} of `{file}`.", entry.name.text, entry.value);
+        let facts = [facts].into_iter().chain(docs::reference(file, &entry.name.text)).collect();
+        let mut paragraphs = docs::description(&entry.origin);
+        paragraphs.extend([Paragraph::Lines(facts), Paragraph::Lines(docs::command_notes(model))]);
+        Ok(Docs(paragraphs))
+    }
+
+    /// Whether naming the messages that carry commands, or a frame, makes the compiler warn.
+    pub(super) fn names_deprecated(self, of: &Commands) -> Result<bool, Internal> {
+        let mut deprecated = false;
+        for at in [of.long, of.int].into_iter().flatten() {
+            deprecated |= self.is_deprecated(&self.message_at(at)?.model.origin);
+        }
+        let frame = of.int.map(|at| self.frame(at)).transpose()?;
+        Ok(deprecated || matches!(frame, Some(Ty::Enum(one)) if one.deprecated))
+    }
+
+    /// The type of the frame of `COMMAND_INT`.
+    fn frame(self, at: usize) -> Result<Ty<'d>, Internal> {
+        let mut fields = self.message_at(at)?.fields();
+        let frame = fields.find(|field| field.model.name.text == Carrier::FRAME);
+        Ok(self.element(frame.ok_or_else(|| Internal::new("COMMAND_INT has no frame"))?)?.ty())
+    }
+
+    /// The messages that carry commands, and the type of a frame, under the names that all files of commands use.
+    pub(super) fn use_carriers(self, of: &Commands) -> Result<Vec<Use>, Internal> {
+        let way = |at: usize| {
+            let placement = match self.union {
+                Some(union) => union.message_placements.get(at).map(|at| at.placement),
+                None => Some(Placement::Shared),
+            };
+            let placement = placement.ok_or_else(|| Internal::new(format!("message {at} is declared nowhere")))?;
+            Ok::<_, Internal>(format!("{}messages::{}", self.way(MODULE, placement)?, self.message_at(at)?.ty()))
+        };
+        let mut uses = Vec::new();
+        uses.extend(of.long.map(|at| Ok::<_, Internal>(Use::Renamed(way(at)?, LONG))).transpose()?);
+        if let Some(at) = of.int {
+            let frame = match self.frame(at)? {
+                Ty::Enum(one) => self.way(MODULE, self.enum_home(one.id)?)? + "enums::" + one.ident,
+                Ty::Int(int) => format!("core::primitive::{}", int.name()),
+                other => return Err(Internal::new(format!("a frame is no {other:?}"))),
+            };
+            uses.extend([Use::Renamed(way(at)?, INT), Use::Renamed(frame, FRAME)]);
+        }
+        Ok(uses)
+    }
+}
+
+/// The name by which a deprecated command is used.
+pub(super) fn alias<'d>(command: &Command<'d>, module: &'d str) -> Option<Alias<'d>> {
+    let Command { ident, alias, docs, deprecated, .. } = command;
+    Some(Alias { ident, alias: Some(alias), docs: docs.clone(), deprecated: deprecated.clone()?, module })
+}
+
+/// What is sent of a param without a field, if it is not zero.
+fn fixed(param: &Param) -> Option<Fixed> {
+    let value = param.default.filter(|default| *default != 0.0)?;
+    Some(Fixed { index: param.index, value })
+}
+
+/// Whether a param is a coordinate of a place.
+fn is_coordinate(command: &ir::Command, param: &Param) -> bool {
+    command.has_location && matches!(param.index, 5..=7) && param.enum_.is_none()
+}
+
+/// Whether the integer of a coordinate is scaled as the frame says. One in `degE7` is that integer itself.
+fn is_scaled(command: &ir::Command, param: &Param) -> bool {
+    is_coordinate(command, param) && param.units.as_deref() != Some("degE7")
+}
+
+/// Whether an enum can have a number.
+fn is_of(number: f64, one: EnumType<'_>) -> bool {
+    let whole = number as i128;
+    let bits = one.int.bits() - u8::from(one.int.is_signed());
+    let lowest = if one.int.is_signed() { -(1_i128 << bits) } else { 0 };
+    whole as f64 == number && (lowest..1_i128 << bits).contains(&whole)
+}
+
+/// The description; then which param it is, unit, range, default, and what a coordinate is.
+fn param_docs<'d>(command: &ir::Command, param: &'d Param, ty: ParamTy<'_>) -> Docs<'d> {
+    let mut facts = docs::quantity(param.units.as_deref(), None, &param.limits);
+    if ty == ParamTy::Place && param.units.is_none() {
+        facts.push("in degrees, or metres in a local frame".to_owned());
+    }
+    if is_coordinate(command, param) {
+        facts.push("NaN means not known".to_owned());
+    }
+    facts.extend(param.default.map(|default| format!("default {default}")));
+    let label = param.label.as_deref().map(line).unwrap_or_default();
+    let mut sentences = vec![format!("Param {}, {label}.", param.index)];
+    if !facts.is_empty() {
+        sentences.push(docs::capitalised(&format!("{}.", facts.join("; "))));
+    }
+    Docs(vec![Paragraph::Prose(docs::meaningful(&param.origin.description).into(), sentences)])
+}

@@ -1,0 +1,78 @@
+//! A typed command: an entry of `MAV_CMD`, with its params as fields.
+
+use super::{Docs, EnumType, Ty};
+
+/// A typed command.
+#[derive(Clone, Debug)]
+pub(crate) struct Command<'d> {
+    pub(crate) ident: &'d str,
+    /// The entry in the XML, by which searches find the type.
+    pub(crate) alias: &'d str,
+    pub(crate) docs: Docs<'d>,
+    /// Why it is not to be used.
+    pub(crate) deprecated: Option<String>,
+    /// Its number.
+    pub(crate) id: u16,
+    /// By param.
+    pub(crate) fields: Vec<CommandField<'d>>,
+    /// What is sent of params without a field, where that is not zero.
+    pub(crate) fixed: Vec<Fixed>,
+    /// Whether the dialect has `COMMAND_LONG`, which the module of the commands calls [`LONG`].
+    pub(crate) long: bool,
+    /// Whether the dialect has `COMMAND_INT`, which the module of the commands calls [`INT`].
+    pub(crate) int: bool,
+}
+
+/// What the module of the commands calls `COMMAND_LONG`.
+pub(crate) const LONG: &str = "Long";
+
+/// What the module of the commands calls `COMMAND_INT`.
+pub(crate) const INT: &str = "Int";
+
+/// What the module of the commands calls the frame of `COMMAND_INT`.
+pub(crate) const FRAME: &str = "Frame";
+
+/// A public field of a command.
+#[derive(Clone, Debug)]
+pub(crate) struct CommandField<'d> {
+    pub(crate) ident: &'d str,
+    /// The param: 1 to 7.
+    pub(crate) index: u8,
+    pub(crate) ty: ParamTy<'d>,
+    /// The value in `DEFAULT`; of an enum a number that it has.
+    pub(crate) default: f64,
+    pub(crate) docs: Docs<'d>,
+}
+
+/// What a param is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum ParamTy<'d> {
+    /// A float in both messages.
+    Float,
+    /// Param 5 or 6: a float in one message, an integer in the other.
+    Number,
+    /// Param 5 or 6 of a place: in the other message scaled as the frame says.
+    Place,
+    /// The value of an enum.
+    Enum(EnumType<'d>),
+}
+
+impl<'d> ParamTy<'d> {
+    /// The type of the field.
+    pub(crate) fn ty(self) -> Ty<'d> {
+        match self {
+            Self::Float => Ty::F32,
+            Self::Number | Self::Place => Ty::F64,
+            Self::Enum(one) => Ty::Enum(one),
+        }
+    }
+}
+
+/// A param without a field.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Fixed {
+    /// The param: 1 to 7.
+    pub(crate) index: u8,
+    /// What is sent.
+    pub(crate) value: f64,
+}
