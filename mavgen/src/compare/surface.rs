@@ -7,8 +7,8 @@ use crate::ir::{EnumId, Valid};
 use crate::lower::Items;
 use crate::lower::names::Names;
 use crate::rust::{
-    Command, Content, Default, Element, Enum, Error, Field, Method, Packed, Param, Receiver, RecordType, Shape as FieldShape,
-    Sig, Struct, Ty,
+    Command, Content, Default, Element, Enum, Error, Field, Method, Packed, Param, Receiver, RecordType,
+    Shape as FieldShape, Sig, Struct, Ty,
 };
 
 /// Public types by name.

@@ -6,6 +6,7 @@ mod dialect;
 pub mod enums;
 pub mod messages;
 pub mod views;
+pub mod commands;
 
 pub use dialect::Autoquad;
 pub use enums::*;

@@ -57,6 +57,7 @@ impl wire::Message for CommandLong {
         )
         .target_system(30)
         .target_component(31);
+
     const FIELDS: &'static [wire::FieldInfo] = &[
         wire::FieldInfo::new("target_system", wire::Kind::U8, 30),
         wire::FieldInfo::new("target_component", wire::Kind::U8, 31),
