@@ -19,6 +19,15 @@ generate() {
 
 generate xml/autoquad.xml --overlay xml/overlay/autoquad.xml --out mavlink-autoquad/src/generated
 generate xml/common.xml --messages "$(cat mavlink-services/messages.txt)" --out mavlink-services/src/generated
+px4=mavlink-autoquad/msg
+generate $px4/main --overlay $px4/esc.overlay.xml --older v2026_02=$px4/v2026_02 --older v1_14=$px4/v1_14 --name px4_msgs --out mavlink-autoquad/src/generated_px4
+for folder in mavgen/tests/golden/*/msg; do
+    folder=$(dirname "$folder")
+    options=(--definition main)
+    for file in "$folder"/*.overlay.xml; do [ -e "$file" ] && options+=(--overlay "$file"); done
+    for older in $(ls -r "$folder/older" 2>/dev/null || true); do options+=(--older "$older=$folder/older/$older"); done
+    generate "$folder/msg" "${options[@]}" --out "$folder/generated"
+done
 for main in mavgen/tests/golden/*/main.xml; do
     folder=$(dirname "$main")
     overlays=() roots=()

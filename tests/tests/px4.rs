@@ -1,5 +1,8 @@
-//! PX4's messages: layouts against a C compiler, lengths, hashes and formats against rosbags and an independent reading.
+//! PX4's messages: layouts against a C compiler, bytes, lengths, hashes and formats against rosbags and an independent reading,
+//! and what AutoQuad's telemetry becomes.
 
+mod autoquad;
+mod bytes;
 mod structs;
 mod vectors;
 

@@ -22,6 +22,10 @@ pub(super) struct Input {
     /// newest first.
     #[arg(long, value_name = "NAME=DIR")]
     pub(super) older: Vec<String>,
+    /// What the dialect or the uORB messages are called together, if not as their file or folder; of several dialects, what
+    /// their tree is called.
+    #[arg(long, value_name = "NAME")]
+    name: Option<String>,
     /// What the newest definition of the uORB messages is called, if not as its folder: the constant of each message.
     #[arg(long, value_name = "NAME")]
     pub(super) definition: Option<String>,
@@ -71,9 +75,11 @@ pub(super) struct Output {
 
 impl Input {
     pub(super) fn builder(&self) -> Result<Builder, Failure> {
-        if self.is_uorb() {
-            return self.topics();
-        }
+        let builder = if self.is_uorb() { self.topics()? } else { self.dialects()? };
+        Ok(self.name.iter().fold(builder, |builder, name| builder.name(name)))
+    }
+
+    fn dialects(&self) -> Result<Builder, Failure> {
         self.check_dialect()?;
         let (first, others) = self.xml.split_first().map_or((Path::new(""), &[][..]), |(xml, rest)| (xml, rest));
         Ok(others.iter().fold(self.reading.builder(first), |builder, xml| builder.root(xml)))

@@ -13,11 +13,11 @@ pub(super) const ESC_STATUS: &str = include_str!("../../vectors/px4/esc_status.t
 pub(super) struct Vectors<'t> {
     pub(super) message: &'t str,
     pub(super) definition: &'t str,
-    type_hash: &'t str,
+    pub(super) type_hash: &'t str,
     /// As CDR without header, as a struct, and as a record.
-    lengths: [u32; 3],
+    pub(super) lengths: [u32; 3],
     /// Its own first.
-    formats: Vec<&'t str>,
+    pub(super) formats: Vec<&'t str>,
     /// Name, payload with header, record.
     pub(super) values: Vec<(&'t str, Vec<u8>, Vec<u8>)>,
 }
