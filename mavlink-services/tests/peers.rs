@@ -8,10 +8,11 @@ use std::process::{Child, Command, Stdio};
 use std::time::{self, Duration};
 
 use mavlink_services::common::{
-    CommandLong, Common, MavAutopilot, MavCmd, MavMissionType, MavModeFlag, MavProtocolCapability, MavResult,
+    CommandLong, Common, MavAutopilot, MavCmd, MavMissionResult, MavMissionType, MavModeFlag, MavParamType,
+    MavProtocolCapability, MavResult,
 };
 use mavlink_services::interval::Interval;
-use mavlink_services::mission::MissionItem;
+use mavlink_services::mission::{self, MissionItem};
 use mavlink_services::param::{Listed, ParamValue};
 use mavlink_services::{Error, Patience, Retry, Station, command, param};
 use mavlink_wire::link::{Link, Options};
@@ -170,4 +171,31 @@ fn pymavlink_is_the_vehicle() {
     };
     assert_eq!((result, text.as_deref()), (MavResult::DENIED, Some("in flight")));
     assert!(station.measure_time().unwrap().round_trip < Duration::from_secs(1));
+}
+
+/// PX4's habits: values bytewise, a hash before the list, `MISSION_REQUEST_INT`; and it does not tell its capabilities.
+#[test]
+#[ignore = "needs pymavlink"]
+fn pymavlink_is_a_px4() {
+    let (mut station, _peer) = meet("pymavlink_px4");
+    let params = station.params(|_, _| {}).unwrap();
+    assert_eq!(params.len(), 40);
+    for (number, kind) in (0..40).zip([1, 2, 3, 4, 5, 6, 9].into_iter().cycle()) {
+        let expected = ParamValue::from(number).to_kind(MavParamType(kind)).unwrap();
+        assert_eq!(value(&params, &format!("P{number}")), expected);
+    }
+    for (name, set) in [("P0", 200.0), ("P1", -100.0), ("P5", -123_456_789.0), ("P6", 0.2)] {
+        let expected = ParamValue::from(set).to_kind(value(&params, name).kind()).unwrap();
+        assert_eq!(station.set_param(name, set).unwrap(), expected);
+        assert_eq!(station.param(name).unwrap(), expected);
+    }
+    let too_large = station.set_param("P0", 256).unwrap_err();
+    assert!(matches!(too_large, Error::Param(param::Failure::Value(param::ValueError::OutOfRange))), "{too_large:?}");
+    for (plan, count) in [(MavMissionType::MISSION, 60), (MavMissionType::FENCE, 5), (MavMissionType::RALLY, 1)] {
+        move_plan(&mut station, plan, &waypoints(count));
+    }
+    station.clear(MavMissionType::MISSION).unwrap();
+    assert_eq!(station.download().unwrap(), []);
+    let refused = station.clear(MavMissionType::RALLY).unwrap_err();
+    assert!(matches!(refused, Error::Mission(mission::Failure::Refused(MavMissionResult::DENIED))), "{refused:?}");
 }

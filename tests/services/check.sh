@@ -22,4 +22,4 @@ run() {
 run timeout 120 "$python" tests/services/mavsdk_station.py "$vehicle"
 run timeout 120 "$python" tests/services/pymavlink_station.py "$vehicle"
 export PEERS_PYTHON="$python"
-run cargo test --quiet -p mavlink-services --features std --test peers -- --ignored
+run cargo test --quiet -p mavlink-services --features std --test peers --test old_station -- --ignored

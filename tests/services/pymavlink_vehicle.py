@@ -27,10 +27,10 @@ class Vehicle:
             self.params[name] = VALUES.get(name, 0.5)
         self.wp, self.coming = MAVWPLoader(255, 190), None
 
-    def param(self, index):
+    def param(self, index, told=None):
         name = list(self.params)[index]
         self.mav.mav.param_value_send(
-            name.encode(), float(self.params[name]), TYPES.get(name, 9), len(self.params), index
+            name.encode(), float(self.params[name]), TYPES.get(name, 9), len(self.params), index if told is None else told
         )
 
     def ack(self, command, result, progress=0):
@@ -51,7 +51,8 @@ class Vehicle:
     def on_PARAM_SET(self, message):
         if message.param_id in self.params:
             self.params[message.param_id] = message.param_value
-            self.param(list(self.params).index(message.param_id))
+            # ArduPilot tells no index here.
+            self.param(list(self.params).index(message.param_id), told=65535)
 
     def on_MISSION_COUNT(self, message):
         self.coming = (MAVWPLoader(255, 190), message.count)
