@@ -1,10 +1,13 @@
 //! `mavgen decode`: what is in a recording or a stream, by any definitions, without compiling anything.
 
 mod choice;
+mod columns;
 mod csv;
 mod folder;
 mod hex;
 mod json;
+#[cfg(feature = "parquet")]
+mod parquet;
 mod received;
 mod source;
 mod stream;
@@ -22,7 +25,7 @@ use mavgen::{Failure, Resolved};
 use super::input::{Reading, resolve};
 use super::report::{Report, plural};
 use choice::Choice;
-use csv::Columns;
+use columns::Columns;
 use folder::Folder;
 use received::Received;
 use source::Layout;
@@ -49,7 +52,7 @@ pub(super) struct Decode {
     /// What to print.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
-    /// With --format csv: a folder for a table of each message, instead of one table on standard output.
+    /// A folder for a table of each message: for CSV instead of one table on standard output, for Parquet always.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     #[command(flatten)]
@@ -62,6 +65,7 @@ Examples:
   mavgen decode xml/acme.xml flight.tlog --fields roll,pitch
   mavgen decode xml/acme.xml flight.tlog --format csv --out tables
   mavgen decode xml/acme.xml flight.tlog --format csv --message ATTITUDE
+  mavgen decode xml/acme.xml flight.tlog --format parquet --out tables/flight
   mavgen decode xml/acme.xml flight.tlog --format json | jq .message.type
   echo fe0900010100000000000608000403 9043 |
     mavgen decode xml/acme.xml --format json";
@@ -75,6 +79,8 @@ enum Format {
     Json,
     /// A table: of the one message that `--messages` names, or with `--out` of each.
     Csv,
+    /// Typed tables in a folder, for DuckDB, Polars, Spark and their like; needs the feature `parquet` of mavgen-cli.
+    Parquet,
 }
 
 impl Decode {
@@ -106,8 +112,14 @@ impl Decode {
             }
         }
         stream.tally().lines(printer.tables.table()).iter().for_each(|line| report.note(line));
-        if let (Style::Folder(folder), Some(out)) = (printer.style, &self.out) {
-            report.note(&format!("{}: {} written", out.display(), plural(folder.finish()?, "table")));
+        let tables = match printer.style {
+            Style::Text | Style::Json | Style::Csv(_) => None,
+            Style::Folder(folder) => Some(folder.finish()?),
+            #[cfg(feature = "parquet")]
+            Style::Parquet(folder) => Some(folder.finish()?),
+        };
+        if let (Some(tables), Some(out)) = (tables, &self.out) {
+            report.note(&format!("{}: {} written", out.display(), plural(tables, "table")));
         }
         Ok(ExitCode::SUCCESS)
     }
@@ -125,12 +137,23 @@ impl Decode {
         let chosen: Vec<_> = chosen.filter(|(_, columns)| !columns.is_empty()).collect();
         let style = match (self.format, &self.out) {
             (Format::Text | Format::Json, Some(_)) => {
-                return Err(Failure::Usage("--out is for tables: give --format csv, too".to_owned()));
+                return Err(Failure::Usage("--out is for tables: give --format csv or parquet, too".to_owned()));
             }
             (Format::Text, None) => Style::Text,
             (Format::Json, None) => Style::Json,
             (Format::Csv, None) => Style::Csv(only(chosen)?),
             (Format::Csv, Some(out)) => Style::Folder(Folder::new(out, chosen.into_iter())),
+            (Format::Parquet, None) => {
+                return Err(Failure::Usage("Parquet is written to files: give --out a folder for them".to_owned()));
+            }
+            #[cfg(feature = "parquet")]
+            (Format::Parquet, Some(out)) => Style::Parquet(parquet::Folder::new(out, chosen.into_iter())),
+            #[cfg(not(feature = "parquet"))]
+            (Format::Parquet, Some(_)) => {
+                return Err(Failure::Usage(
+                    "this mavgen is built without the feature `parquet` of mavgen-cli: install it with --features parquet".to_owned(),
+                ));
+            }
         };
         Ok(Printer { dialect, tables: Tables::leak(dialect), wanted, choice: &self.choice, style })
     }
@@ -168,14 +191,17 @@ enum Style {
     Csv(Columns),
     /// Tables in files, and no text.
     Folder(Folder),
+    /// The same, typed.
+    #[cfg(feature = "parquet")]
+    Parquet(parquet::Folder),
 }
 
 impl Printer<'_> {
     /// What comes before all frames.
     fn head(&self) -> String {
         match &self.style {
-            Style::Text | Style::Json | Style::Folder(_) => String::new(),
             Style::Csv(columns) => columns.head(),
+            _ => String::new(),
         }
     }
 
@@ -190,7 +216,7 @@ impl Printer<'_> {
                 _ if self.choice.is_of_fields() => String::new(),
                 Style::Text => text::unverified(received),
                 Style::Json => json::unverified(received),
-                Style::Csv(_) | Style::Folder(_) => String::new(),
+                _ => String::new(),
             });
         };
         let (name, contents) = (reflected.info().name, contents(self.dialect, &self.tables, &reflected));
@@ -200,6 +226,11 @@ impl Printer<'_> {
             Style::Json => json::message(received, name, &contents),
             Style::Csv(columns) => columns.row(received, &contents),
             Style::Folder(folder) => {
+                folder.add(name, received, &contents)?;
+                String::new()
+            }
+            #[cfg(feature = "parquet")]
+            Style::Parquet(folder) => {
                 folder.add(name, received, &contents)?;
                 String::new()
             }

@@ -8,7 +8,8 @@ use std::path::{Path, PathBuf};
 use mavgen::Failure;
 use mavgen::decode::Contents;
 
-use super::csv::{Columns, is_head};
+use super::columns::Columns;
+use super::csv::is_head;
 use super::received::Received;
 
 /// The tables of a run.

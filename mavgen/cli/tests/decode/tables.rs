@@ -1,4 +1,4 @@
-//! `--format csv --out`: a table of each message.
+//! `--format csv --out` and `--format parquet --out`: a table of each message.
 
 use std::fs;
 
@@ -51,4 +51,40 @@ fn nothing_is_written_where_there_is_nothing() {
     let output = bench.decode(&["acme.xml", "--format", "csv", "--out", "tables"], b"");
     assert!(output.status.success() && stderr(&output).ends_with("tables: 0 tables written\n"), "{}", stderr(&output));
     assert!(!bench.folder.path().join("tables").exists());
+}
+
+#[cfg(feature = "parquet")]
+#[test]
+fn typed_tables_are_whole_and_only_their_own_are_replaced() {
+    let mut bench = Bench::new();
+    let stream = [bench.nozzles(0), bench.sprayer()].concat();
+    let options = ["acme.xml", "--overlay", "acme.overlay.xml", "--format", "parquet", "--out", "t"];
+    let (folder, theirs) = (bench.folder.path().join("t"), bench.folder.path().join("t/SPRAYER.parquet"));
+    for _ in 0..2 {
+        let output = bench.decode(&options, &stream);
+        assert!(output.status.success() && stderr(&output).ends_with("t: 2 tables written\n"), "{}", stderr(&output));
+        let mut names: Vec<_> = fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().file_name()).collect();
+        names.sort();
+        assert_eq!(names, ["NOZZLES.parquet", "SPRAYER.parquet"]);
+        let table = fs::read(&theirs).unwrap();
+        assert!(table.starts_with(b"PAR1") && table.ends_with(b"PAR1"));
+    }
+    for foreign in [&b"PAR1 of somebody else \x05\0\0\0PAR1"[..], b"", b"text"] {
+        fs::write(&theirs, foreign).unwrap();
+        let refused = bench.decode(&options, &stream);
+        let said = stderr(&refused);
+        assert!(said.contains("SPRAYER.parquet: `mavgen decode` did not write this file"), "{said}");
+        assert_eq!((refused.status.code(), fs::read(&theirs).unwrap().as_slice()), (Some(2), foreign));
+    }
+}
+
+#[test]
+fn typed_tables_need_a_folder_and_their_feature() {
+    let bench = Bench::new();
+    let said = stderr(&bench.decode(&["acme.xml", "--format", "parquet"], b""));
+    assert!(said.contains("give --out a folder"), "{said}");
+    if cfg!(not(feature = "parquet")) {
+        let said = stderr(&bench.decode(&["acme.xml", "--format", "parquet", "--out", "t"], b""));
+        assert!(said.contains("install it with --features parquet"), "{said}");
+    }
 }
