@@ -6,7 +6,7 @@ set -eu
 cd "$(dirname "$0")"
 seconds=${1:-60}
 [ $# -eq 0 ] || shift
-[ $# -gt 0 ] || set -- dialect overlay msg parser decode signing param_list param_access param_component mission_station mission_component
+[ $# -gt 0 ] || set -- dialect overlay msg parser decode signing command_station command_component heartbeat vehicle param_list param_access param_component mission_station mission_component
 work=${CARGO_TARGET_DIR:-target}/fuzz
 for target in "$@"; do
     corpus=$work/corpus/$target

@@ -33,18 +33,29 @@ pub fn component() -> Address {
 ///
 /// If it does not, or if `tell` finds something wrong.
 pub fn feed<S: Service>(machine: &mut S, arrivals: &[Arrival], mut tell: impl FnMut(S::Event)) -> Instant {
-    let mut now = Instant::ZERO;
-    rest(machine, now, &mut tell);
-    for (after, from, to, message, payload) in arrivals {
-        now += Duration::from_millis(u64::from(*after));
-        if let Some(deadline) = machine.deadline().filter(|deadline| from % 4 == 3 && *deadline > now) {
-            now = deadline;
-        }
-        let mut buffer = [0; MAX_FRAME];
-        let frame = frame(*from, *to, *message, payload, &mut buffer);
-        machine.handle(&frame, now);
-        rest(machine, now, &mut tell);
+    rest(machine, Instant::ZERO, &mut tell);
+    arrivals.iter().fold(Instant::ZERO, |now, arrival| step(machine, now, arrival, &mut tell))
+}
+
+/// Feeds one frame to a machine that was fed until then, and gives the time that it is afterwards.
+///
+/// # Panics
+///
+/// If it does not come to rest, or if `tell` finds something wrong.
+pub fn step<S: Service>(
+    machine: &mut S,
+    mut now: Instant,
+    (after, from, to, message, payload): &Arrival,
+    mut tell: impl FnMut(S::Event),
+) -> Instant {
+    now += Duration::from_millis(u64::from(*after));
+    if let Some(deadline) = machine.deadline().filter(|deadline| from % 4 == 3 && *deadline > now) {
+        now = deadline;
     }
+    let mut buffer = [0; MAX_FRAME];
+    let frame = frame(*from, *to, *message, payload, &mut buffer);
+    machine.handle(&frame, now);
+    rest(machine, now, &mut tell);
     now
 }
 
