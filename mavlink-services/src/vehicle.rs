@@ -11,7 +11,7 @@ use crate::{Address, Instant, Output, Service, command, earliest, interval, time
 /// The component sides of all protocols together: one frame goes in, one kind of event comes out.
 ///
 /// The parts are public: answer commands by [`commands`](Self::commands), change the heartbeat by [`beacon`](Self::beacon). Commands
-/// that are about message intervals are answered here. Leave parts away by composing the others yourself, as this does.
+/// that are about message intervals and the current item are answered here. Leave parts away by composing the others yourself, as this does.
 #[derive(Clone, Debug)]
 pub struct Vehicle<P, M, const STREAMS: usize> {
     /// Its heartbeat.
@@ -66,13 +66,15 @@ impl<P: Parameters, M: Plans, const STREAMS: usize> Vehicle<P, M, STREAMS> {
     /// What of a command event is not done here.
     fn command(&mut self, event: command::Event, now: Instant) -> Option<Event> {
         match event {
-            command::Event::Request(request) => match self.streams.command(&request.command, now) {
-                Some(result) => {
-                    self.commands.finish(request.ticket, result, now);
-                    None
+            command::Event::Request(request) => {
+                match self.streams.command(&request.command, now).or_else(|| self.plans.command(&request)) {
+                    Some(result) => {
+                        self.commands.finish(request.ticket, result, now);
+                        None
+                    }
+                    None => Some(Event::Command(request)),
                 }
-                None => Some(Event::Command(request)),
-            },
+            }
             command::Event::Cancel(ticket) => Some(Event::Cancel(ticket)),
         }
     }

@@ -7,10 +7,11 @@ mod simulated;
 use std::ops::ControlFlow;
 use std::time::Duration;
 
+use mavlink_services::command;
 use mavlink_services::common::{
-    self, MavCmd, MavFrame, MavMissionResult, MavMissionType, MissionAck, MissionClearAll, MissionCount,
-    MissionCurrent, MissionItemInt, MissionRequest, MissionRequestInt, MissionRequestList, MissionRequestPartialList,
-    MissionSetCurrent, MissionWritePartialList,
+    self, CommandLong, MavAutopilot, MavCmd, MavFrame, MavMissionResult, MavMissionType, MavProtocolCapability,
+    MavResult, MissionAck, MissionClearAll, MissionCount, MissionCurrent, MissionItemInt, MissionRequest,
+    MissionRequestInt, MissionRequestList, MissionRequestPartialList, MissionSetCurrent, MissionWritePartialList,
 };
 use mavlink_services::mission::{
     Access, Awaited, Clear, Component, ComponentEvent, Download, Failure, Form, Item, MissionItem, Plan, PlanStore,
@@ -255,6 +256,97 @@ fn an_old_vehicle_gets_and_gives_floats() {
     let (sent, events) = outputs(&mut download, now);
     assert_eq!(sent[0].decode::<MissionAck>().unwrap().r#type, MavMissionResult::INVALID_PARAM5_X);
     assert_eq!(events, [Update::Done(Err(Failure::Position { seq: 1 }))]);
+}
+
+/// The answers to a question of a station, as frames from the vehicle.
+fn to_station<M: Targeted>(message: M) -> M {
+    message.to(STATION.0, STATION.1)
+}
+
+#[test]
+fn who_turns_out_to_be_old_gets_and_gives_floats() {
+    let now = Instant::ZERO;
+    let place = [MissionItem::at(MavCmd::NAV_WAYPOINT, 47.5, -8.25, 30.0); 2];
+    let mut upload = Upload::new(access(MavMissionType::MISSION), place, now);
+    outputs(&mut upload, now);
+    let ask = |seq| to_station(MissionRequest { seq, ..MissionRequest::DEFAULT });
+    for (seq, int) in [(0, true), (0, true), (0, false), (1, false), (0, false)] {
+        give(&mut upload, COMPONENT, &ask(seq), now);
+        let sent = outputs(&mut upload, now).0[0];
+        assert_eq!(sent.decode::<MissionItemInt>().is_some(), int, "item {seq}");
+        assert_eq!(sent.decode::<common::MissionItem>().is_some(), !int, "item {seq}");
+    }
+    // One that knows both and asks in the old way keeps integers, whatever is lost later.
+    let mut upload = Upload::new(access(MavMissionType::MISSION), place, now);
+    outputs(&mut upload, now);
+    for seq in [0, 0, 1, 1, 1, 1, 0, 0, 0] {
+        give(&mut upload, COMPONENT, &ask(seq), now);
+        assert!(outputs(&mut upload, now).0[0].decode::<MissionItemInt>().is_some(), "item {seq}");
+    }
+
+    let mut download = Download::new(access(MavMissionType::MISSION), now);
+    outputs(&mut download, now);
+    give(&mut download, COMPONENT, &to_station(MissionCount { count: 2, ..MissionCount::DEFAULT }), now);
+    let (mut now, mut old) = (now, vec![]);
+    while !old.contains(&true) {
+        let sent = outputs(&mut download, now).0;
+        old.extend(sent.iter().map(|sent| sent.decode::<MissionRequest>().is_some()));
+        now = download.deadline().unwrap();
+    }
+    assert_eq!(old.len(), 10, "nine times in one form: {old:?}");
+    let item = to_station(common::MissionItem { x: 1.0, command: MavCmd::NAV_LAND, ..common::MissionItem::DEFAULT });
+    give(&mut download, COMPONENT, &item, now);
+    let (sent, told) = outputs(&mut download, now);
+    assert!(sent[0].decode::<MissionRequest>().is_some_and(|request| request.seq == 1));
+    assert!(matches!(told[..], [Update::Progress(Item { item: MissionItem { x: 10_000_000, .. }, .. })]));
+}
+
+#[test]
+fn the_form_is_what_the_capabilities_say_or_else_the_autopilot() {
+    const INT: MavProtocolCapability = MavProtocolCapability::MISSION_INT;
+    const FLOAT: MavProtocolCapability = MavProtocolCapability::MISSION_FLOAT;
+    for (capabilities, autopilot, expected) in [
+        (Some(INT | FLOAT), MavAutopilot::AUTOQUAD, Form::Int),
+        (Some(FLOAT), MavAutopilot::PX4, Form::Float),
+        (Some(MavProtocolCapability::FTP), MavAutopilot::PX4, Form::Int),
+        (Some(MavProtocolCapability::FTP), MavAutopilot::AUTOQUAD, Form::Float),
+        (None, MavAutopilot::AUTOQUAD, Form::Float),
+        (None, MavAutopilot::ARDUPILOTMEGA, Form::Int),
+    ] {
+        assert_eq!(Form::of(capabilities, autopilot), expected, "{capabilities:?} {autopilot}");
+    }
+}
+
+#[test]
+fn a_command_sets_the_current_item() {
+    let (mut simulation, mut vehicle) = (Simulation::new(1, Weather::FINE), vehicle(20));
+    let mut upload = Upload::new(access(MavMissionType::MISSION), items(20, 0), simulation.now);
+    finish(&mut simulation, &mut upload, &mut vehicle).0.unwrap();
+    let mut commands = command::Component::<1>::new(component());
+    let cases = [
+        (19.0, MavResult::ACCEPTED, 19),
+        (-1.0, MavResult::ACCEPTED, 19),
+        (20.0, MavResult::DENIED, 19),
+        (0.5, MavResult::DENIED, 19),
+        (f32::NAN, MavResult::DENIED, 19),
+        (0.0, MavResult::ACCEPTED, 0),
+    ];
+    for ((param1, result, current), second) in cases.into_iter().zip(10..) {
+        let now = Instant::from_millis(second * 10_000);
+        let set = CommandLong { command: MavCmd::DO_SET_MISSION_CURRENT, param1, ..CommandLong::DEFAULT };
+        give(&mut commands, STATION, &set.to(1, 1), now);
+        let Some(command::Event::Request(request)) = outputs(&mut commands, now).1.pop() else { panic!("no request") };
+        assert_eq!(vehicle.command(&request), Some(result), "{param1}");
+        commands.finish(request.ticket, result, now);
+        let (sent, events) = outputs(&mut vehicle, now);
+        let told = sent.first().map(|sent| sent.decode::<MissionCurrent>().unwrap().seq);
+        assert_eq!((vehicle.current().seq, told), (current, (param1.fract() == 0.0).then_some(current)), "{param1}");
+        assert_eq!(events.len(), usize::from(result == MavResult::ACCEPTED), "{param1}");
+    }
+    let now = Instant::from_millis(1_000_000);
+    give(&mut commands, STATION, &CommandLong { command: MavCmd::MISSION_START, ..CommandLong::DEFAULT }.to(1, 1), now);
+    let Some(command::Event::Request(request)) = outputs(&mut commands, now).1.pop() else { panic!("no request") };
+    assert_eq!(vehicle.command(&request), None);
 }
 
 #[test]

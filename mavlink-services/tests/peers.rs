@@ -157,6 +157,8 @@ fn pymavlink_is_the_vehicle() {
             "{sent:?} {told:?}"
         );
     }
+    // By message: it refuses the command as one that it does not know.
+    station.set_current(7).unwrap();
     station.clear(MavMissionType::MISSION).unwrap();
     assert_eq!(station.download().unwrap(), []);
 

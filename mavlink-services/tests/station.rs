@@ -56,6 +56,13 @@ fn a_station_does_all_of_it() {
     // The vehicle is at the first one.
     let told = [&[MissionItem { current: true, ..items[0] }], &items[1..]].concat();
     assert_eq!(station.download().unwrap(), told);
+    station.set_current(4).unwrap();
+    let told = station.download().unwrap();
+    assert_eq!(told.iter().position(|item| item.current), Some(4));
+    let beyond = station.set_current(5).unwrap_err();
+    let Error::Command { failure: command::Failure::Refused { result: MavResult::DENIED, .. }, .. } = beyond else {
+        panic!("{beyond:?}")
+    };
     let fence = [MissionItem::at(MavCmd::NAV_FENCE_CIRCLE_INCLUSION, 47.0, 8.0, 0.0)];
     let mut progress = Vec::new();
     station.upload_plan(MavMissionType::FENCE, &fence, |sent| progress.push((sent.sent, sent.count))).unwrap();

@@ -81,6 +81,9 @@ class Vehicle:
         self.wp.clear()
         self.mav.mav.mission_ack_send(255, 190, link.MAV_MISSION_ACCEPTED)
 
+    def on_MISSION_SET_CURRENT(self, message):
+        self.mav.mav.mission_current_send(message.seq)
+
     def on_TIMESYNC(self, message):
         if message.tc1 == 0:
             self.mav.mav.timesync_send(time.monotonic_ns(), message.ts1)

@@ -186,7 +186,7 @@ impl Session {
     /// Takes what the vehicle says that it can do, or that it says nothing.
     pub(super) fn learn(&mut self, capabilities: Option<MavProtocolCapability>) {
         self.encoding = Some(Encoding::of(capabilities, self.heartbeat.autopilot));
-        self.form = Form::of(capabilities);
+        self.form = Form::of(capabilities, self.heartbeat.autopilot);
     }
 
     pub(super) fn params(&self) -> param::Access {

@@ -11,13 +11,13 @@ use mavlink_wire::link::{LinkError, Options};
 use mavlink_wire::{Dialect, Encode, Frame, FrameBuf, Message, Sender, Table};
 
 use super::session::{Patience, Session};
-use super::verbs::{OLD_VERSION, arming, verbs};
+use super::verbs::{OLD_VERSION, arming, making_current, verbs};
 use super::{Error, STATION};
 use crate::command::{self, Accepted, Fetch, Progress};
-use crate::common::{AutopilotVersion, Common, Heartbeat, MavMissionType};
+use crate::common::{AutopilotVersion, Common, Heartbeat, MavMissionType, MavResult};
 use crate::heartbeat::Beacon;
 use crate::interval::{self, Interval};
-use crate::mission::{Clear, Download, MissionItem, Sent, Upload, Uploaded};
+use crate::mission::{Clear, Download, MissionItem, Sent, SetCurrent, Upload, Uploaded};
 use crate::param::{List, ListProgress, Listed, Name, ParamValue, Read, Which, Write};
 use crate::timesync::{Measure, Offset};
 use crate::{Address, Instant, Operation, Outgoing, Output, Update};

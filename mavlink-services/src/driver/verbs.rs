@@ -210,6 +210,22 @@ macro_rules! verbs {
             Ok(())
         }
 
+        /// Sends the vehicle to an item of its mission, by command, or in the old way if it does not know that.
+        ///
+        /// # Errors
+        ///
+        /// The mission has no such item, or the vehicle does not answer.
+        pub $($async)? fn set_current(&mut self, seq: u16) -> Result<(), Error> {
+            match self.command(&making_current(seq)) $($wait)* {
+                Err(Error::Command { failure: command::Failure::Refused { result: MavResult::UNSUPPORTED, .. }, .. }) => {}
+                other => return other.map(|_| ()),
+            }
+            let access = self.session.plan(MavMissionType::MISSION);
+            let mut setting = SetCurrent::new(access, seq, self.session.now());
+            self.run(&mut setting, |_| {}) $($wait)*?;
+            Ok(())
+        }
+
         /// Asks the vehicle to send the message with this id so often.
         ///
         /// # Errors
@@ -311,6 +327,11 @@ macro_rules! verbs {
 pub(super) const fn arming(arm: bool) -> CommandLong {
     let param1 = if arm { 1.0 } else { 0.0 };
     CommandLong { command: MavCmd::COMPONENT_ARM_DISARM, param1, ..CommandLong::DEFAULT }
+}
+
+/// The command that sends a vehicle to an item.
+pub(super) fn making_current(seq: u16) -> CommandLong {
+    CommandLong { command: MavCmd::DO_SET_MISSION_CURRENT, param1: f32::from(seq), ..CommandLong::DEFAULT }
 }
 
 /// How `AUTOPILOT_VERSION` was asked for before 2019.

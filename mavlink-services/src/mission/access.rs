@@ -4,7 +4,7 @@ use core::time::Duration;
 
 use mavlink_wire::Frame;
 
-use crate::common::{MavMissionResult, MavMissionType, MavProtocolCapability, MissionAck};
+use crate::common::{MavAutopilot, MavMissionResult, MavMissionType, MavProtocolCapability, MissionAck};
 use crate::{Address, Outgoing, Retry};
 
 /// Who asks whom, for which plan, and how.
@@ -36,17 +36,21 @@ pub enum Form {
 }
 
 impl Form {
-    /// What a vehicle knows, by the capabilities in its `AUTOPILOT_VERSION`; without one, it is taken for a vehicle of today.
+    /// What a vehicle knows, by the capabilities in its `AUTOPILOT_VERSION`; without one, by the autopilot in its `HEARTBEAT`:
+    /// AutoQuad knows the old message, all others are taken for vehicles of today.
+    ///
+    /// If that is wrong, an upload and a download notice at the first item, after a while.
     #[must_use]
-    pub fn of(capabilities: Option<MavProtocolCapability>) -> Self {
-        match capabilities {
-            Some(capabilities)
-                if capabilities.contains(MavProtocolCapability::MISSION_FLOAT)
-                    && !capabilities.contains(MavProtocolCapability::MISSION_INT) =>
-            {
-                Self::Float
-            }
-            _ => Self::Int,
+    pub fn of(capabilities: Option<MavProtocolCapability>, autopilot: MavAutopilot) -> Self {
+        let says = |flag| capabilities.is_some_and(|capabilities| capabilities.contains(flag));
+        let (int, float) = (says(MavProtocolCapability::MISSION_INT), says(MavProtocolCapability::MISSION_FLOAT));
+        if !int && (float || autopilot == MavAutopilot::AUTOQUAD) { Self::Float } else { Self::Int }
+    }
+
+    pub(super) const fn other(self) -> Self {
+        match self {
+            Self::Int => Self::Float,
+            Self::Float => Self::Int,
         }
     }
 }

@@ -11,10 +11,12 @@ use super::access::ack;
 use super::item::MissionItem;
 use super::plans::{Plans, Replaced};
 use super::receiving::Receiving;
+use crate::command::Request;
 use crate::common::{
-    self, MavMissionResult, MavMissionType, MissionAck, MissionClearAll, MissionCount, MissionCurrent, MissionItemInt,
-    MissionItemReached, MissionSetCurrent, MissionState, MissionWritePartialList,
+    self, MavCmd, MavMissionResult, MavMissionType, MavResult, MissionAck, MissionClearAll, MissionCount,
+    MissionCurrent, MissionItemInt, MissionItemReached, MissionSetCurrent, MissionState, MissionWritePartialList,
 };
+use crate::param::ParamValue;
 use crate::{Address, Instant, Outgoing, Output, Retry, Service};
 
 /// Keeps the plans of a vehicle, and moves them from and to stations; says which item of the mission it is at.
@@ -129,6 +131,19 @@ impl<P: Plans> Component<P> {
         (self.state, self.tell_current) = (state, true);
     }
 
+    /// Carries out `MAV_CMD_DO_SET_MISSION_CURRENT`, and gives the result to be acknowledged; `None` if it is another command.
+    ///
+    /// Whether the mission is to begin anew is the second parameter; that is yours to do, as flying to the item is.
+    pub fn command(&mut self, request: &Request) -> Option<MavResult> {
+        let [number, ..] = request.command.params();
+        if request.command.command() != MavCmd::DO_SET_MISSION_CURRENT {
+            return None;
+        }
+        let seq = if number == -1.0 { Ok(self.current) } else { u16::try_from(ParamValue::F32(number)) };
+        let done = seq.is_ok_and(|seq| self.set_current_by(request.from, seq));
+        Some(if done { MavResult::ACCEPTED } else { MavResult::DENIED })
+    }
+
     /// The vehicle has reached this item: all stations are told.
     pub fn reached(&mut self, seq: u16) {
         self.reached = Some(seq);
@@ -186,14 +201,17 @@ impl<P: Plans> Component<P> {
         self.acknowledge(by, plan, MavMissionResult::ACCEPTED);
     }
 
-    /// A station sends the vehicle to an item.
-    fn set_current_by(&mut self, by: Address, seq: u16) {
-        if self.plans.count(MavMissionType::MISSION).is_ok_and(|count| seq < count) {
+    /// A station sends the vehicle to an item; whether the mission has it.
+    fn set_current_by(&mut self, by: Address, seq: u16) -> bool {
+        let exists = self.plans.count(MavMissionType::MISSION).is_ok_and(|count| seq < count);
+        if exists {
             self.current = seq;
             self.event = Some(ComponentEvent::Current { seq, by });
         }
         self.tell_current = true;
+        exists
     }
+
     /// Where the vehicle is, if that is to be told.
     fn next_of_state(&mut self) -> Option<Outgoing> {
         if let Some(seq) = self.reached.take() {

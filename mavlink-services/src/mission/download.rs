@@ -11,7 +11,13 @@ use crate::common::{
 use crate::retry::Attempt;
 use crate::{Instant, Operation, Outgoing, Output, Service, Update};
 
+/// How often the first item is asked for in one form alone. If there is no answer, both forms are tried in turn.
+const ONE_FORM: u16 = 8;
+
 /// Fetches the plan of a vehicle, one item after the other, in order. It tells them as they come and keeps none.
+///
+/// If the vehicle does not answer the question for the first item, it is asked with `MISSION_REQUEST_INT` and with the old
+/// `MISSION_REQUEST` in turn; the others go by what it knew.
 ///
 /// ```text
 /// ask how many ──▶ waiting ── count ──▶ ask for an item ──▶ waiting ── the last one ──▶ acknowledge ──▶ done
@@ -145,7 +151,7 @@ impl Download {
     }
 
     /// An item has come; `None` if it cannot be understood.
-    fn take(&mut self, seq: u16, item: Option<MissionItem>, now: Instant) {
+    fn take(&mut self, (seq, form): (u16, Form), item: Option<MissionItem>, now: Instant) {
         if seq != self.next || !matches!(self.state, State::AskItem | State::AwaitItem) {
             return;
         }
@@ -153,6 +159,9 @@ impl Download {
             self.state = State::Acknowledge(MavMissionResult::INVALID_PARAM5_X, Err(Failure::Position { seq }));
             return;
         };
+        if seq == self.first() {
+            self.access.form = form;
+        }
         self.next = self.next.saturating_add(1);
         let received = self.next.saturating_sub(self.first());
         self.news = Some(Item { seq, item, received, count: self.count() });
@@ -181,7 +190,10 @@ impl Download {
     }
 
     fn ask_item(&self) -> Outgoing {
-        request(self.access.peer, self.access.plan, self.next, self.access.form)
+        let asked = self.attempt.asked();
+        let other = self.next == self.first() && asked > ONE_FORM && asked.is_multiple_of(2);
+        let form = if other { self.access.form.other() } else { self.access.form };
+        request(self.access.peer, self.access.plan, self.next, form)
     }
 }
 
@@ -204,11 +216,11 @@ impl Service for Download {
         }
         if let Some(item) = frame.decode::<MissionItemInt>() {
             if access.concerns((item.target_system, item.target_component), item.mission_type) {
-                self.take(item.seq, Some(item.into()), now);
+                self.take((item.seq, Form::Int), Some(item.into()), now);
             }
         } else if let Some(item) = frame.decode::<common::MissionItem>() {
             if access.concerns((item.target_system, item.target_component), item.mission_type) {
-                self.take(item.seq, MissionItem::of_float(&item), now);
+                self.take((item.seq, Form::Float), MissionItem::of_float(&item), now);
             }
         } else if let Some(count) = frame.decode::<MissionCount>() {
             if access.concerns((count.target_system, count.target_component), count.mission_type) {

@@ -60,7 +60,7 @@ impl Receiving {
         if self.ask || self.attempt.is_waiting(now) {
             return true;
         }
-        self.form = if self.form == Form::Int { Form::Float } else { Form::Int };
+        self.form = self.form.other();
         self.ask = self.attempt.again(now);
         self.ask
     }

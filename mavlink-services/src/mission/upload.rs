@@ -2,16 +2,20 @@
 
 use mavlink_wire::Frame;
 
-use super::access::Access;
+use super::access::{Access, Form};
 use super::failure::{Awaited, Failure};
 use super::item::MissionItem;
 use crate::common::{MavMissionResult, MissionCount, MissionRequest, MissionRequestInt, MissionWritePartialList};
 use crate::retry::Attempt;
 use crate::{Instant, Operation, Outgoing, Output, Service, Update};
 
+/// How often the first item may be asked for with the old message before it is sent in the old one, too: the answer may be lost.
+const OLD_QUESTIONS: u8 = 2;
+
 /// Sends a plan to a vehicle, which asks for one item after the other.
 ///
-/// The items are yours: a slice, an array, a vector.
+/// The items are yours: a slice, an array, a vector. A vehicle that asks for the first one a third time with `MISSION_REQUEST` does not
+/// know `MISSION_ITEM_INT`, and gets floats from then on.
 ///
 /// ```text
 /// announce ──▶ waiting ── asks for the first item ──▶ sending ── says it has all ──▶ done
@@ -45,6 +49,7 @@ pub struct Upload<S> {
     /// One more than the last item that was sent, counted from the first.
     sent: u16,
     told: u16,
+    old_questions: u8,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -99,7 +104,7 @@ impl<S: AsRef<[MissionItem]>> Upload<S> {
             count => State::End(Err(Failure::TooMany { count: count.unwrap_or(u16::MAX) })),
         };
         let attempt = Attempt::start(access.retry, now);
-        Self { access, items, part, attempt, state, wanted: None, sent: 0, told: 0 }
+        Self { access, items, part, attempt, state, wanted: None, sent: 0, told: 0, old_questions: 0 }
     }
 
     /// Gives up, and tells the vehicle so, which keeps the plan that it has.
@@ -128,6 +133,17 @@ impl<S: AsRef<[MissionItem]>> Upload<S> {
             self.attempt = Attempt::start(self.access.retry, now);
         }
         self.wanted = Some(place);
+    }
+
+    /// The vehicle asks for this item with the old message.
+    fn request_old(&mut self, seq: u16, now: Instant) {
+        self.request(seq, now);
+        if self.sent == 1 && self.wanted == Some(0) {
+            self.old_questions = self.old_questions.saturating_add(1);
+        }
+        if self.old_questions > OLD_QUESTIONS {
+            self.access.form = Form::Float;
+        }
     }
 
     fn acknowledged(&mut self, result: MavMissionResult, opaque_id: u32) {
@@ -198,7 +214,7 @@ impl<S: AsRef<[MissionItem]>> Service for Upload<S> {
             }
         } else if let Some(request) = frame.decode::<MissionRequest>() {
             if access.concerns((request.target_system, request.target_component), request.mission_type) {
-                self.request(request.seq, now);
+                self.request_old(request.seq, now);
             }
         } else if let Some(ack) = access.acked(frame) {
             self.acknowledged(ack.r#type, ack.opaque_id);
