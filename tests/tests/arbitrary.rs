@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use arbitrary::{Arbitrary, Unstructured};
 use mavlink_autoquad::autoquad::{Attitude, Autoquad, AutoquadNavStatus, MavState, Statustext};
+use mavlink_conformance::golden::topics::PumpStatus;
 use mavlink_conformance::payload::{Canonical, Fill};
 use mavlink_conformance::random::Random;
 use mavlink_wire::{Chars, Dialect, Encode, Message};
@@ -57,4 +58,12 @@ fn values_that_nothing_names_come_up() {
     assert_eq!(Chars::<3>::arbitrary(&mut rest).unwrap(), Chars([b'a', 0, b'b']));
     let hints = (MavState::size_hint(0), AutoquadNavStatus::size_hint(0), Chars::<3>::size_hint(0));
     assert_eq!(hints, ((1, Some(1)), (4, Some(4)), (3, Some(3))));
+}
+
+/// Field by field, in their order; what bytes do not say is zero.
+#[test]
+fn a_topic_comes_of_its_bytes() {
+    let status = PumpStatus::arbitrary(&mut Unstructured::new(&[1, 0, 0, 0, 0, 0, 0, 0, 2, 255, 8])).unwrap();
+    assert_eq!((status.timestamp, status.mode.0, status.trend.0, status.faults.bits()), (1, 2, -1, 8));
+    assert_eq!((status.level, status.pumps[2].rpm), (0.0, 0));
 }

@@ -5,6 +5,7 @@ use mavlink_autoquad::autoquad::{
     MavType, SetupSigning, Statustext,
 };
 use mavlink_autoquad::esc::{DisarmReason, Update};
+use mavlink_conformance::golden::topics::{Pump, PumpStatus, PumpStatusMode};
 use mavlink_conformance::payload::Fill;
 use mavlink_conformance::random::Random;
 use mavlink_wire::reflect::Reflected;
@@ -148,4 +149,14 @@ fn views_slots_and_reasons_say_what_they_hold() {
     assert!(has(&log(&Esc { id: 1, age_ms: Some(5), status: Some(status) }), &all));
     assert!(has(&log(&DisarmReason::Undefined(9)), &[&sent("Undefined"), &[9]]));
     assert!(has(&log(&Update::Restarted), &[&sent("Restarted")]));
+}
+
+#[test]
+fn a_topic_names_its_fields_and_their_values() {
+    let mut status = PumpStatus { mode: PumpStatusMode::FILL, pressure: 0x1234, ..PumpStatus::UNKNOWN };
+    status.pumps[1] = Pump { rpm: 0x5678, ..Pump::UNKNOWN };
+    let [name, mode, fill, pressure] = [sent("PumpStatus"), sent("mode"), sent("MODE_FILL"), sent("pressure")];
+    let [pumps, nested] = [sent("pumps"), sent("Pump")];
+    let log = log(&status);
+    assert!(has(&log, &[&name, &mode, &fill, &pressure, &[0x34, 0x12], &pumps, &nested, &[0x78, 0x56]]));
 }

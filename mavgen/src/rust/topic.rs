@@ -48,17 +48,17 @@ pub(crate) struct TopicField<'d> {
     pub(crate) name: &'d str,
     /// The name in older definitions.
     pub(crate) was: Option<&'d str>,
-    /// The value that means "not known", if zero does not.
-    pub(crate) unknown: Option<Unknown<'d>>,
 }
 
 /// A field by name and type.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct TopicSlot<'d> {
     pub(crate) ident: &'d str,
     pub(crate) ty: TopicType<'d>,
     /// The length of an array.
     pub(crate) len: Option<u16>,
+    /// The value that means "not known", if zero does not.
+    pub(crate) unknown: Option<Unknown<'d>>,
 }
 
 /// The type of a field's elements.

@@ -99,10 +99,13 @@ impl<'s> Resolver<'s> {
         constants: Vec<Constant>,
     ) -> Option<Message> {
         let nested = &self.package.messages;
-        let layouts = arrange(&mut fields, &Nested(nested)).zip(arrange_cdr(&mut fields, &Nested(nested)));
+        let in_struct = arrange(&mut fields, &Nested(nested)).filter(|(length, _)| *length <= LONGEST);
+        // Work on nested arrays is bounded by the length of the struct, so that comes first.
+        let layouts = in_struct.and_then(|lengths| Some((lengths, arrange_cdr(&mut fields, &Nested(nested))?)));
         let Some(((struct_len, struct_padding), cdr_len)) = layouts else {
-            let message = format!("`{name}` is longer than 4 GiB");
-            self.diagnostics.push(Diagnostic::new(Code::UorbArray, Span::new(file, 0..0), message));
+            let message = format!("`{name}` is longer than {LONGEST} bytes");
+            let problem = Diagnostic::new(Code::UorbArray, Span::new(file, 0..0), message);
+            self.diagnostics.push(problem.help("PX4 keeps the length of a message in 16 bits"));
             return None;
         };
         let number = |wanted: &str| {
@@ -188,6 +191,9 @@ impl<'s> Resolver<'s> {
         self.diagnostics.push(problem.help("every uORB message has `uint64 timestamp`, in microseconds"));
     }
 }
+
+/// Bytes of the longest message.
+const LONGEST: u32 = 0xffff;
 
 const VERSION: &str = "MESSAGE_VERSION";
 const QUEUE: &str = "ORB_QUEUE_LENGTH";

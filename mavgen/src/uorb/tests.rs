@@ -254,6 +254,22 @@ fn layouts_and_hashes_of_esc_status() {
     );
 }
 
+/// Nested arrays multiply: a few lines could ask for more work than anybody has time for.
+#[test]
+fn a_message_has_an_end() {
+    let nest = |number: usize, length: usize| format!("uint64 timestamp\nA{}[{length}] a\n", number - 1);
+    let texts: Vec<(String, String)> = (0..9)
+        .map(|number| {
+            (format!("A{number}"), if number == 0 { "uint64 timestamp".to_owned() } else { nest(number, 90) })
+        })
+        .collect();
+    let files: Vec<(&str, &str)> = texts.iter().map(|(name, text)| (name.as_str(), text.as_str())).collect();
+    let (package, codes) = package(&files);
+    assert_eq!(package.messages.iter().map(|message| message.struct_len).collect::<Vec<_>>(), [8, 728, 65528]);
+    assert_eq!(codes[0], Code::UorbArray);
+    assert!(codes[1..].iter().all(|code| *code == Code::UorbNested));
+}
+
 #[test]
 fn names_of_topics() {
     for (message, topic) in

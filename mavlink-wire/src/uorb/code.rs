@@ -216,11 +216,16 @@ pub fn is_blank<T: Blank>(value: T) -> bool {
 ///
 /// # Errors
 ///
-/// The others say something.
+/// The others say something else than that they are not known.
 #[inline]
-pub fn first<T: Blank, const N: usize>(values: &[T], field: &'static str) -> Result<[T; N], CdrError> {
+pub fn first<T: Blank + PartialEq, const N: usize>(
+    values: &[T],
+    unknown: T,
+    field: &'static str,
+) -> Result<[T; N], CdrError> {
+    let is_blank = |value: &T| value.is_blank() || *value == unknown;
     match values.split_first_chunk() {
-        Some((first, rest)) if rest.iter().all(|value| value.is_blank()) => Ok(*first),
+        Some((first, rest)) if rest.iter().all(is_blank) => Ok(*first),
         _ => Err(CdrError::DoesNotFit { field }),
     }
 }
@@ -261,8 +266,9 @@ mod tests {
 
     #[test]
     fn what_is_left_out_says_nothing() {
-        assert_eq!(first::<_, 2>(&[1.0, 2.0, f32::NAN, 0.0], "x"), Ok([1.0, 2.0]));
-        assert_eq!(first::<_, 2>(&[1_u8, 2, 3], "x"), Err(CdrError::DoesNotFit { field: "x" }));
+        assert_eq!(first::<_, 2>(&[1.0, 2.0, f32::NAN, 0.0], 0.0, "x"), Ok([1.0, 2.0]));
+        assert_eq!(first::<_, 2>(&[1_u8, 2, 3], 4, "x"), Err(CdrError::DoesNotFit { field: "x" }));
+        assert_eq!(first::<_, 2>(&[1_u8, 2, 4, 0], 4, "x"), Ok([1, 2]));
     }
 
     #[test]

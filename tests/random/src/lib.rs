@@ -14,6 +14,7 @@ mod mutate;
 mod names;
 mod overlay;
 mod switch;
+mod topics;
 mod view;
 mod xml;
 
@@ -21,6 +22,7 @@ pub use case::{Case, case};
 pub use chance::Random;
 pub use construct::Construct;
 pub use mutate::{elements, mutant};
+pub use topics::{Topics, topics};
 
 #[cfg(test)]
 mod tests {

@@ -11,6 +11,7 @@ mod meaning;
 mod package;
 mod program;
 mod sample;
+mod topics;
 
 use std::collections::BTreeSet;
 use std::ops::Range;

@@ -10,7 +10,7 @@ use crate::failure::Failure;
 use crate::sample::Sample;
 
 /// What every dialect has to pass.
-const HEAD: &str = "//! Dialects.\n#![no_std]\n#![forbid(unsafe_code)]\n#![deny(warnings, missing_docs, unreachable_pub, \
+pub(crate) const HEAD: &str = "//! Dialects.\n#![no_std]\n#![forbid(unsafe_code)]\n#![deny(warnings, missing_docs, unreachable_pub, \
                     clippy::all)]\n";
 
 /// A folder for crates that are not part of the workspace; it stays, and so does what was compiled there.
@@ -30,7 +30,7 @@ impl Package {
         let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
         let manifest = format!(
             "[package]\nname = {name:?}\nversion = \"0.0.0\"\nedition = \"2024\"\n[workspace]\n\
-             [dependencies]\nmavlink-wire = {{ path = {:?} }}\n",
+             [dependencies]\nmavlink-wire = {{ path = {:?}, features = [\"uorb\"] }}\n",
             workspace.join("mavlink-wire"),
         );
         _ = fs::remove_dir_all(&made.folder);
@@ -102,7 +102,7 @@ impl Package {
 }
 
 /// Takes apart what rustc says, by the seeds in whose files it lies.
-fn blame(said: &str) -> BTreeMap<u64, Vec<String>> {
+pub(crate) fn blame(said: &str) -> BTreeMap<u64, Vec<String>> {
     let mut blamed: BTreeMap<u64, Vec<String>> = BTreeMap::new();
     for one in said.split("\n\n") {
         let place = one.split("src/seed_").nth(1).and_then(|rest| rest.split('/').next()).map(str::parse);

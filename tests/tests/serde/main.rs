@@ -2,6 +2,7 @@
 
 mod errors;
 mod others;
+mod topics;
 mod views;
 
 use std::fmt::Debug;

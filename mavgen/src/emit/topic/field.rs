@@ -57,7 +57,7 @@ pub(super) fn plain(plain: Plain) -> TokenStream {
 
 /// `esc_voltage: f32::NAN`
 pub(super) fn unknown(field: &TopicField<'_>) -> TokenStream {
-    let (name, element) = (ident(field.slot.ident), unknown_element(field));
+    let (name, element) = (ident(field.slot.ident), unknown_element(field.slot));
     let value = match (field.slot.ty, field.slot.len) {
         (TopicType::Plain(Plain::Char), len) => {
             let len = Literal::u16_unsuffixed(len.unwrap_or(1));
@@ -73,8 +73,8 @@ pub(super) fn unknown(field: &TopicField<'_>) -> TokenStream {
 }
 
 /// One element of which nothing is known.
-pub(super) fn unknown_element(field: &TopicField<'_>) -> TokenStream {
-    match (field.unknown, field.slot.ty) {
+pub(super) fn unknown_element(slot: TopicSlot<'_>) -> TokenStream {
+    match (slot.unknown, slot.ty) {
         (Some(Unknown::Is(sentinel)), _) => literal(sentinel),
         (Some(Unknown::NanF32), _) => quote!(f32::NAN),
         (Some(Unknown::NanF64), _) => quote!(f64::NAN),

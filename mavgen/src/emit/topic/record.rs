@@ -30,7 +30,7 @@ pub(super) fn read(topic: &Topic<'_>) -> TokenStream {
 
 /// A field by its place, and by those of what it nests.
 fn value(field: &TopicField<'_>, at: usize, (begins, ends): (usize, usize)) -> TokenStream {
-    let (place, unknown) = (decimal(at as u64), unknown_element(field));
+    let (place, unknown) = (decimal(at as u64), unknown_element(field.slot));
     match (field.slot.ty, field.slot.len) {
         (TopicType::Plain(Plain::Char), len) => {
             let len = Literal::u16_unsuffixed(len.unwrap_or(1));

@@ -58,7 +58,7 @@ fn stored_as(slot: TopicSlot<'_>, (stored, len): (Plain, Option<u16>), source: &
     let few = len.map(Literal::u16_unsuffixed);
     if stored == Plain::Char {
         let few = Literal::u16_unsuffixed(len.unwrap_or(1));
-        return if is_all { source.clone() } else { quote!(wire::generated::first::<_, #few>(&#source.0, #name)?) };
+        return if is_all { source.clone() } else { quote!(wire::generated::first::<_, #few>(&#source.0, 0, #name)?) };
     }
     let mut value = match slot.ty {
         TopicType::Enum(one) if !(is_same && is_all) => match len {
@@ -71,7 +71,12 @@ fn stored_as(slot: TopicSlot<'_>, (stored, len): (Plain, Option<u16>), source: &
         _ => source.clone(),
     };
     if !is_all {
-        value = quote!(wire::generated::first::<_, #few>(&#value, #name)?);
+        let unknown = unknown_element(slot);
+        let unknown = match slot.ty {
+            TopicType::Enum(one) => number_in(one.as_int(), &unknown),
+            _ => unknown,
+        };
+        value = quote!(wire::generated::first::<_, #few>(&#value, #unknown, #name)?);
     }
     if !is_same {
         let of = plain(stored);
@@ -119,7 +124,7 @@ fn is_blank_field(field: &TopicField<'_>) -> TokenStream {
         }
     };
     // NaN is blank in any case.
-    let sentinel = matches!(field.unknown, Some(crate::rust::Unknown::Is(_))).then(|| unknown_element(field));
+    let sentinel = matches!(field.slot.unknown, Some(crate::rust::Unknown::Is(_))).then(|| unknown_element(field.slot));
     match (sentinel, len.map(Literal::u16_unsuffixed)) {
         (None, _) => blank,
         (Some(sentinel), None) => quote!((#blank || #value == #sentinel)),

@@ -17,9 +17,7 @@ impl<'d> Topics<'d> {
 
     fn field(self, index: MessageIndex, at: usize) -> Result<TopicField<'d>, Internal> {
         let (field, slot) = (self.field_at(index, at)?, self.slot(index, at)?);
-        let unknown = if has_accessors(field) { self.unknown(field, slot)? } else { None };
-        let docs = self.field_docs(field)?;
-        Ok(TopicField { slot, docs, name: &field.name, was: field.was.as_deref(), unknown })
+        Ok(TopicField { slot, docs: self.field_docs(field)?, name: &field.name, was: field.was.as_deref() })
     }
 
     fn field_at(self, index: MessageIndex, at: usize) -> Result<&'d Field, Internal> {
@@ -39,7 +37,8 @@ impl<'d> Topics<'d> {
                 TopicType::Message { ident: &names.ty, name: &model.name, places: self.places(model)? }
             }
         };
-        Ok(TopicSlot { ident, ty, len: field.array })
+        let unknown = if has_accessors(field) { self.unknown(field, ty)? } else { None };
+        Ok(TopicSlot { ident, ty, len: field.array, unknown })
     }
 
     /// How many places the fields of a message take, and those of what it nests.
@@ -54,9 +53,9 @@ impl<'d> Topics<'d> {
     }
 
     /// The value that means "not known", in the type that the field has.
-    fn unknown(self, field: &'d Field, slot: TopicSlot<'d>) -> Result<Option<Unknown<'d>>, Internal> {
+    fn unknown(self, field: &'d Field, ty: TopicType<'d>) -> Result<Option<Unknown<'d>>, Internal> {
         let Some(invalid) = field.invalid else { return Ok(None) };
-        Ok(match (slot.ty, invalid.sentinel) {
+        Ok(match (ty, invalid.sentinel) {
             (TopicType::Plain(Plain::F64), Sentinel::NotANumber) => Some(Unknown::NanF64),
             (TopicType::Plain(Plain::F32), Sentinel::NotANumber) => Some(Unknown::NanF32),
             (TopicType::Plain(Plain::F32 | Plain::F64), Sentinel::Float(value)) => {
@@ -79,7 +78,7 @@ impl<'d> Topics<'d> {
         let mut methods = Vec::new();
         for &at in &self.message(index)?.names.accessors {
             let (field, slot) = (self.field_at(index, at)?, self.slot(index, at)?);
-            let (Some(unknown), Some(element)) = (self.unknown(field, slot)?, definitions::element(slot.ty)) else {
+            let (Some(unknown), Some(element)) = (slot.unknown, definitions::element(slot.ty)) else {
                 continue;
             };
             let scope = field.invalid.map_or(Scope::Each, |invalid| invalid.scope);

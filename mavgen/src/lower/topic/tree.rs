@@ -7,7 +7,9 @@ use crate::docs::first_sentence;
 use crate::internal::Internal;
 use crate::lower::docs::link;
 use crate::lower::files::{MARK, Options, ROOT_MARK};
-use crate::rust::{Cell, Child, ChildAccess, Content, Docs, Export, File, Paragraph, Topic, TopicType, Use};
+use crate::rust::{
+    Cell, Child, ChildAccess, Content, Docs, Export, File, Held, Move, Paragraph, Plain, Topic, TopicType, Use,
+};
 use crate::uorb::model::{EnumIndex, MessageIndex};
 use crate::uorb::union::Union;
 
@@ -130,15 +132,45 @@ fn topic<'d>(topics: Topics<'d>, index: MessageIndex, options: &Options) -> Resu
 
 /// The enums and the topics that a topic names.
 fn imports(topic: &Topic<'_>) -> Vec<Use> {
-    let (mut enums, mut topics) = (BTreeSet::new(), BTreeSet::new());
+    let mut named = Mentioned::default();
     for field in &topic.fields {
         match field.slot.ty {
-            TopicType::Enum(one) => drop(enums.insert(one.ident.to_owned())),
-            TopicType::Message { ident, .. } => drop(topics.insert(ident.to_owned())),
-            TopicType::Plain(_) => {}
-        }
+            TopicType::Enum(one) => named.enums.insert(one.ident.to_owned()),
+            TopicType::Message { ident, .. } => named.topics.insert(ident.to_owned()),
+            TopicType::Plain(_) => false,
+        };
     }
-    let parts = [("super::super::enums", enums), ("super::super::messages", topics)];
+    topic.definitions.iter().for_each(|definition| named.nested(&definition.cdr));
+    let parts = [("super::super::enums", named.enums), ("super::super::messages", named.topics)];
     let parts = parts.into_iter().filter(|(_, names)| !names.is_empty());
     parts.map(|(module, names)| Use::Names(module.to_owned(), names.into_iter().collect())).collect()
+}
+
+/// Names of types.
+#[derive(Default)]
+struct Mentioned {
+    enums: BTreeSet<String>,
+    topics: BTreeSet<String>,
+}
+
+impl Mentioned {
+    /// What literals of nested messages name, however deep.
+    fn nested(&mut self, moves: &[Move<'_>]) {
+        for one in moves {
+            let Held::Messages(rows) = &one.held else { continue };
+            for row in rows {
+                self.topics.insert(row.ident.to_owned());
+                row.fields.iter().for_each(|field| self.field(field));
+                self.nested(&row.fields);
+            }
+        }
+    }
+
+    /// The enum that a field of a nested message is made of, where it is not loaded as it is.
+    fn field(&mut self, field: &Move<'_>) {
+        let (TopicType::Enum(one), Held::Plain(stored, len)) = (field.slot.ty, &field.held) else { return };
+        if *stored != Plain::Int(one.int) || *len != field.slot.len {
+            self.enums.insert(one.ident.to_owned());
+        }
+    }
 }

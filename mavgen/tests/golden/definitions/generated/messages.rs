@@ -6,7 +6,7 @@
 //! |-------:|----------------|---|
 //! |      1 | [`Quiet`]      | What has not changed. |
 //! |      5 | [`Sensor`]     |  |
-//! |      8 | [`TankStatus`] | What is in a tank. |
+//! |      9 | [`TankStatus`] | What is in a tank. |
 mod quiet;
 mod sensor;
 mod tank_status;

@@ -11,16 +11,17 @@ use wire::generated::{get, put};
 ///
 /// The bytes of a CDR body by definition, and of a record in a log of the newest:
 ///
-/// | main | v2 | v1 | record | field         | type        | units |
-/// |-----:|----|----|--------|---------------|-------------|---|
-/// |    0 | 0  | 0  | 0      | `timestamp`   | `uint64`    | us |
-/// |    8 | 8  | 8  | 12     | `valves`      | `uint16`    |  |
-/// |   12 | 12 | 9  | 8      | `temperature` | `float32`   | degC |
-/// |   16 | 16 |    | 22     | `state`       | `uint8`     |  |
-/// |   24 | 24 | 16 | 40     | `sensors`     | `Sensor[4]` |  |
-/// |   70 | 53 | 78 | 14     | `levels`      | `uint16[4]` | mm |
-/// |   78 | 57 | 82 | 23     | `label`       | `char[12]`  |  |
-/// |      | 17 |    |        | `height`      | `uint8`     | cm |
+/// | main | v2 | v1 | record | field         | type          | units |
+/// |-----:|----|----|--------|---------------|---------------|---|
+/// |    0 | 0  | 0  | 0      | `timestamp`   | `uint64`      | us |
+/// |    8 | 8  | 8  | 172    | `valves`      | `uint16`      |  |
+/// |   12 | 12 | 9  | 8      | `temperature` | `float32`     | degC |
+/// |   16 | 16 |    | 182    | `state`       | `uint8`       |  |
+/// |   24 | 24 | 16 | 200    | `sensors`     | `Sensor[4]`   |  |
+/// |   70 | 53 | 78 | 174    | `levels`      | `uint16[4]`   | mm |
+/// |   78 | 57 | 82 | 183    | `label`       | `char[12]`    |  |
+/// |   92 |    |    | 12     | `history`     | `float32[40]` | degC |
+/// |      | 17 |    |        | `height`      | `uint8`       | cm |
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TankStatus {
     /// In us.
@@ -37,6 +38,8 @@ pub struct TankStatus {
     pub levels: [u16; 4],
     /// `label`, a `char[12]`.
     pub label: wire::Chars<12>,
+    /// Of the last minutes. In degC.
+    pub history: [f32; 40],
     /// What levels were before. In cm. Until `v2`.
     pub height: u8,
 }
@@ -54,22 +57,23 @@ impl TankStatus {
         sensors: [Sensor::UNKNOWN; 4],
         levels: [0; 4],
         label: wire::Chars([0; 12]),
+        history: [0.0; 40],
         height: 0,
     };
 
-    /// Definition `main`: 90 bytes as CDR, 88 in a log.
+    /// Definition `main`: 252 bytes as CDR, 248 in a log.
     pub const MAIN: wire::uorb::Definition = wire::uorb::Definition::new(
             "TankStatus",
             "main",
         )
         .hashes(
-            0x277c_aef0,
-            "RIHS01_48931cb9ed6af4e232b8ec32b2e6aebcd3bfba24e953392dfc1b75bdf73fe01c",
+            0x20b4_fe1b,
+            "RIHS01_37d14ede4cb4b13b8adbaf2187c3b3cbbd92b1703fad105d1e98aa020aaab484",
         )
-        .lengths(90, 88)
+        .lengths(252, 248)
         .formats(
             &[
-                "tank_status:uint64_t timestamp;float temperature;uint16_t valves;uint16_t[4] levels;uint8_t state;char[12] label;uint8_t[5] _padding0;sensor[3] sensors;",
+                "tank_status:uint64_t timestamp;float temperature;float[40] history;uint16_t valves;uint16_t[4] levels;uint8_t state;char[12] label;uint8_t[5] _padding0;sensor[3] sensors;",
                 "sensor:uint64_t timestamp;float value;uint16_t errors;uint8_t[2] _padding0;",
             ],
         );
@@ -144,37 +148,40 @@ impl wire::uorb::Topic for TankStatus {
             .array(4),
         wire::uorb::Field::new("levels", wire::uorb::Kind::U16).array(4),
         wire::uorb::Field::new("label", wire::uorb::Kind::Char).array(12),
+        wire::uorb::Field::new("history", wire::uorb::Kind::F32).array(40),
         wire::uorb::Field::new("height", wire::uorb::Kind::U8),
     ];
 
     const UNKNOWN: Self = Self::UNKNOWN;
 
-    type Places = [wire::uorb::Place; 13];
+    type Places = [wire::uorb::Place; 14];
 
-    const ABSENT: Self::Places = [wire::uorb::Place::ABSENT; 13];
+    const ABSENT: Self::Places = [wire::uorb::Place::ABSENT; 14];
 
     fn read(places: &[wire::uorb::Place], record: &[u8]) -> Self {
-        let Some((p, _)) = places.split_first_chunk::<8>() else { return Self::UNKNOWN };
+        let Some((p, _)) = places.split_first_chunk::<9>() else { return Self::UNKNOWN };
         Self {
             timestamp: p[0].get(record).unwrap_or(0),
             valves: p[1].get(record).unwrap_or(0),
             temperature: p[2].get(record).unwrap_or(f32::NAN),
             state: p[3].get(record).map_or(TankStatusState(0), TankStatusState),
-            sensors: p[4].messages(record, places.get(8..13).unwrap_or_default()),
+            sensors: p[4].messages(record, places.get(9..14).unwrap_or_default()),
             levels: p[5].array(record, 0),
             label: p[6].array::<_, 12>(record, wire::uorb::Char(0)).into(),
-            height: p[7].get(record).unwrap_or(0),
+            history: p[7].array(record, 0.0),
+            height: p[8].get(record).unwrap_or(0),
         }
     }
 
     fn store_record(&self, record: &mut [u8]) -> Result<(), wire::uorb::CdrError> {
-        let p = wire::generated::body_mut::<88>(record)?;
+        let p = wire::generated::body_mut::<248>(record)?;
         put(p, 0, self.timestamp);
         put(p, 8, self.temperature);
-        put(p, 12, self.valves);
-        put(p, 14, self.levels);
-        put(p, 22, self.state);
-        put(p, 23, self.label);
+        put(p, 12, self.history);
+        put(p, 172, self.valves);
+        put(p, 174, self.levels);
+        put(p, 182, self.state);
+        put(p, 183, self.label);
         if !self.sensors.iter().skip(3).all(Sensor::is_blank) {
             return Err(wire::uorb::CdrError::DoesNotFit {
                 field: "sensors",
@@ -184,7 +191,7 @@ impl wire::uorb::Topic for TankStatus {
             .sensors
             .iter()
             .take(3)
-            .zip(wire::generated::elements_mut::<16>(p, 40, 16))
+            .zip(wire::generated::elements_mut::<16>(p, 200, 16))
         {
             put(p, 0, one.timestamp);
             put(p, 8, one.value);
@@ -239,7 +246,9 @@ impl wire::uorb::Topic for TankStatus {
     }
 }
 
-fn read_main(p: &[u8; 90]) -> Result<TankStatus, wire::uorb::CdrError> {
+impl wire::uorb::TopicByLength for TankStatus {}
+
+fn read_main(p: &[u8; 252]) -> Result<TankStatus, wire::uorb::CdrError> {
     let mut read = TankStatus {
         timestamp: get(p, 0),
         valves: get(p, 8),
@@ -247,6 +256,7 @@ fn read_main(p: &[u8; 90]) -> Result<TankStatus, wire::uorb::CdrError> {
         state: get(p, 16),
         levels: get(p, 70),
         label: get(p, 78),
+        history: get(p, 92),
         ..TankStatus::UNKNOWN
     };
     for (one, p) in read
@@ -265,7 +275,10 @@ fn read_main(p: &[u8; 90]) -> Result<TankStatus, wire::uorb::CdrError> {
     Ok(read)
 }
 
-fn store_main(topic: &TankStatus, p: &mut [u8; 90]) -> Result<(), wire::uorb::CdrError> {
+fn store_main(
+    topic: &TankStatus,
+    p: &mut [u8; 252],
+) -> Result<(), wire::uorb::CdrError> {
     put(p, 0, topic.timestamp);
     put(p, 8, topic.valves);
     put(p, 12, topic.temperature);
@@ -287,6 +300,7 @@ fn store_main(topic: &TankStatus, p: &mut [u8; 90]) -> Result<(), wire::uorb::Cd
     }
     put(p, 70, topic.levels);
     put(p, 78, topic.label);
+    put(p, 92, topic.history);
     Ok(())
 }
 
@@ -382,11 +396,12 @@ fn store_v1(topic: &TankStatus, p: &mut [u8; 90]) -> Result<(), wire::uorb::CdrE
         put(p, 12, one.address);
         put(p, 13, u8::from(one.wired));
     }
-    put(p, 78, wire::generated::first::<_, 2>(&topic.levels, "levels")?);
-    put(p, 82, wire::generated::first::<_, 8>(&topic.label.0, "label")?);
+    put(p, 78, wire::generated::first::<_, 2>(&topic.levels, 0, "levels")?);
+    put(p, 82, wire::generated::first::<_, 8>(&topic.label.0, 0, "label")?);
     Ok(())
 }
 
 wire::topic!(
-    TankStatus { timestamp, valves, temperature, state, sensors, levels, label, height }
+    TankStatus { timestamp, valves, temperature, state, sensors, levels, label, history,
+    height }
 );
