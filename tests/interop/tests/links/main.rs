@@ -4,6 +4,7 @@
 #![cfg(unix)]
 
 mod cable;
+mod mavsdk;
 mod pymavlink;
 mod rust_mavlink;
 mod talk;
