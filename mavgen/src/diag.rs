@@ -10,8 +10,9 @@ pub use code::{Code, Severity, UnknownCode};
 pub use nearest::nearest;
 pub use render::{Style, one_line, render};
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::HashSet;
 
+use crate::order;
 use crate::source::{FileId, Span};
 
 /// One problem.
@@ -86,11 +87,12 @@ const MOST: usize = 200;
 #[derive(Clone, Debug, Default)]
 pub struct Diagnostics {
     list: Vec<Diagnostic>,
-    /// How many of a kind are in the list. No kind fills it, so that all are in it when it is put in order.
-    kept: BTreeMap<Code, usize>,
+    /// How many there were of a kind; the first of them are in the list. No kind fills it, so that all are in it when it is put in order.
+    kept: Vec<(Code, usize)>,
     /// How many of a severity are not in the list.
-    more: BTreeMap<Severity, usize>,
-    broken: BTreeSet<Option<FileId>>,
+    more: Vec<(Severity, usize)>,
+    /// The files with an error, each once.
+    broken: Vec<Option<FileId>>,
     /// The kinds that nobody wants to hear of.
     left_out: Vec<Code>,
     /// Whether what only `lint` tells is listed.
@@ -116,14 +118,15 @@ impl Diagnostics {
             return;
         }
         if diagnostic.severity() == Severity::Error {
-            self.broken.insert(diagnostic.span.map(|span| span.file));
+            let file = diagnostic.span.map(|span| span.file);
+            if !self.broken.contains(&file) {
+                self.broken.push(file);
+            }
         }
-        let kept = self.kept.entry(diagnostic.code).or_default();
-        if *kept < MOST {
-            *kept += 1;
+        if count(&mut self.kept, diagnostic.code) <= MOST {
             self.list.push(diagnostic);
         } else {
-            *self.more.entry(diagnostic.severity()).or_default() += 1;
+            count(&mut self.more, diagnostic.severity());
         }
     }
 
@@ -147,18 +150,19 @@ impl Diagnostics {
                 || [Some(&one.label), one.help.as_ref()].into_iter().flatten().any(|text| text.contains("pymavlink"))
         };
         let told = self.list.iter().filter(|one| !refusal(one) && says_so(one));
-        let told: BTreeSet<_> = told.filter_map(|one| one.span).collect();
+        let told: HashSet<Span> = told.filter_map(|one| one.span).collect();
         self.list.retain(|one| !refusal(one) || one.span.is_none_or(|span| !told.contains(&span)));
-        self.list.sort_by_key(|diagnostic| diagnostic.span.map(|span| (span.file, span.start)));
-        let mut listed: BTreeMap<Severity, usize> = BTreeMap::new();
+        order::sort_by_key(&mut self.list, |diagnostic| diagnostic.span.map(|span| (span.file, span.start)));
+        let mut listed = Vec::new();
         let more = &mut self.more;
         self.list.retain(|diagnostic| {
-            let count = listed.entry(diagnostic.severity()).or_default();
-            *count += 1;
-            let fits = *count <= MOST;
-            *more.entry(diagnostic.severity()).or_default() += usize::from(!fits);
+            let fits = count(&mut listed, diagnostic.severity()) <= MOST;
+            if !fits {
+                count(more, diagnostic.severity());
+            }
             fits
         });
+        order::sort_by_key(more, |(severity, _)| *severity);
         self.list.extend(not_listed(&std::mem::take(more)));
     }
 
@@ -193,9 +197,23 @@ impl Diagnostics {
     }
 }
 
+/// Counts one of a kind, of which there are few, and gives how many there are now.
+fn count<K: PartialEq>(counts: &mut Vec<(K, usize)>, kind: K) -> usize {
+    match counts.iter_mut().find(|(known, _)| *known == kind) {
+        Some((_, count)) => {
+            *count += 1;
+            *count
+        }
+        None => {
+            counts.push((kind, 1));
+            1
+        }
+    }
+}
+
 /// What is said of the problems that are not listed.
-fn not_listed(more: &BTreeMap<Severity, usize>) -> Option<Diagnostic> {
-    let counts: Vec<String> = (more.iter().filter(|(_, count)| **count > 0))
+fn not_listed(more: &[(Severity, usize)]) -> Option<Diagnostic> {
+    let counts: Vec<String> = (more.iter().filter(|(_, count)| *count > 0))
         .map(|(severity, count)| format!("{count} more {severity}{}", if *count == 1 { "" } else { "s" }))
         .collect();
     let message = format!("not listed: {}", counts.join(", "));

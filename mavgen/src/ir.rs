@@ -35,6 +35,7 @@ pub(crate) use visit::{enums_of_enum_mut, enums_of_message_mut};
 
 use std::fmt;
 
+use crate::order;
 use crate::source::Span;
 
 /// A dialect: the file that was asked for and all that it includes.
@@ -155,6 +156,14 @@ impl Origin {
     /// The file and the overlays.
     pub fn files(&self) -> impl Iterator<Item = FileIndex> {
         std::iter::once(self.file).chain(self.overlays.iter().copied())
+    }
+
+    /// The files of several, each once.
+    pub(crate) fn files_of<'o>(origins: impl Iterator<Item = &'o Self>) -> Vec<FileIndex> {
+        let mut files = Vec::new();
+        origins.for_each(|origin| files.extend(origin.files()));
+        order::sort_and_dedup(&mut files);
+        files
     }
 
     /// Changes every mention of a file.

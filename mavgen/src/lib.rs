@@ -60,6 +60,7 @@ mod format;
 mod internal;
 pub mod ir;
 mod lower;
+mod order;
 pub mod output;
 #[doc = include_str!("overlay.md")]
 pub mod overlay {}

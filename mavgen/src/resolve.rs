@@ -38,6 +38,7 @@ mod tests;
 
 use crate::diag::Diagnostics;
 use crate::ir::{Dialect, EnumId, File, Partial};
+use crate::order;
 use crate::read::Loaded;
 use crate::source::Sources;
 
@@ -98,7 +99,7 @@ pub(crate) fn passes(loaded: &Loaded, sources: &Sources, diagnostics: &mut Diagn
     let links = Links { enums: &enums, widths: &widths, entries: &entries, notes: &notes };
     let whole = drafts.into_iter().zip(added);
     let mut messages: Vec<_> = whole.map(|(draft, added)| build_message(draft, added, &links, diagnostics)).collect();
-    messages.sort_by_key(|message| message.id);
+    order::sort_by_key(&mut messages, |message| message.id);
     let (name, version) = (loaded.name.clone(), versions.first()?.number());
     let dialect = Dialect { name, version, files: files(loaded, sources), enums: models, messages };
     let (lost, lost_views) = (lost::messages(loaded, &dialect), lost::views(loaded, &dialect));

@@ -9,6 +9,7 @@ mod tests;
 
 use crate::diag::nearest;
 use crate::ir::{Dialect, Kept, Message};
+use crate::order;
 
 use pattern::Pattern;
 
@@ -30,8 +31,7 @@ impl Selection {
                 "the list of messages is empty, or has an empty name: give names like HEARTBEAT, or PARAM_*".into()
             );
         }
-        patterns.sort();
-        patterns.dedup();
+        order::sort_and_dedup(&mut patterns);
         Ok(Self { patterns })
     }
 

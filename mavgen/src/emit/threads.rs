@@ -1,5 +1,6 @@
 //! Work shared by threads, with a result that does not depend on how they shared it.
 
+use crate::order;
 use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
@@ -22,7 +23,7 @@ pub(super) fn in_order<J: Sync, T: Send>(jobs: &[J], make: impl Fn(&J) -> T + Sy
         made.extend(others.into_iter().flat_map(|other| other.join().unwrap_or_else(|panic| resume_unwind(panic))));
         made
     });
-    made.sort_unstable_by_key(|(index, _)| *index);
+    order::sort_by_key(&mut made, |(index, _)| *index);
     made.into_iter().map(|(_, made)| made).collect()
 }
 

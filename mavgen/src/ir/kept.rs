@@ -1,7 +1,5 @@
 //! A part of a dialect: which messages and enums stay, and what the enums are called then.
 
-use std::collections::BTreeMap;
-
 use super::visit::{enums_of_enum, enums_of_enum_mut, enums_of_message, enums_of_message_mut};
 use super::{Dialect, Enum, EnumId, Message};
 
@@ -58,10 +56,11 @@ impl Dialect {
     pub(crate) fn cut(&mut self, kept: &Kept) {
         kept.cut_messages(&mut self.messages);
         kept.cut_enums(&mut self.enums);
-        let old = kept.enums.iter().enumerate().filter(|(_, stays)| **stays).map(|(old, _)| EnumId(old));
-        let numbers: BTreeMap<EnumId, EnumId> = old.enumerate().map(|(new, old)| (old, EnumId(new))).collect();
+        // For each enum, how many of those before it stay: what stays gets that number.
+        let before = |count: &mut usize, stays: &bool| Some(std::mem::replace(count, *count + usize::from(*stays)));
+        let numbers: Vec<usize> = kept.enums.iter().scan(0, before).collect();
         // Whatever names an enum had it among its needs, so that it has a new number; what names none goes on naming none.
-        let mut renumber = |id: &mut EnumId| *id = numbers.get(id).copied().unwrap_or(*id);
+        let mut renumber = |id: &mut EnumId| *id = numbers.get(id.0).copied().map_or(*id, EnumId);
         self.messages.iter_mut().for_each(|message| enums_of_message_mut(message, &mut renumber));
         self.enums.iter_mut().for_each(|enum_| enums_of_enum_mut(enum_, &mut renumber));
     }

@@ -1,5 +1,6 @@
 //! The order of fields on the wire, and the checksum that follows from it.
 
+use crate::order::sort_by_key;
 use std::cmp::Reverse;
 
 use super::FieldType;
@@ -27,7 +28,9 @@ impl Layout {
     pub(crate) fn of(fields: impl IntoIterator<Item = (FieldType, bool)>) -> Self {
         let fields: Vec<(FieldType, bool)> = fields.into_iter().collect();
         let mut order: Vec<(usize, &(FieldType, bool))> = fields.iter().enumerate().collect();
-        order.sort_by_key(|(_, (ty, extension))| (*extension, Reverse(if *extension { 0 } else { ty.scalar.size() })));
+        sort_by_key(&mut order, |(_, (ty, extension))| {
+            (*extension, Reverse(if *extension { 0 } else { ty.scalar.size() }))
+        });
         let mut placed: Vec<(usize, usize)> = Vec::with_capacity(fields.len());
         let (mut v1, mut v2) = (0, 0);
         for (index, (ty, extension)) in &order {
@@ -37,7 +40,7 @@ impl Layout {
                 v1 = v2;
             }
         }
-        placed.sort_unstable();
+        sort_by_key(&mut placed, |(index, _)| *index);
         let order = order.into_iter().map(|(index, _)| index).collect();
         Self { order, offsets: placed.into_iter().map(|(_, offset)| offset).collect(), v1, v2, fields }
     }

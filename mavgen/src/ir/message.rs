@@ -1,10 +1,10 @@
 //! Messages and fields of the resolved dialect.
 
-use std::collections::BTreeSet;
 use std::num::NonZeroU8;
 use std::ops::RangeInclusive;
 
 use super::{Binding, EnumId, FileIndex, Name, Origin, Repr, View};
+use crate::order;
 
 /// A message.
 #[derive(Clone, Debug)]
@@ -30,16 +30,16 @@ pub struct Message {
 }
 
 impl Message {
-    /// Every file that it is written in: its own, and the overlays.
-    pub fn files(&self) -> BTreeSet<FileIndex> {
-        let fields = self.fields.iter().flat_map(|field| field.origin.files());
-        self.origin.files().chain(fields).collect()
+    /// Every file that it is written in, once: its own, and the overlays.
+    pub fn files(&self) -> Vec<FileIndex> {
+        let origins = self.fields.iter().map(|field| &field.origin);
+        Origin::files_of([&self.origin].into_iter().chain(origins))
     }
 
     /// The fields in wire order: by offset.
     pub fn wire_order(&self) -> Vec<&Field> {
         let mut fields: Vec<&Field> = self.fields.iter().collect();
-        fields.sort_by_key(|field| field.offset);
+        order::sort_by_key(&mut fields, |field| field.offset);
         fields
     }
 

@@ -1,8 +1,7 @@
 //! Enums, entries and command parameters of the resolved dialect.
 
-use std::collections::BTreeSet;
-
 use super::{EnumId, FileIndex, Limits, Name, Origin};
+use crate::order;
 
 /// An enum or, with [`Enum::bitmask`], a set of flags.
 #[derive(Clone, Debug)]
@@ -27,10 +26,13 @@ pub struct Enum {
 }
 
 impl Enum {
-    /// Every file that it is written in: the defining one, those that add entries, and the overlays.
-    pub fn files(&self) -> BTreeSet<FileIndex> {
-        let entries = self.entries.iter().flat_map(|entry| entry.origin.files());
-        self.origin.files().chain(entries).chain([self.defined_in]).collect()
+    /// Every file that it is written in, once: the defining one, those that add entries, and the overlays.
+    pub fn files(&self) -> Vec<FileIndex> {
+        let origins = self.entries.iter().map(|entry| &entry.origin);
+        let mut files = Origin::files_of([&self.origin].into_iter().chain(origins));
+        files.push(self.defined_in);
+        order::sort_and_dedup(&mut files);
+        files
     }
 }
 

@@ -6,6 +6,7 @@ use super::named::NamedEnum;
 use crate::docs::line;
 use crate::internal::Internal;
 use crate::ir::{self, Command, Entry, EnumId, Limits, Param};
+use crate::order;
 use crate::rust::{
     Constant, DialectEnum, Docs, Enum, Kind, ListItem, Method, Paragraph, ParamInfo, Receiver, Sig, Ty, Variant,
 };
@@ -118,7 +119,7 @@ fn entries<'d>(named: NamedEnum<'d>) -> Vec<(u64, &'d str)> {
         Some((entry.value, text.as_str()))
     });
     let mut entries: Vec<_> = own.chain(renamed).collect();
-    entries.sort_by_key(|(value, _)| *value);
+    order::sort_by_key(&mut entries, |(value, _)| *value);
     entries
 }
 

@@ -1,7 +1,5 @@
 //! The files of items: where each belongs, what it imports, and what stands over it.
 
-use std::collections::BTreeSet;
-
 use super::command;
 use super::folder::{Commands, Folder};
 use super::items::Items;
@@ -9,7 +7,7 @@ use super::link::Placement;
 use super::message::alias;
 use super::named::NamedCommand;
 use crate::internal::Internal;
-use crate::ir::{EnumId, FileIndex};
+use crate::ir::{EnumId, FileIndex, Origin};
 use crate::rust::{Alias, Content, Docs, File, Mentions, Use};
 
 /// The first words of every generated file: by them a file is known as ours.
@@ -95,7 +93,7 @@ impl<'d> Maker<'_, 'd> {
         let (view, named) = (message.view(view)?, Mentions::of_view(&item));
         let mut uses = self.items.use_enums(&named)?;
         uses.extend([self.items.use_message(at)?, self.runtime()]);
-        let files = message.model.origin.files().chain(view.model.origin.files()).collect();
+        let files = Origin::files_of([&message.model.origin, &view.model.origin].into_iter());
         let file = File {
             path: self.path(&format!("views/{}.rs", view.names.module)),
             header: self.header(&files)?,
@@ -126,7 +124,7 @@ impl<'d> Maker<'_, 'd> {
         uses.push(self.runtime());
         let file = File {
             path: self.path(&format!("commands/{}.rs", command.names.module)),
-            header: self.header(&command.entry.origin.files().collect())?,
+            header: self.header(&Origin::files_of([&command.entry.origin].into_iter()))?,
             docs: Docs::default(),
             uses,
             content: Content::Command(Box::new(item)),
@@ -140,7 +138,7 @@ impl<'d> Maker<'_, 'd> {
     }
 
     /// The first line: the files that an item comes from, or those that the folder does.
-    pub(super) fn header(&self, files: &BTreeSet<FileIndex>) -> Result<String, Internal> {
+    pub(super) fn header(&self, files: &[FileIndex]) -> Result<String, Internal> {
         let names = files.iter().map(|file| self.items.file_name(*file)).collect::<Result<Vec<_>, _>>()?;
         let names = if names.is_empty() { self.folder.sources.clone() } else { names.join(", ") };
         Ok(format!("{MARK} from {names}; do not edit."))
@@ -148,7 +146,7 @@ impl<'d> Maker<'_, 'd> {
 
     /// The header of the folder's root module; that of the tree also says what it was made of.
     pub(super) fn root_header(&self) -> Result<String, Internal> {
-        let head = self.header(&BTreeSet::new())?;
+        let head = self.header(&[])?;
         Ok(match self.folder.placement {
             Placement::Shared => format!("{head}\n{ROOT_MARK}{}, {}", env!("CARGO_PKG_VERSION"), self.options.sources),
             Placement::Root(_) => head,

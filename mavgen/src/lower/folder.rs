@@ -13,6 +13,7 @@ use super::link::{Placement, Root, Union};
 use super::names::COMMANDS;
 use crate::internal::Internal;
 use crate::ir::{Carrier, Dialect, EnumId};
+use crate::order;
 
 /// A module with the modules `messages`, `enums`, `views` and `commands`, as far as it has something for them.
 pub(super) struct Folder<'d> {
@@ -130,7 +131,7 @@ impl<'d> Folder<'d> {
         let messages = union.message_placements.iter().enumerate().filter(|(_, at)| is_shared(&at.placement));
         let enums: Vec<EnumId> = enums.map(|(at, _)| EnumId(at)).collect();
         let mut messages: Vec<usize> = messages.map(|(at, _)| at).collect();
-        messages.sort_by_key(|at| union.all.messages.get(*at).map(|message| message.id));
+        order::sort_by_key(&mut messages, |at| union.all.messages.get(*at).map(|message| message.id));
         let commands = Commands::of(&union.all, enums.iter().copied(), messages.iter().copied());
         let commands =
             commands.filter(|shared| union.roots.iter().any(|root| Commands::of_root(union, root) == Some(*shared)));

@@ -3,12 +3,11 @@
 //! With one dialect there is one folder, and everything is beside everything. With several, there are the folder that they
 //! share and in it one for each.
 
-use std::collections::{BTreeMap, BTreeSet};
-
 use super::items::Items;
 use super::link::Placement;
 use crate::internal::Internal;
 use crate::ir::EnumId;
+use crate::order;
 use crate::rust::{Mentions, Use};
 
 /// How deep the file of an item lies below its folder.
@@ -51,13 +50,17 @@ impl<'d> Items<'d> {
 
     /// `use super::super::enums::{MavState, MavType};`, for the file of an item.
     pub(super) fn use_enums(self, named: &Mentions<'d>) -> Result<Vec<Use>, Internal> {
-        let mut modules: BTreeMap<String, BTreeSet<&str>> = BTreeMap::new();
-        for one in named.0.values() {
-            modules.entry(self.way_to_enum(one.id)?).or_default().insert(one.ident);
+        let mut modules: Vec<(String, Vec<String>)> = Vec::new();
+        for one in &named.0 {
+            let (way, name) = (self.way_to_enum(one.id)? + "enums", one.ident.to_owned());
+            match modules.iter_mut().find(|(known, _)| *known == way) {
+                Some((_, names)) => names.push(name),
+                None => modules.push((way, vec![name])),
+            }
         }
-        let uses = modules.into_iter();
-        let uses = uses.map(|(way, names)| Use::Names(way + "enums", names.into_iter().map(str::to_owned).collect()));
-        Ok(uses.collect())
+        modules.iter_mut().for_each(|(_, names)| order::sort_and_dedup(names));
+        order::sort_by_key(&mut modules, |(way, _)| way.clone());
+        Ok(modules.into_iter().map(|(way, names)| Use::Names(way, names)).collect())
     }
 
     /// `use super::super::messages::Heartbeat;`, for the file of a view.

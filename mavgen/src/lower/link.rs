@@ -20,6 +20,7 @@ use super::{collision, spelling};
 use crate::diag::Diagnostics;
 use crate::internal::Internal;
 use crate::ir::{Dialect, EnumId, FileIndex, Valid};
+use crate::order;
 use crate::source::{FileId, Span};
 
 use enums::Enums;
@@ -101,7 +102,7 @@ pub(crate) fn link(tree: &str, parts: Vec<Part<'_>>, diagnostics: &mut Diagnosti
             enums.take((index, &dialect.name), dialect.enums.into_iter().zip(names.enums).collect(), diagnostics)?;
         let messages = messages.take(index, dialect.messages.into_iter().zip(names.messages), &ids, &enums)?;
         let mut enums: Vec<EnumId> = ids;
-        enums.sort_unstable();
+        order::sort_by_key(&mut enums, |id| *id);
         let module = spelling::root_module_name(&dialect.name, tree);
         roots.push(Root { name: dialect.name, module, type_name: names.dialect, file, enums, messages });
     }

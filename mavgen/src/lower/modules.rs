@@ -1,7 +1,5 @@
 //! The modules that hold the others together: `mod.rs`, `messages.rs`, `enums.rs`, `views.rs`, `commands.rs`.
 
-use std::collections::{BTreeMap, BTreeSet};
-
 use super::docs;
 use super::files::Maker;
 use super::folder::{Commands, Listed};
@@ -9,6 +7,7 @@ use super::imports::MODULE;
 use super::link::Placement;
 use super::named::NamedAccess;
 use crate::internal::Internal;
+use crate::order;
 use crate::rust::{Alias, Cell, Child, ChildAccess, Content, Docs, Export, File, Paragraph, Use};
 
 /// A public type of a module.
@@ -184,15 +183,15 @@ pub(super) fn commands<'d>(
 }
 
 fn module<'d>(maker: &Maker<'_, 'd>, name: &str, docs: Docs<'d>, content: Content<'d>) -> Result<File<'d>, Internal> {
-    let (path, header) = (maker.path(&format!("{name}.rs")), maker.header(&BTreeSet::new())?);
+    let (path, header) = (maker.path(&format!("{name}.rs")), maker.header(&[])?);
     Ok(File { path, header, docs, uses: Vec::new(), content })
 }
 
 /// `mod heartbeat; …`, then `pub use heartbeat::Heartbeat; …`, each by name; then what other folders declare, and aliases.
 fn declare<'d>(maker: &Maker<'_, 'd>, module: &str, mut listings: Vec<Listing<'d>>) -> Result<Content<'d>, Internal> {
-    listings.sort_by_key(|listing| (listing.name, listing.ident));
+    order::sort_by_key(&mut listings, |listing| (listing.name, listing.ident));
     let (mut children, mut exports, mut aliases) = (Vec::new(), Vec::new(), Vec::new());
-    let mut others: BTreeMap<(String, bool), Vec<String>> = BTreeMap::new();
+    let mut others: Vec<((String, bool), Vec<String>)> = Vec::new();
     for Listing { name: _, module: file, ident, placement, expect, deprecated, alias } in listings {
         if placement == maker.folder.placement {
             let access = if alias.is_some() { ChildAccess::Hidden } else { ChildAccess::Private };
@@ -206,11 +205,15 @@ fn declare<'d>(maker: &Maker<'_, 'd>, module: &str, mut listings: Vec<Listing<'d
             }
         } else {
             let way = maker.items.way(MODULE, placement)? + module;
-            others.entry((way, deprecated)).or_default().push(ident.to_owned());
+            let from = (way, deprecated);
+            match others.iter_mut().find(|(known, _)| *known == from) {
+                Some((_, names)) => names.push(ident.to_owned()),
+                None => others.push((from, vec![ident.to_owned()])),
+            }
         }
     }
-    let others = others.into_iter();
-    exports.extend(others.map(|((way, expect), names)| Export { of: Use::Names(way, names), expect }));
+    order::sort_by_key(&mut others, |(from, _)| from.clone());
+    exports.extend(others.into_iter().map(|((way, expect), names)| Export { of: Use::Names(way, names), expect }));
     Ok(Content::Module { children, exports, aliases })
 }
 

@@ -21,6 +21,7 @@
 use std::collections::HashMap;
 
 use super::spelling;
+use crate::order;
 use crate::source::Span;
 
 /// What has to differ.
@@ -178,7 +179,7 @@ impl<'a> Namespace<'a> {
     /// Takes names, those of older files first; of one file in the order in which they come.
     #[must_use]
     pub(super) fn claim_by_age(&mut self, mut claims: Vec<(String, Claim<'a>)>) -> Vec<Collision<'a>> {
-        claims.sort_by_key(|(_, claim)| claim.age);
+        order::sort_by_key(&mut claims, |(_, claim)| claim.age);
         claims.into_iter().filter_map(|(name, claim)| self.claim(name, claim)).collect()
     }
 }

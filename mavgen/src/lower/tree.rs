@@ -1,7 +1,6 @@
 //! The tree: the files of all folders, in a fixed order.
 
 use std::cmp::Reverse;
-use std::collections::BTreeSet;
 
 use super::files::{Maker, Options};
 use super::folder::{Folder, Titled};
@@ -11,6 +10,7 @@ use super::modules;
 use super::names::Names;
 use crate::internal::Internal;
 use crate::ir::Valid;
+use crate::order;
 use crate::rust::{Content, Docs, File, Use};
 
 /// The files of a dialect, in a fixed order.
@@ -49,7 +49,7 @@ fn files<'d>(maker: &Maker<'_, 'd>) -> Result<Vec<File<'d>>, Internal> {
     if let Some(commands) = maker.folder.commands.filter(|listed| listed.placement == maker.folder.placement) {
         files.push(modules::commands(maker, commands.item, &mut items)?);
     }
-    large.sort_by_key(|file: &File<'d>| match &file.content {
+    order::sort_by_key(&mut large, |file: &File<'d>| match &file.content {
         Content::Enum(one) => Reverse(one.constants.len()),
         _ => Reverse(0),
     });
@@ -63,7 +63,7 @@ fn dialect<'d>(maker: &Maker<'_, 'd>, dialect: Titled<'d>) -> Result<File<'d>, I
     let item = maker.items.dialect_enum(dialect.type_name, dialect.name, messages)?;
     Ok(File {
         path: maker.path("dialect.rs"),
-        header: maker.header(&BTreeSet::new())?,
+        header: maker.header(&[])?,
         docs: Docs::default(),
         uses: vec![Use::All("super::messages".to_owned()), maker.runtime()],
         content: Content::Dialect(item),

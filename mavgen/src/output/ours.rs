@@ -1,6 +1,6 @@
 //! Which files of a folder are ours: those that begin with our header.
 
-use std::collections::BTreeSet;
+use std::collections::HashSet;
 use std::fs::{self, DirEntry, File};
 use std::io::{BufRead, BufReader, ErrorKind, Read};
 use std::path::{Path, PathBuf};
@@ -8,12 +8,13 @@ use std::path::{Path, PathBuf};
 use super::OutputError;
 use crate::emit::GeneratedFile;
 use crate::lower::{MARK, ROOT_MARK};
+use crate::order;
 
 /// How many folders below the top one may hold files of ours.
 const DEEPEST: usize = 3;
 
 /// The generated files of a tree, by their paths in it.
-pub(super) struct Ours(BTreeSet<PathBuf>);
+pub(super) struct Ours(Vec<PathBuf>);
 
 impl Ours {
     pub(super) fn is_empty(&self) -> bool {
@@ -22,8 +23,8 @@ impl Ours {
 
     /// Those that are not among `files`, by path.
     pub(super) fn stale(&self, files: &[GeneratedFile]) -> Vec<PathBuf> {
-        let wanted: BTreeSet<&Path> = files.iter().map(|file| Path::new(&file.path)).collect();
-        self.0.iter().filter(|path| !wanted.contains(path.as_path())).cloned().collect()
+        let wanted: HashSet<PathBuf> = files.iter().map(|file| PathBuf::from(&file.path)).collect();
+        self.0.iter().filter(|path| !wanted.contains(*path)).cloned().collect()
     }
 }
 
@@ -31,7 +32,7 @@ impl Ours {
 ///
 /// Links to folders are not followed: what is behind them may be reached, and claimed, on another way.
 pub(super) fn ours(folder: &Path) -> Result<Ours, OutputError> {
-    let mut ours = BTreeSet::new();
+    let mut ours = Vec::new();
     let mut open = vec![PathBuf::new()];
     while let Some(below) = open.pop() {
         let entries = match fs::read_dir(folder.join(&below)) {
@@ -45,10 +46,11 @@ pub(super) fn ours(folder: &Path) -> Result<Ours, OutputError> {
             if entry.file_type().is_ok_and(|kind| kind.is_dir()) {
                 open.extend((path.components().count() <= DEEPEST && may_be_ours(&entry)).then_some(path));
             } else if path.extension().is_some_and(|extension| extension == "rs") && has_mark(&entry.path()) {
-                ours.insert(path);
+                ours.push(path);
             }
         }
     }
+    order::sort_by_key(&mut ours, PathBuf::clone);
     Ok(Ours(ours))
 }
 

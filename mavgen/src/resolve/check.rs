@@ -7,6 +7,7 @@ use super::uses::Use;
 use super::width::Width;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{FileIndex, Repr};
+use crate::order;
 use crate::read::Loaded;
 use crate::source::Span;
 
@@ -90,7 +91,7 @@ fn looks_like_bitmask(merged: &Merged<'_>) -> bool {
 /// The first use with each integer, those of older files first.
 fn kinds<'u, 'a>(loaded: &Loaded, uses: &'u [Use<'a>]) -> Vec<&'u Use<'a>> {
     let mut uses: Vec<&Use<'a>> = uses.iter().collect();
-    uses.sort_by_key(|one| loaded.age(one.file));
+    order::sort_by_key(&mut uses, |one| loaded.age(one.file));
     let mut seen = HashSet::new();
     uses.retain(|one| seen.insert(one.repr));
     uses
@@ -146,7 +147,7 @@ pub(super) fn check_entry_names(loaded: &Loaded, enums: &[Merged<'_>], diagnosti
     let entries =
         enums.iter().enumerate().flat_map(|(index, merged)| merged.entries.iter().map(move |entry| (index, entry)));
     let mut entries: Vec<_> = entries.collect();
-    entries.sort_by_key(|(_, entry)| loaded.age(entry.file));
+    order::sort_by_key(&mut entries, |(_, entry)| loaded.age(entry.file));
     for (index, entry) in entries {
         let name = &entry.syntax.name;
         let (first, span) = *seen.entry(&name.value).or_insert((index, name.span));

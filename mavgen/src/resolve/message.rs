@@ -10,6 +10,7 @@ use super::version::Version;
 use super::{field_type, number};
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{FieldType, FileIndex, Layout, Origin, Scalar};
+use crate::order;
 use crate::read::Loaded;
 use crate::syntax::{self, Message};
 
@@ -226,7 +227,7 @@ fn sum(fields: &[DraftField<'_>], total: usize) -> String {
             None => elements.push((name, count, size)),
         }
     }
-    elements.sort_by_key(|&(_, _, size)| std::cmp::Reverse(size));
+    order::sort_by_key(&mut elements, |&(_, _, size)| std::cmp::Reverse(size));
     let counts: Vec<String> = elements.iter().map(|(name, count, _)| format!("{count} × {name}")).collect();
     let bytes: Vec<String> = elements.iter().map(|(_, count, size)| (count * size).to_string()).collect();
     if bytes.len() < 2 {

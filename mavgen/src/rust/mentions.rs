@@ -1,16 +1,13 @@
 //! Which enums an item names: what its file imports, and whether it names a deprecated one.
 
-use std::collections::BTreeMap;
-
 use super::{
     AsInt, Command, EnumType, Holds, Kind, Literal, Method, ParamTy, Place, Sentinel, Sig, Slot, Source, Stored,
     Struct, Test, Through, Ty, Unknown, View,
 };
-use crate::ir::EnumId;
 
 /// The enums that are named, each once.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Mentions<'d>(pub(crate) BTreeMap<EnumId, EnumType<'d>>);
+pub(crate) struct Mentions<'d>(pub(crate) Vec<EnumType<'d>>);
 
 impl<'d> Mentions<'d> {
     /// Those of a view's file.
@@ -43,11 +40,13 @@ impl<'d> Mentions<'d> {
 
     /// Whether naming one of them makes the compiler warn.
     pub(crate) fn is_any_deprecated(&self) -> bool {
-        self.0.values().any(|one| one.deprecated)
+        self.0.iter().any(|one| one.deprecated)
     }
 
     fn named(&mut self, one: EnumType<'d>) {
-        self.0.insert(one.id, one);
+        if self.0.iter().all(|known| known.id != one.id) {
+            self.0.push(one);
+        }
     }
 
     fn method(&mut self, method: &Method<'d>) {

@@ -2,6 +2,7 @@
 
 use super::{Docs, Element, EnumType, Method, Shape};
 use crate::ir;
+use crate::order;
 
 /// A message.
 #[derive(Clone, Debug)]
@@ -24,7 +25,7 @@ impl<'d> Struct<'d> {
     /// The fields by offset.
     pub(crate) fn wire_order(&self) -> Vec<&Field<'d>> {
         let mut fields: Vec<&Field<'d>> = self.fields.iter().collect();
-        fields.sort_by_key(|field| field.wire.offset);
+        order::sort_by_key(&mut fields, |field| field.wire.offset);
         fields
     }
 }

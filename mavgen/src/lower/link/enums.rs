@@ -11,6 +11,7 @@ use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::internal::Internal;
 use crate::ir::{Entry, Enum, EnumId, Lifecycle, Name, Origin, Repr, enums_of_enum_mut};
 use crate::lower::names::{CommandNames, EnumNames, drop_rivals};
+use crate::order;
 
 /// What has to be equal for two enums to be one type: the name, in the definitions and in Rust, the width, and whether the
 /// values are combined bit by bit.
@@ -143,7 +144,7 @@ impl Class<Enum, EnumNames> {
         let (entries, EnumNames { constants, commands, .. }) = (&mut self.item.entries, &mut self.names);
         let named = std::mem::take(entries).into_iter().zip(std::mem::take(constants)).zip(std::mem::take(commands));
         let mut named: Vec<((Entry, String), Option<CommandNames>)> = named.collect();
-        named.sort_by_key(|((entry, _), _)| entry.value);
+        order::sort_by_key(&mut named, |((entry, _), _)| entry.value);
         let pairs: Vec<(Entry, String)>;
         (pairs, *commands) = named.into_iter().unzip();
         (*entries, *constants) = pairs.into_iter().unzip();

@@ -6,6 +6,7 @@ use crate::ir::{Access, Dialect, FileIndex, Name, Partial};
 use crate::lower::names::AccessNames;
 use crate::lower::namespace::{Claim, Collision, Namespace, Scope, What};
 use crate::lower::{collision, spelling};
+use crate::order;
 
 /// Checks the types of a dialect, and gives what has which name.
 pub(super) fn types<'a>(
@@ -34,7 +35,7 @@ pub(super) fn types<'a>(
     claims.extend(
         lost.chain(lost_views).map(|(name, file, what)| (spelling::type_name(&name.text), claim(what, name, file))),
     );
-    claims.sort_by_key(|(_, claim)| (claim.what, claim.span.map(|span| span.start)));
+    order::sort_by_key(&mut claims, |(_, claim)| (claim.what, claim.span.map(|span| span.start)));
     let mut types = Namespace::of(Scope::Types);
     report(&types.claim_by_age(claims), diagnostics);
     types

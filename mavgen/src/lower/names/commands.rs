@@ -44,7 +44,7 @@ fn of(constant: &str, command: &Command, rivals: &HashSet<&str>, diagnostics: &m
 /// Takes their type from those that others have already: the older one keeps it.
 fn apart(dialect: &Dialect, entries: &[Entry], commands: &mut [Option<CommandNames>], diagnostics: &mut Diagnostics) {
     let mut order: Vec<usize> = (0..entries.len()).collect();
-    order.sort_by_key(|at| entries.get(*at).map(|entry| dialect.age(entry.origin.file)));
+    crate::order::sort_by_key(&mut order, |at| entries.get(*at).map(|entry| dialect.age(entry.origin.file)));
     let mut types = Namespace::of(Scope::Commands);
     for at in order {
         let (Some(entry), Some(command)) = (entries.get(at), commands.get_mut(at)) else { continue };

@@ -7,6 +7,7 @@ use super::{Given, summary};
 use crate::docs::line;
 use crate::internal::Internal;
 use crate::ir::{self, SwitchOn, ViewSentinel};
+use crate::order;
 use crate::rust::{
     Count, Docs, Error, Key, Kind, Method, Paragraph, RecordField, RecordType, Sig, Slot, SlotElement, Stored, Ty,
 };
@@ -116,7 +117,7 @@ fn elements<'d>(
     });
     let places = slots.model.keys.iter().map(|key| key.place).chain(words).chain(sentinels).chain(switch);
     let mut fields: Vec<_> = places.filter(|place| place.element).map(|place| place.field).collect();
-    fields.sort_by_key(|field| field.0);
+    order::sort_by_key(&mut fields, |field| field.0);
     fields.dedup();
     fields.into_iter().map(|field| message.field(field).map(element)).collect()
 }

@@ -3,6 +3,7 @@
 use std::path::{Component, Path, PathBuf};
 
 use crate::diag::nearest;
+use crate::order;
 
 /// The places where a file looks for `include`: beside itself, then in the folders given.
 pub(super) fn places(from: &Path, include: &str, include_dirs: &[PathBuf]) -> Vec<PathBuf> {
@@ -47,7 +48,7 @@ pub(super) fn similar(places: &[PathBuf]) -> Option<String> {
             .filter_map(|entry| Some(entry.ok()?.file_name().to_string_lossy().into_owned()))
             .filter(|name| name.ends_with(".xml"))
             .collect();
-        names.sort();
+        order::sort_and_dedup(&mut names);
         if names.iter().any(|name| *name == wanted) {
             // It is there, and something else is wrong with it.
             return None;

@@ -1,7 +1,5 @@
 //! Commands: what an entry of `MAV_CMD` says beyond its value.
 
-use std::collections::BTreeMap;
-
 use super::super::boolean::{self, Attribute};
 use super::super::enums::{Enums, ValuedEntry};
 use super::super::origin::Described;
@@ -9,6 +7,7 @@ use super::super::suggest::suggest;
 use super::super::{limits, number, text, units};
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{Command, EnumId, FileIndex, Param};
+use crate::order;
 use crate::syntax::{self, Text};
 
 /// Commands carry so many params.
@@ -36,15 +35,20 @@ pub(super) fn resolve(
     let has_location = boolean::read(syntax.has_location.as_ref(), location, diagnostics);
     let is_destination = boolean::read(syntax.is_destination.as_ref(), Attribute::Unread("isDestination"), diagnostics);
     let mission_only = boolean::read(syntax.mission_only.as_ref(), Attribute::Unread("missionOnly"), diagnostics);
-    let mut params: BTreeMap<u8, (&Text, Param)> = BTreeMap::new();
+    let mut params: Vec<(&Text, Param)> = Vec::new();
     for element in &syntax.params {
         let Some(index) = index(&element.index, diagnostics) else { continue };
         let param = param(index, element, entry.file, enums, diagnostics);
-        if let Some((first, _)) = params.insert(index, (&element.index, param)) {
-            diagnostics.push(twice(index, &element.index, first));
+        match params.iter_mut().find(|(_, known)| known.index == index) {
+            Some(known) => {
+                diagnostics.push(twice(index, &element.index, known.0));
+                *known = (&element.index, param);
+            }
+            None => params.push((&element.index, param)),
         }
     }
-    let params = params.into_values().map(|(_, param)| param).collect();
+    order::sort_by_key(&mut params, |(_, param)| param.index);
+    let params = params.into_iter().map(|(_, param)| param).collect();
     Some(Command { params, has_location, is_destination, mission_only })
 }
 

@@ -8,6 +8,7 @@ use super::super::poisoned::Poisoned;
 use super::block::{Block, ValuedEntry};
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{EnumId, FileIndex};
+use crate::order;
 use crate::read::Loaded;
 use crate::source::Span;
 use crate::syntax::{self, Text};
@@ -67,7 +68,7 @@ impl<'a> Enums<'a> {
         }
         for merged in &mut enums.list {
             check(merged, diagnostics);
-            merged.entries.sort_by_key(|entry| entry.value);
+            order::sort_by_key(&mut merged.entries, |entry| entry.value);
         }
         enums
     }
@@ -197,7 +198,7 @@ fn check(merged: &Merged<'_>, diagnostics: &mut Diagnostics) {
     let mut names = HashMap::new();
     let mut values = HashMap::new();
     let mut entries: Vec<_> = merged.entries.iter().collect();
-    entries.sort_by_key(|entry| Reverse(entry.file));
+    order::sort_by_key(&mut entries, |entry| Reverse(entry.file));
     for entry in entries {
         let same_name = names.insert(entry.syntax.name.value.as_str(), entry);
         // A value that was guessed beside one that could not be read says nothing.

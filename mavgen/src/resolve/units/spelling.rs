@@ -4,10 +4,9 @@
 //! its name, or its symbol in other letter case. Only where that leads nowhere it is a slip of the pen: there a short symbol is not
 //! taken for another, because `l/min` is not nearly `g/min`.
 
-use std::collections::BTreeMap;
-
 use super::known;
 use crate::diag::nearest;
+use crate::order;
 
 /// What people call factors beside their symbols, in the singular and in small letters.
 const NAMES: [(&str, &str); 37] = [
@@ -100,23 +99,27 @@ fn is_slip(text: &str, unit: &str) -> bool {
 }
 
 /// The symbols of a unit, each with its exponent; nothing if something in it is none.
-fn factors(text: &str) -> Option<BTreeMap<&'static str, i32>> {
+fn factors(text: &str) -> Option<Vec<(&'static str, i32)>> {
     let text = text.replace(['µ', 'μ'], "u").replace("**", "^").replace('²', "^2").replace('³', "^3");
     let text = text.replace('/', " / ").replace(['*', '·', '.', '_'], " ");
-    let (mut factors, mut sign) = (BTreeMap::new(), 1);
+    let (mut factors, mut sign) = (Vec::new(), 1);
     for word in text.split_whitespace() {
         if word == "/" || word == "per" {
             sign = -1;
             continue;
         }
         let (symbol, exponent) = factor(word)?;
-        *factors.entry(symbol).or_insert(0) += sign * exponent;
+        match factors.iter_mut().find(|(known, _)| *known == symbol) {
+            Some((_, sum)) => *sum += sign * exponent,
+            None => factors.push((symbol, sign * exponent)),
+        }
         sign = 1;
     }
-    if factors.contains_key("degC") {
+    if factors.iter().any(|(symbol, _)| *symbol == "degC") {
         // `degrees C`
-        factors.remove("deg");
+        factors.retain(|(symbol, _)| *symbol != "deg");
     }
+    order::sort_by_key(&mut factors, |(symbol, _)| *symbol);
     Some(factors)
 }
 

@@ -1,11 +1,15 @@
 //! Sets of numbers as ranges: sorted, and apart.
 
+use crate::order;
 use std::ops::RangeInclusive;
 
 /// Joins ranges that overlap or touch.
 pub(super) fn joined(ranges: impl IntoIterator<Item = RangeInclusive<u64>>) -> Vec<RangeInclusive<u64>> {
-    let mut sorted: Vec<RangeInclusive<u64>> = ranges.into_iter().collect();
-    sorted.sort_by_key(|range| (*range.start(), *range.end()));
+    join(ranges.into_iter().collect())
+}
+
+fn join(mut sorted: Vec<RangeInclusive<u64>>) -> Vec<RangeInclusive<u64>> {
+    order::sort_by_key(&mut sorted, |range| (*range.start(), *range.end()));
     let mut joined: Vec<RangeInclusive<u64>> = Vec::new();
     for range in sorted {
         match joined.last_mut() {
