@@ -18,7 +18,7 @@ use mavlink_services::mission::{
     Plans, Replaced, Sent, SetCurrent, Upload, Uploaded,
 };
 use mavlink_services::{Instant, Operation, Service, Update};
-use mavlink_wire::{Encode, Message, Targeted};
+use mavlink_wire::{Encode, Message, Targeted, Version};
 use simulated::{COMPONENT, STATION, Simulation, Weather, component, give, outputs, station};
 
 const LONG: Duration = Duration::from_secs(3600);
@@ -189,9 +189,17 @@ fn mavlink_1_has_missions() {
     let mut upload = Upload::new(access(MavMissionType::MISSION), items(20, 0), simulation.now);
     assert!(finish(&mut simulation, &mut upload, &mut vehicle).0.is_ok());
     assert_eq!(stored(&vehicle, MavMissionType::MISSION), items(20, 0));
-    let mut fence = Upload::new(access(MavMissionType::FENCE), items(20, 0), simulation.now);
-    let (end, ..) = finish(&mut simulation, &mut fence, &mut vehicle);
-    assert!(matches!(end, Err(Failure::Timeout { awaited: Awaited::Begin, .. })), "MAVLink 1 has no fence: {end:?}");
+    // A message would not say that it is about the fence, and the vehicle would take it for the mission.
+    for plan in [MavMissionType::FENCE, MavMissionType::RALLY, MavMissionType::ALL] {
+        let v1 = Access { version: Version::V1, ..access(plan) };
+        let mut upload = Upload::new(v1, items(20, 0), simulation.now);
+        assert_eq!(finish(&mut simulation, &mut upload, &mut vehicle).0, Err(Failure::Version1));
+        let mut download = Download::new(v1, simulation.now);
+        assert_eq!(finish(&mut simulation, &mut download, &mut vehicle).0, Err(Failure::Version1));
+        let mut clear = Clear::new(v1, simulation.now);
+        assert_eq!(finish(&mut simulation, &mut clear, &mut vehicle).0, Err(Failure::Version1));
+    }
+    assert_eq!(stored(&vehicle, MavMissionType::MISSION), items(20, 0));
 }
 
 #[test]
@@ -416,6 +424,10 @@ fn a_vehicle_refuses_with_a_reason_and_keeps_the_plan_that_it_has() {
         assert_eq!(answer(&mut vehicle, STATION, message, now), Some(expected), "{}", message.info().name);
         assert_eq!(vehicle.plans().count(MavMissionType::MISSION), Ok(2));
     }
+    // A target for a vehicle that is guided is no item.
+    answer(&mut vehicle, STATION, &count(1), now);
+    assert_eq!(answer(&mut vehicle, STATION, &MissionItemInt { current: 2, ..item(0) }, now), None);
+    assert_eq!(vehicle.plans().count(MavMissionType::MISSION), Ok(2));
     // An item that is none, and a station that gives up.
     answer(&mut vehicle, STATION, &count(1), now);
     let nowhere = common::MissionItem {

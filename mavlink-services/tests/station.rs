@@ -15,8 +15,8 @@ use mavlink_services::interval::Interval;
 use mavlink_services::mission::{self, MissionItem};
 use mavlink_services::param::{self, ParamValue};
 use mavlink_services::{Address, Error, Patience, Retry, Station, command};
-use mavlink_wire::Message;
 use mavlink_wire::link::LinkError;
+use mavlink_wire::{MAX_FRAME, Message, Sender};
 
 const HASTY: Patience = Patience {
     connect: Duration::from_secs(5),
@@ -118,4 +118,20 @@ fn without_a_vehicle_it_says_so() {
     assert!(error.to_string().starts_with("no vehicle has sent a heartbeat in 50ms"), "{error}");
     let Err(error) = Station::connect("udpinn:0.0.0.0:14550") else { panic!("that is no address") };
     assert!(matches!(error, Error::Link(LinkError::Address(_))), "{error:?}");
+}
+
+#[test]
+fn a_vehicle_of_mavlink_1_has_no_fence_that_could_be_taken_for_its_mission() {
+    let ours = link("udpin:127.0.0.1:0", 255);
+    let to = ours.local_addr().unwrap();
+    let silent = std::net::UdpSocket::bind("127.0.0.1:0").unwrap();
+    let beat = Heartbeat { r#type: MavType::QUADROTOR, ..Heartbeat::DEFAULT };
+    let mut buffer = [0; MAX_FRAME];
+    silent.send_to(Sender::v1(1, 1).encode(&beat, &mut buffer).unwrap(), to).unwrap();
+    let mut station = Station::over(ours, HASTY).unwrap();
+    let fence = [MissionItem::at(MavCmd::NAV_FENCE_CIRCLE_INCLUSION, 47.0, 8.0, 0.0)];
+    let refused = station.upload_plan(MavMissionType::FENCE, &fence, |_| {}).unwrap_err();
+    assert!(matches!(refused, Error::Mission(mission::Failure::Version1)), "{refused:?}");
+    let refused = station.clear(MavMissionType::FENCE).unwrap_err();
+    assert!(matches!(refused, Error::Mission(mission::Failure::Version1)), "{refused:?}");
 }

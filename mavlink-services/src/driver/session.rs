@@ -5,7 +5,7 @@ use std::boxed::Box;
 use std::string::{String, ToString};
 use std::time;
 
-use mavlink_wire::{Encode, Frame, Message};
+use mavlink_wire::{Encode, Frame, Message, Version};
 
 use super::Error;
 use crate::common::{Heartbeat, MavAutopilot, MavMissionType, MavProtocolCapability, MavState, MavType, Statustext};
@@ -64,6 +64,8 @@ pub(super) struct Session {
     /// Once the vehicle was asked.
     pub(super) encoding: Option<Encoding>,
     form: Form,
+    /// What the vehicle is spoken to in: MAVLink 2 once it has sent that.
+    version: Option<Version>,
     started: time::Instant,
     own: Address,
     peer: Option<Address>,
@@ -80,6 +82,7 @@ impl Session {
             listener: None,
             encoding: None,
             form: Form::Int,
+            version: None,
             started: time::Instant::now(),
             own,
             peer: None,
@@ -120,6 +123,9 @@ impl Session {
             && let Some(text) = frame.decode::<Statustext>()
         {
             self.text = Some((now, text.text.to_string()));
+        }
+        if self.peer == Some(from) && self.version != Some(Version::V2) {
+            self.version = Some(frame.version());
         }
     }
 
@@ -166,7 +172,7 @@ impl Session {
     }
 
     pub(super) fn set_peer(&mut self, peer: Address) {
-        (self.encoding, self.form) = (None, Form::Int);
+        (self.encoding, self.form, self.version) = (None, Form::Int, None);
         self.peer = Some(peer);
         self.vehicle = Monitor::of(peer, Duration::from_secs(5));
     }
@@ -195,7 +201,8 @@ impl Session {
     }
 
     pub(super) fn plan(&self, plan: MavMissionType) -> mission::Access {
-        mission::Access { form: self.form, ..mission::Access::new(self.own, self.peer()).plan(plan) }
+        let access = mission::Access::new(self.own, self.peer()).plan(plan);
+        mission::Access { form: self.form, version: self.version.unwrap_or(access.version), ..access }
     }
 
     pub(super) fn command(&self, command: &(impl Encode + ?Sized)) -> Result<command::Send, Error> {

@@ -2,8 +2,9 @@
 
 use core::time::Duration;
 
-use mavlink_wire::Frame;
+use mavlink_wire::{Frame, Version};
 
+use super::failure::Failure;
 use crate::common::{MavAutopilot, MavMissionResult, MavMissionType, MavProtocolCapability, MissionAck};
 use crate::{Address, Outgoing, Retry};
 
@@ -18,6 +19,9 @@ pub struct Access {
     pub plan: MavMissionType,
     /// Which messages carry the items.
     pub form: Form,
+    /// The version of MAVLink that the peer is spoken to in. In MAVLink 1 no message says which plan it is about: one for the fence
+    /// would change the mission, so such an operation fails before it begins.
+    pub version: Version,
     /// How long an answer may take, and how often it is asked for: 1.5 s and five more times, as the guide recommends.
     pub retry: Retry,
     /// The same for single items: 250 ms, as the guide recommends, and twenty more times, because there are many of them.
@@ -56,18 +60,27 @@ impl Form {
 }
 
 impl Access {
-    /// The mission, with the usual patience.
+    /// The mission, with the usual patience, in MAVLink 2.
     #[must_use]
     pub const fn new(own: Address, peer: Address) -> Self {
         let retry = Retry { timeout: Duration::from_millis(1500), retries: 5 };
         let item_retry = Retry { timeout: Duration::from_millis(250), retries: 20 };
-        Self { own, peer, plan: MavMissionType::MISSION, form: Form::Int, retry, item_retry }
+        Self { own, peer, plan: MavMissionType::MISSION, form: Form::Int, version: Version::V2, retry, item_retry }
     }
 
     /// The same for another plan: the fence or the rally points.
     #[must_use]
     pub const fn plan(self, plan: MavMissionType) -> Self {
         Self { plan, ..self }
+    }
+
+    /// Whether the messages can say which plan is meant.
+    pub(super) fn check(&self) -> Result<(), Failure> {
+        if self.version == Version::V1 && self.plan != MavMissionType::MISSION {
+            Err(Failure::Version1)
+        } else {
+            Ok(())
+        }
     }
 
     /// The message that ends a transfer.

@@ -45,7 +45,8 @@ impl Clear {
     /// Clears the plan that the access is for.
     #[must_use]
     pub fn new(access: Access, now: Instant) -> Self {
-        Self { access, attempt: Attempt::start(access.retry, now), state: State::Ask }
+        let state = access.check().map_or_else(|failure| State::End(Err(failure)), |()| State::Ask);
+        Self { access, attempt: Attempt::start(access.retry, now), state }
     }
 }
 

@@ -19,6 +19,9 @@ use crate::common::{
 use crate::param::ParamValue;
 use crate::{Address, Instant, Outgoing, Output, Retry, Service};
 
+/// The largest `current` of an item that belongs to a plan: 2 and 3 are targets and heights for a vehicle that is guided.
+const OF_PLAN: u8 = 1;
+
 /// Keeps the plans of a vehicle, and moves them from and to stations; says which item of the mission it is at.
 ///
 /// Items are given to whoever asks, at any time. A plan is received from one station at a time; others are refused with `DENIED`
@@ -229,12 +232,12 @@ impl<P: Plans> Service for Component<P> {
         match frame.message_id() {
             MissionCount::ID | MissionWritePartialList::ID => self.announced(frame, now),
             MissionItemInt::ID => {
-                if let Some(item) = self.for_us::<MissionItemInt>(frame) {
+                if let Some(item) = self.for_us::<MissionItemInt>(frame).filter(|item| item.current <= OF_PLAN) {
                     self.put(frame, (item.mission_type, item.seq), Some(item.into()), now);
                 }
             }
             common::MissionItem::ID => {
-                if let Some(item) = self.for_us::<common::MissionItem>(frame) {
+                if let Some(item) = self.for_us::<common::MissionItem>(frame).filter(|item| item.current <= OF_PLAN) {
                     self.put(frame, (item.mission_type, item.seq), MissionItem::of_float(&item), now);
                 }
             }

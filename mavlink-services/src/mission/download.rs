@@ -90,7 +90,8 @@ impl Download {
     /// Fetches the whole plan.
     #[must_use]
     pub fn new(access: Access, now: Instant) -> Self {
-        let (attempt, state) = (Attempt::start(access.retry, now), State::AskCount);
+        let attempt = Attempt::start(access.retry, now);
+        let state = access.check().map_or_else(|failure| State::End(Err(failure)), |()| State::AskCount);
         Self { access, limit: u16::MAX, part: None, attempt, state, next: 0, end: 0, opaque_id: 0, news: None }
     }
 

@@ -30,6 +30,8 @@ pub enum Failure {
         /// How many items the plan has.
         count: u16,
     },
+    /// MAVLink 1 has the mission alone: what is meant for another plan would change it.
+    Version1,
     /// The position of an item is no number that the message can carry.
     Position {
         /// The index of the item.
@@ -65,6 +67,9 @@ impl fmt::Display for Failure {
                 write!(f, "a plan of {count} items or more is too long: split it, or raise the limit")
             }
             Self::NoSuchItem { count } => write!(f, "the part goes beyond the plan, which has {count} items"),
+            Self::Version1 => {
+                f.write_str("MAVLink 1 has neither fence nor rally points: speak MAVLink 2 to the vehicle")
+            }
             Self::Position { seq } => write!(f, "the position of item {seq} is out of range or not a number"),
         }
     }

@@ -99,6 +99,7 @@ impl<S: AsRef<[MissionItem]>> Upload<S> {
         let fits = count
             .is_some_and(|count| part.is_none_or(|first| i16::try_from(u32::from(first) + u32::from(count)).is_ok()));
         let state = match count {
+            _ if access.check().is_err() => State::End(Err(Failure::Version1)),
             Some(0) if part.is_some() => State::End(Err(Failure::NoSuchItem { count: 0 })),
             Some(_) if fits => State::Announce,
             count => State::End(Err(Failure::TooMany { count: count.unwrap_or(u16::MAX) })),
