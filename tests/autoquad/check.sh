@@ -72,6 +72,9 @@ done
 echo "the screen"
 sh tests/autoquad/screen.sh "$autoquad" "$scratch"
 
+echo "the pictures of the documentation"
+sh tests/autoquad/pictures.sh "$autoquad" "$python" --check
+
 echo "what is wrong is said"
 refused 'exists already' "$autoquad" simulate --tlog "$flight"
 refused 'exists already' "$autoquad" record udpin:127.0.0.1:0 "$flight"
