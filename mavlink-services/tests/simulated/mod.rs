@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use std::time::Duration;
 
-use mavlink_services::{Address, Instant, Outgoing, Output, Service};
+use mavlink_services::{Address, Instant, Operation, Outgoing, Output, Service, Update};
 use mavlink_wire::{Dialect, Encode, Frame, MAX_FRAME, Sender};
 
 /// What a link does to frames.
@@ -202,4 +202,31 @@ pub(crate) fn give<S: Service>(machine: &mut S, from: (u8, u8), message: &dyn En
     let mut buffer = [0; MAX_FRAME];
     let bytes = sender.encode(message, &mut buffer).unwrap();
     machine.handle(&Frame::parse(bytes, mavlink_services::common::Common::TABLE).unwrap(), now);
+}
+
+/// How an operation ended.
+pub(crate) type Ended<O> = Result<<O as Operation>::Outcome, <O as Operation>::Failure>;
+
+/// Runs an operation to its end, and gives that, what it told before, and what the component told.
+pub(crate) fn finish<O: Operation, C: Service>(
+    simulation: &mut Simulation,
+    operation: &mut O,
+    component: &mut C,
+) -> (Ended<O>, Vec<O::Progress>, Vec<C::Event>) {
+    let (mut end, mut told, mut events) = (None, vec![], vec![]);
+    let _ = simulation.run(
+        (operation, &mut |_, event, _| match event {
+            Update::Progress(progress) => {
+                told.push(progress);
+                ControlFlow::Continue(())
+            }
+            Update::Done(result) => {
+                end = Some(result);
+                ControlFlow::Break(())
+            }
+        }),
+        (component, &mut |_, event, _| events.push(event)),
+        Duration::from_secs(3600),
+    );
+    (end.unwrap_or_else(|| panic!("an operation ends in an hour")), told, events)
 }
