@@ -169,3 +169,17 @@ fn the_commands_with_a_position_are_those_of_the_definition() {
     }
     assert!(commands > 150, "{commands} commands");
 }
+
+#[test]
+fn a_station_of_today_that_did_not_hear_is_asked_in_its_way_again() {
+    let (mut vehicle, mut now) = (vehicle(20), Instant::ZERO);
+    give(&mut vehicle, STATION, &MissionCount { count: 3, ..MissionCount::DEFAULT }.to(1, 1), now);
+    for seq in 0..2 {
+        assert!(outputs(&mut vehicle, now).0[0].decode::<MissionRequestInt>().is_some_and(|asked| asked.seq == seq));
+        now = vehicle.deadline().unwrap();
+        assert!(outputs(&mut vehicle, now).0[0].decode::<MissionRequest>().is_some_and(|asked| asked.seq == seq));
+        // As the guide has it, it answers the old question with the new item.
+        give(&mut vehicle, STATION, &MissionItemInt { seq, ..MissionItemInt::DEFAULT }.to(1, 1), now);
+    }
+    assert!(outputs(&mut vehicle, now).0[0].decode::<MissionRequestInt>().is_some());
+}

@@ -212,7 +212,11 @@ fn hostile_peers_get_neither_memory_nor_time() {
         assert!(outputs(&mut download, now).1.is_empty());
     }
     give(&mut download, COMPONENT, &item, now);
-    assert!(matches!(outputs(&mut download, now).1[..], [Update::Progress(Item { received: 1, count: 2, .. })]));
+    // It was not told yet: the next one counts as lost.
+    give(&mut download, COMPONENT, &MissionItemInt { seq: 1, ..item }, now);
+    let (sent, told) = outputs(&mut download, now);
+    assert!(matches!(told[..], [Update::Progress(Item { received: 1, count: 2, .. })]));
+    assert!(sent[0].decode::<MissionRequestInt>().is_some_and(|request| request.seq == 1));
 }
 
 #[test]

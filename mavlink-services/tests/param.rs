@@ -239,3 +239,28 @@ fn two_parameters_of_one_name_are_both_listed() {
     let (end, told, _) = finish(&mut simulation, &mut list, &mut vehicle);
     assert_eq!((end, self::params(&told, 2)), (Ok(2), params));
 }
+
+#[test]
+fn one_answer_is_enough_for_a_question_that_is_doubled() {
+    let mut vehicle = Component::new(component(), Encoding::Bytewise, table(Encoding::Bytewise));
+    let request = ParamRequestRead { param_index: 3, ..ParamRequestRead::DEFAULT };
+    give(&mut vehicle, STATION, &request, Instant::ZERO);
+    assert_eq!(asked(&mut vehicle, &request).0.len(), 1);
+    assert_eq!(asked(&mut vehicle, &request).0.len(), 1, "one that is asked for later is told again");
+}
+
+#[test]
+fn a_late_list_catches_up_a_little() {
+    let mut vehicle = Component::new(component(), Encoding::Bytewise, table(Encoding::Bytewise));
+    give(&mut vehicle, STATION, &ParamRequestList::DEFAULT, Instant::ZERO);
+    let at = |millis| Instant::from_millis(millis);
+    assert_eq!(outputs(&mut vehicle, at(0)).0.len(), 1);
+    assert_eq!(vehicle.deadline(), Some(at(10)));
+    assert_eq!(outputs(&mut vehicle, at(45)).0.len(), 4, "10, 20, 30 and 40 ms");
+    assert_eq!(outputs(&mut vehicle, at(50)).0.len(), 1);
+    let burst = outputs(&mut vehicle, at(700)).0.len();
+    assert!((2..=10).contains(&burst), "{burst} at once");
+    let next = vehicle.deadline().unwrap();
+    assert!(next > at(700) && next <= at(710), "{next:?}");
+    assert_eq!(outputs(&mut vehicle, next).0.len(), 1, "and the pace goes on");
+}

@@ -195,3 +195,20 @@ fn an_operation_tells_its_end_once() {
     assert!(read.poll(Instant::from_millis(1_000_000)).is_none());
     assert_eq!(read.deadline(), None);
 }
+
+#[test]
+fn what_comes_before_the_last_was_told_is_not_lost_unnoticed() {
+    let now = Instant::ZERO;
+    let mut list = List::new(access(Encoding::Cast), [0; 1], now);
+    outputs(&mut list, now);
+    give(&mut list, COMPONENT, &value("A", 1.0, 0, 2), now);
+    give(&mut list, COMPONENT, &value("B", 2.0, 1, 2), now);
+    let (done, progress, _) = told(&mut list, now);
+    assert!(matches!(progress[..], [ListProgress::Value(Listed { index: Some(0), received: 1, .. })]));
+    assert_eq!(done, None, "nobody was told of the second one");
+    // It counts as lost, and is asked for.
+    let overdue = list.deadline().unwrap();
+    assert_eq!(told(&mut list, overdue).2, 1);
+    give(&mut list, COMPONENT, &value("B", 2.0, 1, 2), now);
+    assert_eq!(told(&mut list, now).0, Some(Ok(2)));
+}
