@@ -18,7 +18,7 @@ generate() {
 }
 
 generate xml/autoquad.xml --overlay xml/overlay/autoquad.xml --out mavlink-autoquad/src/generated
-generate xml/common.xml --messages "$(cat mavlink-services/messages.txt)" --out mavlink-services/src/generated
+generate xml/common.xml --messages "$(cat mavlink-services/messages.txt)" --no-commands --out mavlink-services/src/generated
 px4=mavlink-autoquad/msg
 generate $px4/main --overlay $px4/esc.overlay.xml --older v2026_02=$px4/v2026_02 --older v1_14=$px4/v1_14 --name px4_msgs --out mavlink-autoquad/src/generated_px4
 for folder in mavgen/tests/golden/*/msg; do

@@ -6,6 +6,10 @@
 mod readme {}
 
 #[cfg(doctest)]
+#[doc = include_str!("../../docs/commands.md")]
+mod commands {}
+
+#[cfg(doctest)]
 #[doc = include_str!("../../docs/escs.md")]
 mod escs {}
 

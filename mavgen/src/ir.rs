@@ -20,7 +20,7 @@ mod visit;
 pub(crate) use carrier::Carrier;
 pub(crate) use kept::Kept;
 pub use label::Label;
-pub(crate) use label::unit_words;
+pub(crate) use label::{param_words, unit_words};
 pub(crate) use layout::Layout;
 pub use message::{Field, FieldType, Invalid, Limits, Message, Scalar, Scope, Sentinel, Values};
 pub use name::Name;

@@ -93,9 +93,10 @@ pub(crate) fn passes(loaded: &Loaded, sources: &Sources, diagnostics: &mut Diagn
     }
 
     let notes = Notes::of(loaded, &drafts, &enums, &poisoned, diagnostics);
+    let commands = overlay::Commands::of(loaded, &enums, diagnostics);
+    let said = (&notes, &commands);
     let sized = enums.list.iter().zip(&widths);
-    let models =
-        sized.map(|(merged, &width)| build_enum((loaded, &enums, &notes), merged, width, diagnostics)).collect();
+    let models = sized.map(|(merged, &width)| build_enum((loaded, &enums), said, merged, width, diagnostics)).collect();
     let links = Links { enums: &enums, widths: &widths, entries: &entries, notes: &notes };
     let whole = drafts.into_iter().zip(added);
     let mut messages: Vec<_> = whole.map(|(draft, added)| build_message(draft, added, &links, diagnostics)).collect();

@@ -169,6 +169,9 @@ catalogue! {
     709 Note Error "A note has no text, or does not say what it is about.";
     710 Condition Error "A condition asks a field for a value that it cannot have.";
     711 Bind Error "An enum is bound to a field that cannot carry it.";
+    712 OverlayCommand Error "An overlay names a command that does not exist.";
+    713 OverlayParam Error "A param in an overlay has no number from 1 to 7, is named twice, or is reserved.";
+    714 OverlayLabel Error "A label in an overlay makes no name of its own.";
 
     720 Words Error "The words of a view are none, or stand there twice.";
     721 Index Error "An array stands without an index, or a scalar with one.";

@@ -49,6 +49,13 @@ impl fmt::Display for Label {
     }
 }
 
+/// The label of a param as words: `Horiz. Move Limit` is `horiz_move_limit`. A label may be any text; `None` if it has no letter and
+/// no digit of ASCII.
+pub(crate) fn param_words(label: &str) -> Option<String> {
+    let words: String = label.chars().map(|one| if one.is_ascii_alphanumeric() { one } else { '_' }).collect();
+    Some(words.to_snake_case()).filter(|words| !words.is_empty())
+}
+
 /// A unit as words: `mv`, `cdegc`, `m_per_s`; empty if nothing of it can be one.
 pub(crate) fn unit_words(unit: &str) -> String {
     let spelled = unit.replace('/', " per ").replace('%', " percent ").replace('µ', "u");

@@ -4,7 +4,7 @@
 
 use heck::{ToShoutySnakeCase, ToSnakeCase, ToUpperCamelCase};
 
-use crate::ir::Label;
+use crate::ir::{Label, param_words};
 
 /// The word that no identifier can be, raw or not, and names of the prelude that the generated code itself needs.
 const RESERVED_TYPES: [&str; 9] = ["Self", "Option", "Some", "None", "Result", "Ok", "Err", "Into", "Iterator"];
@@ -86,13 +86,9 @@ pub(crate) fn label(label: &Label) -> String {
     member(label.shown())
 }
 
-/// The name of a param of a command, after its label: `Horiz. Move Limit` becomes `horiz_move_limit`.
-///
-/// A label may be any text; `None` if it has no letter and no digit of ASCII.
+/// The name of a param of a command, after its label; `None` if that makes no name.
 pub(crate) fn param_name(label: &str) -> Option<String> {
-    let words: String = label.chars().map(|one| if one.is_ascii_alphanumeric() { one } else { '_' }).collect();
-    let name = words.to_snake_case();
-    (!name.is_empty()).then(|| member(name))
+    param_words(label).map(member)
 }
 
 /// The name of a method beside the one of this name: `voltage_raw`; what sets `self_` apart from `self` is not needed there.

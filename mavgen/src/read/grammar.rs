@@ -241,12 +241,16 @@ pub(super) static EXTENSIONS: Element = container("extensions", &[], &[], true);
 pub(super) static OVERLAY: Element = container(
     "mavlink-overlay",
     &[text("version"), text("for")],
-    &[any(0, &ENUMS), any(0, &REFINE), any(0, &NOTE), any(0, &ADDITIONS)],
+    &[any(0, &ENUMS), any(0, &REFINE), any(0, &NOTE), any(0, &COMMAND), any(0, &ADDITIONS)],
     false,
 );
 pub(super) static REFINE: Element =
     container("refine", &[text("enum"), text("bitmask"), text("deprecated")], &[], false);
 pub(super) static NOTE: Element = prose("note", &[text("message"), text("field"), text("enum"), text("entry")], &[]);
+pub(super) static COMMAND: Element =
+    container("command", &[text("name"), text("hasLocation"), text("isDestination")], &[any(0, &NAMED_PARAM)], false);
+pub(super) static NAMED_PARAM: Element =
+    container("param", &[text("index"), text("label"), text("units"), text("enum")], &[], false);
 pub(super) static ADDITIONS: Element = container("message", &[text("name")], &[any(0, &BIND), any(0, &VIEW)], false);
 pub(super) static BIND: Element =
     prose("bind", &[text("name"), text("field"), text("enum"), text("if"), text("is")], &[]);

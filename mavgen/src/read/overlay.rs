@@ -10,7 +10,7 @@ use super::{enums, grammar};
 use crate::diag::Diagnostics;
 use crate::source::{FileId, Sources};
 use crate::syntax::Overlay;
-use crate::syntax::overlay::{Additions, Bind, Condition, Note, Refinement};
+use crate::syntax::overlay::{Additions, Bind, Command, Condition, NamedParam, Note, Refinement};
 
 use super::tag::Tag;
 
@@ -24,6 +24,7 @@ pub fn read(id: FileId, sources: &Sources, diagnostics: &mut Diagnostics) -> Ove
         refinements: Vec::new(),
         notes: Vec::new(),
         messages: Vec::new(),
+        commands: Vec::new(),
     };
     if let Some(source) = sources.get(id) {
         let mut elements = Elements::new(id, source.text(), diagnostics);
@@ -51,6 +52,7 @@ fn document(elements: &mut Elements<'_, '_>, overlay: &mut Overlay) -> Result<()
             }
             "refine" => overlay.refinements.extend(read_refinement(elements, tag)?),
             "note" => overlay.notes.push(read_note(elements, tag)?),
+            "command" => overlay.commands.extend(read_command(elements, tag)?),
             _ => overlay.messages.extend(read_message(elements, tag)?),
         }
     }
@@ -81,6 +83,34 @@ fn read_note<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>) -> Result<No
     elements.close_tag(tag);
     note.text = elements.trimmed_text(&grammar::NOTE)?;
     Ok(note)
+}
+
+fn read_command<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>) -> Result<Option<Command>, Broken> {
+    let mut command = Command {
+        name: tag.require("name"),
+        has_location: tag.take("hasLocation"),
+        is_destination: tag.take("isDestination"),
+        params: Vec::new(),
+        span: tag.span,
+    };
+    let complete = elements.close_tag(tag);
+    while let Some(tag) = elements.next_child(&grammar::COMMAND)? {
+        command.params.extend(read_param(elements, tag)?);
+    }
+    Ok(complete.then_some(command))
+}
+
+fn read_param<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>) -> Result<Option<NamedParam>, Broken> {
+    let param = NamedParam {
+        index: tag.require("index"),
+        label: tag.require("label"),
+        units: tag.take("units"),
+        enum_: tag.take("enum"),
+        span: tag.span,
+    };
+    let complete = elements.close_tag(tag);
+    elements.text(&grammar::NAMED_PARAM)?;
+    Ok(complete.then_some(param))
 }
 
 fn read_message<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>) -> Result<Option<Additions>, Broken> {

@@ -1,6 +1,7 @@
 //! Overlays: what they add to the model. They change nothing on the wire.
 
 mod bind;
+mod command;
 mod head;
 mod refine;
 
@@ -20,6 +21,7 @@ use crate::source::{FileId, Span};
 use crate::syntax::Text;
 use crate::syntax::overlay::Additions;
 
+pub(super) use command::Commands;
 pub(super) use head::check as check_heads;
 pub(super) use refine::apply as refine;
 

@@ -1,7 +1,9 @@
 //! Spellings: what keeps a text from being a name, and names as the model has them.
 
+use super::enums::Enums;
+use super::suggest::suggest;
 use crate::diag::{Code, Diagnostic, Diagnostics};
-use crate::ir::{Label, Name};
+use crate::ir::{EnumId, Label, Name};
 use crate::read::Loaded;
 use crate::syntax::Text;
 
@@ -13,6 +15,18 @@ pub(super) fn name(text: &Text) -> Name {
 /// The name of what an overlay says.
 pub(super) fn label(text: &Text) -> Label {
     Label::plain(name(text))
+}
+
+/// The enum that an overlay names; one that there is not is reported.
+pub(super) fn overlay_enum(name: &Text, enums: &Enums<'_>, diagnostics: &mut Diagnostics) -> Option<EnumId> {
+    let id = enums.id(&name.value);
+    if id.is_none() && enums.complete {
+        let message = format!("enum `{}` does not exist", name.value);
+        let problem = Diagnostic::new(Code::OverlayEnum, name.span, message).label("no such enum");
+        let problem = suggest(problem, &name.value, enums.names(), diagnostics);
+        diagnostics.push(problem);
+    }
+    id
 }
 
 /// Reports the names of definitions that are none, wherever they stand.

@@ -5,6 +5,7 @@
 //!   <enums>…</enums>
 //!   <refine enum="ACME_FLAGS" bitmask="true"/>
 //!   <note message="SPRAYER" field="level">Tanks from before 2020 report the level of the pump.</note>
+//!   <command name="MAV_CMD_SPRAY"><param index="1" label="Flow" units="m/s"/></command>
 //!   <message name="SPRAYER">
 //!     <bind name="flags" field="raw_flags" enum="ACME_FLAGS" if="maker" is="MAKER_ACME"/>
 //!     <view name="NOZZLE_STATUS" words="low[i] high[i]" item="nozzle" items="nozzles" count="used">
@@ -42,6 +43,38 @@ pub struct Overlay {
     pub notes: Vec<Note>,
     /// `<message>`, in document order.
     pub messages: Vec<Additions>,
+    /// `<command>`, in document order.
+    pub commands: Vec<Command>,
+}
+
+/// `<command>`: what the params of a command are.
+#[derive(Clone, Debug)]
+pub struct Command {
+    /// `name`: an entry of `MAV_CMD`.
+    pub name: Text,
+    /// `hasLocation`.
+    pub has_location: Option<Text>,
+    /// `isDestination`.
+    pub is_destination: Option<Text>,
+    /// `<param>`, in document order.
+    pub params: Vec<NamedParam>,
+    /// The start tag.
+    pub span: Span,
+}
+
+/// `<param>` of a command in an overlay.
+#[derive(Clone, Debug)]
+pub struct NamedParam {
+    /// `index`.
+    pub index: Text,
+    /// `label`.
+    pub label: Text,
+    /// `units`.
+    pub units: Option<Text>,
+    /// `enum`.
+    pub enum_: Option<Text>,
+    /// The start tag.
+    pub span: Span,
 }
 
 /// `<refine>`: what the definitions leave unsaid about an enum.

@@ -39,7 +39,8 @@ impl Definitions {
 
     /// The dialect that the AutoQuad overlay speaks of.
     pub(crate) fn carriers(&self) -> String {
-        let names = ["AQ_ESC_TELEMETRY", "HEARTBEAT", "ATTITUDE"];
+        // Commands are spoken of by their entries.
+        let names = ["AQ_ESC_TELEMETRY", "HEARTBEAT", "ATTITUDE", "MAV_CMD"];
         let overlay = super::OVERLAY.as_str();
         let spoken_of = |name: &String| names.contains(&name.as_str()) || overlay.contains(&format!("\"{name}\""));
         let messages = self.messages.iter().filter(|(name, _)| spoken_of(name)).collect();

@@ -6,7 +6,6 @@
 mod dialect;
 pub mod enums;
 pub mod messages;
-pub mod commands;
 
 pub use dialect::Common;
 pub use enums::*;

@@ -3,6 +3,7 @@
 use super::super::enums::{Enums, Merged, ValuedEntry};
 use super::super::notes::{Notes, Subject};
 use super::super::origin::Described;
+use super::super::overlay::Commands;
 use super::super::width::Width;
 use super::super::{lifecycle, spelling};
 use super::command;
@@ -12,7 +13,8 @@ use crate::read::Loaded;
 
 /// The model of an enum.
 pub(in crate::resolve) fn build(
-    (loaded, enums, notes): (&Loaded, &Enums<'_>, &Notes<'_>),
+    (loaded, enums): (&Loaded, &Enums<'_>),
+    said: (&Notes<'_>, &Commands<'_>),
     merged: &Merged<'_>,
     width: Width,
     diagnostics: &mut Diagnostics,
@@ -21,13 +23,13 @@ pub(in crate::resolve) fn build(
     // An entry whose value is beyond 64 bits has been refused.
     let entries = merged.entries.iter().filter_map(|entry| Some((entry, u64::try_from(entry.value).ok()?)));
     let name = merged.name.value.as_str();
-    let entries = entries.map(|(entry, value)| build_entry(name, entry, value, (enums, notes), diagnostics)).collect();
+    let entries = entries.map(|(entry, value)| build_entry(name, entry, value, enums, said, diagnostics)).collect();
     let (named_in, oldest) = merged.oldest(loaded);
     let mut origin = origin(merged, defining_file, diagnostics);
     if merged.refined.in_use {
         lifecycle::tell(&mut origin);
     }
-    notes.add_to(&mut origin, Subject::Enum(name, None));
+    said.0.add_to(&mut origin, Subject::Enum(name, None));
     Enum {
         name: spelling::name(oldest),
         named_in,
@@ -43,7 +45,8 @@ fn build_entry(
     enum_: &str,
     entry: &ValuedEntry<'_>,
     value: u64,
-    (enums, notes): (&Enums<'_>, &Notes<'_>),
+    enums: &Enums<'_>,
+    (notes, commands): (&Notes<'_>, &Commands<'_>),
     diagnostics: &mut Diagnostics,
 ) -> Entry {
     let syntax = entry.syntax;
@@ -55,13 +58,9 @@ fn build_entry(
     };
     let mut origin = described.origin(diagnostics);
     notes.add_to(&mut origin, Subject::Enum(enum_, Some(&syntax.name.value)));
-    Entry {
-        name: spelling::name(&syntax.name),
-        value,
-        auto: entry.auto,
-        command: command::resolve(enum_, entry, enums, diagnostics),
-        origin,
-    }
+    let mut command = command::resolve(enum_, entry, enums, diagnostics);
+    commands.add_to((enum_, &syntax.name.value), (&mut command, &mut origin), enums, diagnostics);
+    Entry { name: spelling::name(&syntax.name), value, auto: entry.auto, command, origin }
 }
 
 /// Place of the first definition, first description that is not empty, stage of life of the file that owns the enum.

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::super::boolean;
 use super::super::enums::{Enums, Merged};
-use super::super::suggest::suggest;
+use super::super::spelling;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::EnumId;
 use crate::read::Loaded;
@@ -38,15 +38,7 @@ pub(in crate::resolve) fn apply<'a>(loaded: &'a Loaded, enums: &mut Enums<'a>, d
 }
 
 fn find(refinement: &Refinement, enums: &Enums<'_>, diagnostics: &mut Diagnostics) -> Option<EnumId> {
-    let name = &refinement.enum_;
-    let id = enums.id(&name.value);
-    if id.is_none() && enums.complete {
-        let message = format!("enum `{}` does not exist", name.value);
-        let problem = Diagnostic::new(Code::OverlayEnum, name.span, message).label("no such enum");
-        let problem = suggest(problem, &name.value, enums.names(), diagnostics);
-        diagnostics.push(problem);
-    }
-    id
+    spelling::overlay_enum(&refinement.enum_, enums, diagnostics)
 }
 
 fn check_first<'a>(
