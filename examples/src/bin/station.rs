@@ -5,11 +5,11 @@
 use std::error::Error;
 use std::io::{self, Write};
 
-use mavlink_autoquad::autoquad::{CommandLong, MavCmd};
-use mavlink_autoquad::wire::Message;
-use mavlink_services::common::MavMissionType;
+use mavlink_autoquad::autoquad::commands::NavTakeoff;
+use mavlink_autoquad::wire::{AsLong, Command};
+use mavlink_services::Station;
+use mavlink_services::common::{MavCmd, MavMissionType};
 use mavlink_services::mission::MissionItem;
-use mavlink_services::{Station, common};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let address = std::env::args().nth(1).unwrap_or_else(|| "udpin:0.0.0.0:14550".into());
@@ -31,8 +31,8 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     station.arm()?;
     // A command of any dialect.
-    let takeoff = CommandLong { command: MavCmd::NAV_TAKEOFF, param7: 10.0, ..CommandLong::DEFAULT };
-    station.command_with(&takeoff, |told| bar("takeoff", told.percent.unwrap_or(0).into(), 100))?;
+    let takeoff = NavTakeoff { altitude: 10.0, ..NavTakeoff::DEFAULT };
+    station.command_with(&takeoff.long(1, 1)?, |told| bar("takeoff", told.percent.unwrap_or(0).into(), 100))?;
     bar("takeoff", 100, 100);
     Ok(())
 }
@@ -40,11 +40,11 @@ fn main() -> Result<(), Box<dyn Error>> {
 /// Up, around a square of some 200 m, and down again.
 fn mission() -> Vec<MissionItem> {
     let corners = [(0.0, 0.0), (0.002, 0.0), (0.002, 0.003), (0.0, 0.003)];
-    let mut items = vec![MissionItem::at(common::MavCmd::NAV_TAKEOFF, 47.397_742, 8.545_594, 20.0)];
-    items.extend(corners.map(|(north, east)| {
-        MissionItem::at(common::MavCmd::NAV_WAYPOINT, 47.397_742 + north, 8.545_594 + east, 20.0)
-    }));
-    items.push(MissionItem::at(common::MavCmd::NAV_LAND, 47.397_742, 8.545_594, 0.0));
+    let mut items = vec![MissionItem::at(MavCmd::NAV_TAKEOFF, 47.397_742, 8.545_594, 20.0)];
+    items.extend(
+        corners.map(|(north, east)| MissionItem::at(MavCmd::NAV_WAYPOINT, 47.397_742 + north, 8.545_594 + east, 20.0)),
+    );
+    items.push(MissionItem::at(MavCmd::NAV_LAND, 47.397_742, 8.545_594, 0.0));
     items
 }
 
