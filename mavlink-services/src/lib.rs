@@ -14,6 +14,9 @@
 //!
 //! What a station asks for is a machine that ends, an [`Operation`]. Several may run at once.
 //!
+//! [`Vehicle`] is all that a component answers, as one machine. `Station` (feature `std`; `tokio::Station` for async tasks) runs the
+//! operations of a station over a link: `station.set_param("RATE_P", 0.2)?`.
+//!
 //! ```
 //! use mavlink_services::common::{CommandLong, MavCmd};
 //! use mavlink_services::{Address, Instant, Output, Service, command};
@@ -40,6 +43,11 @@
 //!
 //! What goes in is any [`Encode`](mavlink_wire::Encode): a `CommandLong` of your dialect is the one of [`common`] to the byte. What
 //! comes out are types of this crate, and messages of [`common`].
+//!
+//! # Features
+//!
+//! - `std`: `Station`, which blocks, over the links of `mavlink-wire`.
+//! - `tokio`: `tokio::Station`, the same for async tasks.
 
 #![no_std]
 #![cfg_attr(docsrs, feature(doc_cfg))]
