@@ -4,12 +4,14 @@
 set -eu
 cd "$(dirname "$0")/../.."
 python=$1
-cargo build --quiet -p autoquad
-autoquad=$(realpath "${CARGO_TARGET_DIR:-target}/debug/autoquad")
 scratch=$(mktemp -d)
 # Ends what this script started, and nothing else.
 running=
 trap 'for process in $running; do kill "$process" 2>/dev/null || true; done; rm -rf "$scratch"' EXIT
+
+# As the README says, but without optimisation: what the tests built already is used.
+cargo install --quiet --debug --locked --path examples/autoquad --root "$scratch/installed"
+autoquad=$scratch/installed/bin/autoquad
 
 # A command that fails, and says this sentence.
 refused() {
@@ -24,6 +26,18 @@ port() { "$python" -c 'import socket; s = socket.socket(socket.AF_INET, socket.S
 
 # A flight over a link: five times as fast, to this port.
 fly() { "$autoquad" simulate "udpout:127.0.0.1:$1" --motors 6 --seed 7 --duration 60s --speed 5 2>"$scratch/flight" & running="$running $!"; }
+
+# Waits until a command succeeds.
+until_true() {
+    for _ in $(seq 300); do
+        if "$@" 2>/dev/null; then return; fi
+        sleep 0.1
+    done
+    echo "never true: $*" >&2
+    exit 1
+}
+
+is_larger() { [ "$(wc -c <"$1")" -gt "$2" ]; }
 
 echo "recordings"
 flight=$scratch/flight.tlog
@@ -46,7 +60,7 @@ air=$(port)
 record=$!
 running="$running $record"
 fly "$air"
-sleep 4
+until_true is_larger "$scratch/recorded.tlog" 20000
 kill -INT "$record"
 wait "$record"
 frames=$(sed -n 's/.*: \([0-9]*\) frames recorded/\1/p' "$scratch/said")
@@ -54,18 +68,23 @@ frames=$(sed -n 's/.*: \([0-9]*\) frames recorded/\1/p' "$scratch/said")
 "$python" tests/autoquad/compare.py xml/autoquad.xml "$scratch/recorded.tlog" "$scratch/recorded.csv" "$frames"
 air=$(port)
 fly "$air"
-"$autoquad" monitor "udpin:127.0.0.1:$air" --plain --for 3s | grep -q 'esc 6: RUNNING'
+"$autoquad" monitor "udpin:127.0.0.1:$air" --plain --for 20s | grep -q 'esc 6: RUNNING'
 
 echo 'the passphrase' >"$scratch/passphrase"
 for sign in '' "$scratch/passphrase"; do
     air=$(port) ground=$(port)
+    "$python" tests/autoquad/ground.py "$ground" xml/autoquad.xml "$flight" $sign >"$scratch/ground" 2>&1 &
+    station=$!
+    running="$running $station"
+    until_true grep -q listening "$scratch/ground"
     "$autoquad" bridge "udpin:127.0.0.1:$air" "udpout:127.0.0.1:$ground" ${sign:+--sign "$sign"} --for 30s 2>"$scratch/said" &
     bridge=$!
     running="$running $bridge"
     fly "$air"
-    "$python" tests/autoquad/ground.py "$ground" xml/autoquad.xml "$flight" $sign
+    wait "$station" || { cat "$scratch/ground" >&2; exit 1; }
     kill -INT "$bridge"
     wait "$bridge"
+    tail -1 "$scratch/ground"
     cat "$scratch/said"
 done
 
@@ -82,6 +101,7 @@ refused 'No such file' "$autoquad" csv "$scratch/none.tlog"
 refused 'autoquad salvage' "$autoquad" csv "$scratch/old.mavlink"
 refused 'called .svg or .png' "$autoquad" plot "$flight" --out "$scratch/flight.gif"
 refused 'is a folder' "$autoquad" plot "$scratch"
+refused 'is what is read' "$autoquad" csv "$flight" --out "$flight" --force
 refused 'is no terminal' "$autoquad" monitor "$flight"
 refused 'udpin' "$autoquad" monitor udp:0.0.0.0:14550 --plain
 refused 'no device' "$autoquad" monitor serial:/dev/none:57600 --plain

@@ -17,9 +17,24 @@ shows() {
     exit 1
 }
 
-# Starts the monitor in a terminal of this width and height, with or without colours, and stops the recording at its begin.
+# Starts the monitor in a terminal of this width and height, with or without colours.
+monitor() {
+    screen new-session -d -x "$1" -y "$2" "cd '$scratch' && env -u NO_COLOR $3 LC_ALL=C.UTF-8 '$autoquad' monitor $4"
+}
+
+# Waits until the monitor has ended, which it should have done by itself.
+ended() {
+    for _ in $(seq 50); do
+        screen has-session 2>/dev/null || return 0
+        sleep 0.1
+    done
+    echo "the monitor does not end" >&2
+    exit 1
+}
+
+# The same of a recording, which is stopped at its begin.
 start() {
-    screen new-session -d -x "$1" -y "$2" "cd '$scratch' && env -u NO_COLOR $3 LC_ALL=C.UTF-8 '$autoquad' monitor flight.tlog"
+    monitor "$1" "$2" "$3" flight.tlog
     shows 'play 1x'
     screen send-keys Space
     shows 'paused'

@@ -56,7 +56,7 @@ pub(crate) struct Monitor {
 }
 
 const AFTER_HELP: &str = "\
-Keys: q quits, tab shows the next vehicle, t another trend; in a recording space pauses, the arrows go 10 s back or on, page up
+Keys: q quits, tab shows the next vehicle, t another trend. In a recording space pauses, the arrows go 10 s back or on, page up \
 and page down a minute, home and end to its ends, - and + change the speed.
 
 Examples:

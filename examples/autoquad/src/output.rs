@@ -17,6 +17,15 @@ pub(crate) struct Overwriting {
 }
 
 impl Overwriting {
+    /// Refuses to write onto what is read.
+    pub(crate) fn beside(self, input: &Path, out: &Path) -> Result<Self, Failure> {
+        let (input, written) = (fs::canonicalize(input).ok(), fs::canonicalize(out).ok());
+        if written.is_some() && written == input {
+            return Err(Failure::file(out, "is what is read; give another name for what is written"));
+        }
+        Ok(self)
+    }
+
     /// Creates a file that is written to as data comes in.
     pub(crate) fn create(self, path: &Path) -> Result<File, Failure> {
         let file = match self.force {
@@ -76,6 +85,15 @@ mod tests {
         forced.write(&path, b"third").unwrap();
         assert_eq!(fs::read(&path).unwrap(), b"third");
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
+
+    #[test]
+    fn nothing_is_written_onto_what_is_read() {
+        let folder = tempfile::tempdir().unwrap();
+        let (log, forced) = (folder.path().join("flight.tlog"), Overwriting { force: true });
+        fs::write(&log, b"first").unwrap();
+        assert!(forced.beside(&log, &folder.path().join(".").join("flight.tlog")).is_err());
+        assert!(forced.beside(&log, &folder.path().join("other.tlog")).is_ok());
     }
 
     #[test]

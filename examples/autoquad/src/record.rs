@@ -33,7 +33,7 @@ pub(crate) struct Record {
     #[arg(long, value_name = "MB", value_parser = clap::value_parser!(u64).range(1..))]
     rotate_size: Option<u64>,
     /// Begins another file after this time.
-    #[arg(long, value_name = "TIME", value_parser = humantime::parse_duration)]
+    #[arg(long, value_name = "TIME", value_parser = rotation_time)]
     rotate_time: Option<Duration>,
     #[command(flatten)]
     running: Running,
@@ -46,6 +46,11 @@ Examples:
   autoquad record udpin:0.0.0.0:14550 flight.tlog
   autoquad record serial:/dev/ttyUSB0:57600 flight.tlog --for 20m
   autoquad record tcpout:192.168.0.7:5760 fleet.tlog --rotate-time 1h --rotate-size 500";
+
+fn rotation_time(text: &str) -> Result<Duration, String> {
+    let time = humantime::parse_duration(text).map_err(|error| error.to_string())?;
+    if time.as_secs() == 0 { Err("a file takes a second at least".to_owned()) } else { Ok(time) }
+}
 
 impl Record {
     pub(crate) fn run(&self) -> Result<(), Failure> {
