@@ -44,6 +44,10 @@ flight=$scratch/flight.tlog
 "$autoquad" simulate --tlog "$flight" --motors 6 --seed 7 --duration 60s --rate 200 --start 2016-04-30T12:00:00Z
 "$autoquad" csv "$flight" --out "$scratch/flight.csv"
 "$python" tests/autoquad/compare.py xml/autoquad.xml "$flight" "$scratch/flight.csv"
+"$autoquad" ulog "$flight"
+"$autoquad" px4-log "$scratch/flight.ulg" | grep -q FAILURE_MOTOR_STUCK
+"$autoquad" px4-log "$scratch/flight.ulg" --out "$scratch/px4.csv"
+"$python" tests/autoquad/px4_log.py "$scratch/flight.ulg" "$scratch/px4.csv"
 "$autoquad" plot "$flight" --out "$scratch/flight.svg"
 "$autoquad" plot "$flight" --out "$scratch/flight.png"
 "$autoquad" monitor "$flight" --plain >"$scratch/lines"
@@ -100,6 +104,7 @@ refused 'exists already' "$autoquad" record udpin:127.0.0.1:0 "$flight"
 refused 'No such file' "$autoquad" csv "$scratch/none.tlog"
 refused 'autoquad salvage' "$autoquad" csv "$scratch/old.mavlink"
 refused 'called .svg or .png' "$autoquad" plot "$flight" --out "$scratch/flight.gif"
+refused 'not a ULog file' "$autoquad" px4-log "$flight"
 refused 'is a folder' "$autoquad" plot "$scratch"
 refused 'is what is read' "$autoquad" csv "$flight" --out "$flight" --force
 refused 'is no terminal' "$autoquad" monitor "$flight"

@@ -7,6 +7,7 @@ mod interrupt;
 mod monitor;
 mod output;
 mod plot;
+mod px4_log;
 mod quantity;
 mod record;
 mod recording;
@@ -15,6 +16,7 @@ mod simulate;
 mod station;
 mod telemetry;
 mod time;
+mod ulog;
 
 use std::process::ExitCode;
 
@@ -49,6 +51,8 @@ enum Command {
     Record(record::Record),
     Csv(csv::Csv),
     Plot(plot::Plot),
+    Ulog(ulog::Ulog),
+    Px4Log(px4_log::Px4Log),
     Salvage(salvage::Salvage),
 }
 
@@ -60,6 +64,8 @@ fn main() -> ExitCode {
         Command::Record(record) => record.run(),
         Command::Csv(csv) => csv.run(),
         Command::Plot(plot) => plot.run(),
+        Command::Ulog(ulog) => ulog.run(),
+        Command::Px4Log(log) => log.run(),
         Command::Salvage(salvage) => salvage.run(),
     };
     match result {

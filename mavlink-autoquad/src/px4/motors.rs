@@ -31,13 +31,15 @@ impl EscReport {
 
 impl EscStatus {
     /// The controllers that are reported, in the order of their places: that of motors in some vehicles, of outputs or of nodes
-    /// in others. Places that nothing was said of are left out.
+    /// in others. Left out are places that nothing was said of, and what simulators have behind the last controller.
     ///
     /// Bit k of the flags is that of place k. PX4's `main` calls it the order of motors, and the drivers for DShot and DroneCAN
     /// and the checks before arming go by places. (The driver for ModalAI's controllers goes by motors. It differs where its
     /// places are in another order.)
     pub fn motors(&self) -> impl Iterator<Item = Motor<'_>> {
-        (0_u8..).zip(&self.esc).map(|(slot, report)| self.motor_at(slot, report)).filter(Motor::is_reported)
+        let count = self.esc_count;
+        let motors = (0_u8..).zip(&self.esc).map(|(slot, report)| self.motor_at(slot, report));
+        motors.filter(move |motor| motor.is_reported(count))
     }
 
     fn motor_at<'s>(&self, slot: u8, report: &'s EscReport) -> Motor<'s> {
@@ -48,7 +50,15 @@ impl EscStatus {
 }
 
 impl Motor<'_> {
-    fn is_reported(&self) -> bool {
-        self.online || self.report.timestamp != 0 || self.report.actuator_function != 0
+    /// Whether it is one of `count` controllers that something is said of. Logs from before 2019-08 do not say who answers, and
+    /// those from before 1.14 not which motor it is.
+    fn is_reported(&self, count: u8) -> bool {
+        let EscReport { timestamp, esc_errorcount, esc_rpm, actuator_function, .. } = *self.report;
+        let measured = [self.report.esc_voltage(), self.report.esc_current(), self.report.esc_temperature()];
+        let says_something = timestamp != 0
+            || esc_errorcount != 0
+            || esc_rpm != 0
+            || measured.into_iter().flatten().any(|value| value != 0.0);
+        self.online || actuator_function != 0 || self.slot < count && says_something
     }
 }

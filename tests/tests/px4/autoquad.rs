@@ -74,6 +74,12 @@ fn motors_are_what_is_reported() {
     assert_eq!(motors, expected);
     assert_eq!(EscStatus::UNKNOWN.motors().count(), 0);
 
+    // Before 2019-08, logs did not say who answers.
+    let mut old = EscStatus { esc_count: 2, ..EscStatus::UNKNOWN };
+    old.esc[1].esc_voltage = 12.0;
+    old.esc[2].esc_voltage = 12.0;
+    assert_eq!(old.motors().map(|motor| motor.slot).collect::<Vec<_>>(), [1]);
+
     // In real logs: places in another order than motors, outputs that drive no motor, and reports that do not say what they drive.
     let mut odd = EscStatus { esc_online_flags: 0b10_1111, ..EscStatus::UNKNOWN };
     for (slot, function) in [102, 104, 101, 45, 113, 0].into_iter().enumerate() {
