@@ -1,6 +1,6 @@
 //! The records of a log, one after the other; what is damaged is passed over.
 
-use memchr::memmem;
+use memchr::memchr;
 
 use super::sections::Sections;
 
@@ -64,7 +64,7 @@ impl<'a> Records<'a> {
     fn recover(&mut self) {
         let at = self.offset();
         // Not at the place itself: a synchronisation record there would have been read.
-        let found = self.section.get(1..).and_then(|rest| memmem::find(rest, &SYNC).and_then(|skip| rest.get(skip..)));
+        let found = self.section.get(1..).and_then(synchronised);
         let damaged = found.is_some() || !self.is_cut();
         if damaged && !matches!(self.end, End::Damaged { .. }) {
             self.end = End::Damaged { at };
@@ -77,6 +77,22 @@ impl<'a> Records<'a> {
     /// Whether what is left could be the beginning of a record.
     fn is_cut(&self) -> bool {
         self.section.get(2).is_none_or(|kind| KINDS.contains(kind))
+    }
+}
+
+/// What begins with the first synchronisation record. Looks for a byte of its magic: a search for all of it could panic, as far as
+/// a linker can see.
+fn synchronised(bytes: &[u8]) -> Option<&[u8]> {
+    const MAGIC_AT: usize = 3;
+    let first = SYNC.get(MAGIC_AT).copied()?;
+    let mut from = MAGIC_AT;
+    loop {
+        let at = from + memchr(first, bytes.get(from..)?)?;
+        let found = bytes.get(at - MAGIC_AT..).filter(|rest| rest.starts_with(&SYNC));
+        if found.is_some() {
+            return found;
+        }
+        from = at + 1;
     }
 }
 
