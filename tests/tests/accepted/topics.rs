@@ -53,18 +53,19 @@ fn topics_compile_and_give_back_what_they_read() {
     println!("seeds {seeds:?}: {} of {} accepted", accepted.len(), seeds.clone().count());
     assert!(accepted.len() * 2 > seeds.count(), "a generator of what is refused proves nothing");
     for together in accepted.chunks(TOGETHER) {
-        compile_and_run(together);
+        compile_and_run(together, "");
     }
 }
 
-fn compile_and_run(accepted: &[(u64, Vec<GeneratedFile>)]) {
+/// `vectors` are what others say of values, as `make_px4.py` writes it.
+fn compile_and_run(accepted: &[(u64, Vec<GeneratedFile>)], vectors: &str) -> String {
     let crate_ = Package::new("topics");
     let (mut root, mut checks) = (HEAD.to_owned(), String::new());
     for (seed, files) in accepted {
         for file in files {
             crate_.write(&format!("src/seed_{seed}/{}", file.path), &file.text);
             for ty in types(file) {
-                writeln!(checks, "    check::<topics::seed_{seed}::{ty}>();").unwrap();
+                writeln!(checks, "    check::<topics::seed_{seed}::{ty}>(&vectors);").unwrap();
             }
         }
         writeln!(root, "/// Seed {seed}.\n#[rustfmt::skip]\npub mod seed_{seed};").unwrap();
@@ -74,18 +75,19 @@ fn compile_and_run(accepted: &[(u64, Vec<GeneratedFile>)]) {
     if let Err(said) = crate_.cargo(&["clippy", "--quiet", "--lib"], "") {
         panic!("{:#?}\n{said}", blame(&said).keys());
     }
-    match crate_.cargo(&["run", "--quiet"], "") {
-        Ok(said) => println!("{said}"),
-        Err(said) => panic!("{said}"),
-    }
+    crate_.cargo(&["run", "--quiet"], vectors).unwrap_or_else(|said| panic!("{said}"))
 }
 
-/// All of PX4's own, which lie beside the project where they do: `PX4_MESSAGES` names the folder.
+/// All of PX4's own, which lie beside the project where they do: `PX4_MESSAGES` and `PX4_VECTORS` name the folder, and what
+/// `make_px4.py --all` writes of it.
 #[test]
 #[ignore = "needs PX4's messages"]
 fn all_messages_of_px4() {
     let files = Builder::new(std::env::var("PX4_MESSAGES").unwrap()).name("px4").files().unwrap();
     let messages = files.iter().flat_map(types).count();
     assert!(messages > 200, "{messages}");
-    compile_and_run(&[(0, files)]);
+    let vectors = fs::read_to_string(std::env::var("PX4_VECTORS").unwrap()).unwrap();
+    let said = compile_and_run(&[(0, files)], &vectors);
+    let values = vectors.lines().filter(|line| line.starts_with("value ")).count();
+    assert!(values > 600 && said.ends_with(&format!("{values} values\n")), "{values} values; {said}");
 }
