@@ -32,7 +32,7 @@ use vehicle::{ID, Vehicle};
 #[derive(Args)]
 #[command(after_help = AFTER_HELP)]
 pub(crate) struct Simulate {
-    /// Where the vehicle flies: udpout:HOST:PORT, or any other address of a link.
+    /// The address of the link to fly on: udpout:HOST:PORT, or any other.
     #[arg(required_unless_present = "tlog", conflicts_with = "tlog")]
     address: Option<String>,
     /// Writes the whole flight into this log instead, faster than real time.
@@ -43,7 +43,7 @@ pub(crate) struct Simulate {
     /// How many motors it has.
     #[arg(long, value_name = "1-16", default_value_t = 4, value_parser = clap::value_parser!(u8).range(1..=16))]
     motors: u8,
-    /// What decides everything that is left to chance.
+    /// The seed of all that is random.
     #[arg(long, value_name = "NUMBER", default_value_t = 1)]
     seed: u64,
     /// How long the flight takes.

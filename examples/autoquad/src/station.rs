@@ -77,11 +77,11 @@ pub(crate) enum Source {
 }
 
 impl Source {
-    /// What the user means: a file that is there, `file:PATH`, or an address.
+    /// What the user means: a file that is there, `file:PATH`, or an address, which always has a colon.
     pub(crate) fn of(text: &str) -> Self {
         match text.strip_prefix("file:") {
             Some(path) => Self::Recording(path.into()),
-            None if Path::new(text).is_file() || text.ends_with(".tlog") => Self::Recording(text.into()),
+            None if Path::new(text).is_file() || !text.contains(':') => Self::Recording(text.into()),
             None => Self::Link(text.to_owned()),
         }
     }
@@ -252,7 +252,7 @@ mod tests {
         {
             assert_eq!(Source::of(text), Source::Recording(path.into()));
         }
-        for text in ["udpin:0.0.0.0:14550", "serial:/dev/ttyUSB0:57600", "nonsense"] {
+        for text in ["udpin:0.0.0.0:14550", "serial:/dev/ttyUSB0:57600", "udp:nonsense"] {
             assert_eq!(Source::of(text), Source::Link(text.to_owned()));
         }
     }
