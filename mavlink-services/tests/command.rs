@@ -235,6 +235,9 @@ fn a_component_answers_repeats_and_turns_away_what_it_cannot_hold() {
         assert!(events.is_empty(), "{events:?}");
         sent.iter().map(|sent| sent.decode::<CommandAck>().unwrap().result).collect::<Vec<_>>()
     };
+    // The same again, before it was answered.
+    give(&mut machine, STATION, &long(1.0, 1), Instant::ZERO);
+    assert_eq!(answers(&mut machine, Instant::ZERO), [MavResult::IN_PROGRESS]);
     // With other parameters, and another command from somebody else: there is no room.
     give(&mut machine, STATION, &long(0.0, 0), Instant::ZERO);
     assert_eq!(answers(&mut machine, Instant::ZERO), [MavResult::TEMPORARILY_REJECTED]);
@@ -243,7 +246,7 @@ fn a_component_answers_repeats_and_turns_away_what_it_cannot_hold() {
 
     assert!(machine.finish(request.ticket, MavResult::ACCEPTED, Instant::ZERO));
     assert_eq!(answers(&mut machine, Instant::ZERO), [MavResult::ACCEPTED]);
-    give(&mut machine, STATION, &long(1.0, 1), Instant::from_millis(1000));
+    give(&mut machine, STATION, &long(1.0, 2), Instant::from_millis(1000));
     assert_eq!(answers(&mut machine, Instant::from_millis(1000)), [MavResult::ACCEPTED], "acknowledged again");
     let cancel = CommandCancel { target_system: 1, target_component: 1, command: ARM.command };
     give(&mut machine, STATION, &cancel, Instant::from_millis(1000));

@@ -1,8 +1,8 @@
 #!/bin/sh
-# Builds the crates for bare targets, and two firmwares, which do not link if a panic can be reached. If there is QEMU, runs them, and
-# reads with `mavgen decode` what comes out of the UART. Into the gateway go a batch of ESC telemetry (v1, then v2), a HEARTBEAT and
-# pymavlink's command to shut down; into the component pymavlink's questions for parameters and commands. Prints what the services
-# take: the flash of the component, and the RAM of each machine.
+# Builds the crates for bare targets, and firmwares, which do not link if a panic can be reached: one has every machine of the
+# services. If there is QEMU, runs two of them, and reads with `mavgen decode` what comes out of the UART. Into the gateway go a batch of
+# ESC telemetry (v1, then v2), a HEARTBEAT and pymavlink's command to shut down; into the component pymavlink's questions for parameters
+# and commands. Prints what the services take: the flash of the component, and the RAM of each machine.
 #
 # Needs the targets of rustup, or its component rust-src, of which `core` is built then.
 # usage: check.sh MAVGEN

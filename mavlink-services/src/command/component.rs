@@ -20,11 +20,11 @@ const REPORTED: Duration = Duration::from_secs(1);
 ///            command              finish
 ///   Free ───────────▶ Open ─────────────────▶ Finished ──▶ Free
 ///                     │  ▲ │ progress            ▲  │ ▲   after 3 s, or when
-///        the same     │  │ ▼                     │  │ │   the place is needed
-///        again: no    │ Running ────────────────┘  └─┘
-///        second time  │  │ ▲ finish            the same again, or a cancel:
-///                     └──┘ │ every second,     acknowledged again
-///                          └─┘ or the same again: IN_PROGRESS
+///                     │  │ ▼ or the same again   │  │ │   the place is needed
+///                     └▶ Running ────────────────┘  └─┘
+///                        │ ▲   finish           the same again, or a cancel:
+///                        └─┘                    acknowledged again
+///           every second, or the same again: IN_PROGRESS
 /// ```
 ///
 /// - Every [`Request`] needs an answer, sooner or later: [`finish`](Self::finish). Unknown commands are `UNSUPPORTED`.
@@ -178,8 +178,9 @@ impl<const N: usize> Component<N> {
             if slot.is_active() {
                 if slot.digest != digest {
                     self.bounced = Some((from, command.command(), MavResult::TEMPORARILY_REJECTED));
-                } else if slot.state == State::Running {
-                    slot.due = true;
+                } else {
+                    // Nobody has answered yet: the sender should know that it need not ask again.
+                    (slot.state, slot.due) = (State::Running, true);
                 }
                 return;
             }
