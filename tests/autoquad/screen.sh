@@ -43,4 +43,15 @@ shows '/3 on'
 shows 'no data for'
 screen send-keys C-c
 ended
+
+# A terminal that goes away takes the monitor along.
+monitor 80 24 NO_COLOR=1 "udpin:127.0.0.1:$port"
+shows 'no data yet'
+process=$(screen list-panes -F '#{pane_pid}')
+screen kill-server
+for _ in $(seq 50); do
+    kill -0 "$process" 2>/dev/null || break
+    sleep 0.1
+done
+if kill -0 "$process" 2>/dev/null; then echo "the monitor goes on without its terminal" >&2; kill -9 "$process"; exit 1; fi
 echo "three screens are as they were, and a vehicle comes and goes"

@@ -2,11 +2,17 @@
 
 use std::sync::Once;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread;
+use std::time::Duration;
 
 use crate::failure::Failure;
 
 static CAUGHT: AtomicBool = AtomicBool::new(false);
+static ON_SCREEN: AtomicBool = AtomicBool::new(false);
 static CATCHING: Once = Once::new();
+
+/// Longer than from one picture to the next.
+const GRACE: Duration = Duration::from_secs(1);
 
 /// Catches Ctrl-C, a hang-up and a polite end from now on. A second Ctrl-C ends the program at once.
 pub(crate) fn catch() -> Result<(), Failure> {
@@ -16,9 +22,20 @@ pub(crate) fn catch() -> Result<(), Failure> {
             if CAUGHT.swap(true, Ordering::Relaxed) {
                 std::process::exit(130);
             }
+            if ON_SCREEN.load(Ordering::Relaxed) {
+                thread::sleep(GRACE);
+                std::process::exit(129);
+            }
         });
     });
     result.map_err(|error| Failure::with("Ctrl-C", error))
+}
+
+/// The same where the screen is read. crossterm 0.29 reads for ever from a terminal that is gone, and gives nothing back: what has
+/// not ended soon is ended.
+pub(crate) fn catch_on_screen() -> Result<(), Failure> {
+    ON_SCREEN.store(true, Ordering::Relaxed);
+    catch()
 }
 
 /// Whether the program was asked to end.

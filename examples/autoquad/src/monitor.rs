@@ -18,6 +18,7 @@ use ratatui::DefaultTerminal;
 use ratatui::crossterm::event::{self, Event, KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 
 use crate::failure::Failure;
+use crate::interrupt;
 use crate::quantity::Quantity;
 use crate::recording::Recording;
 use crate::station::{Asking, Running, Source, Station};
@@ -121,6 +122,7 @@ impl Monitor {
 
     fn show(&self, terminal: &mut DefaultTerminal, mut feed: Feed) -> Result<(), Failure> {
         let failed = |error| Failure::with("the terminal", error);
+        interrupt::catch_on_screen()?;
         let (run, paint) = (self.running.start()?, Paint::of_environment());
         let (mut fleet, mut choice) = (Fleet::new(self.firmware), Choice::default());
         while run.goes_on() {
