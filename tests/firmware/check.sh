@@ -1,7 +1,8 @@
 #!/bin/sh
-# Builds the crates for bare targets, and firmwares, which do not link if a panic can be reached: one has every machine of the
-# services. If there is QEMU, runs two of them, and reads with `mavgen decode` what comes out of the UART. Into the gateway go a batch of
-# ESC telemetry (v1, then v2), a HEARTBEAT and pymavlink's command to shut down; into the component pymavlink's questions for parameters
+# Builds the crates for bare targets, and firmwares, which do not link if a panic can be reached, but for the one of async tasks: one
+# has every machine of the services. If there is QEMU, runs three of them, and reads with `mavgen decode` what comes out of the UART.
+# Into the gateway, and into the same of async tasks, go a batch of ESC telemetry (v1, then v2), a HEARTBEAT and pymavlink's command
+# to shut down; into the component pymavlink's questions for parameters
 # and commands. Prints what the services take: the flash of the component, and the RAM of each machine.
 #
 # Needs the targets of rustup, or its component rust-src, of which `core` is built then.
@@ -66,6 +67,12 @@ expected="1/99 #0 $info
 same() { [ "$1" = "$expected" ] || { printf 'the firmware sent:\n%s\n' "$1" >&2; exit 1; }; }
 same "$(run gateway "$frames" autoquad)"
 echo "the gateway on a Cortex-M3 runs: 4 messages in, 5 out"
+
+expected="1/99 #0 $status
+1/99 #1 $status
+1/99 #2 $beat"
+same "$(run tasks "$frames" autoquad)"
+echo "its async tasks run as well: 4 messages in, 3 out"
 
 frames='fd08000000ffbe140000ffff010142415544892a
 fd17000001ffbe1700000600000001014d4f544f52530000000000000000000001358c

@@ -1,7 +1,9 @@
 //! The first UART of an LM3S6965, a PL011, by polling.
 
 use core::convert::Infallible;
+use core::future::poll_fn;
 use core::ptr::{with_exposed_provenance, with_exposed_provenance_mut};
+use core::task::Poll;
 
 use embedded_io::{ErrorType, Read, Write};
 
@@ -63,6 +65,24 @@ impl Write for Uart {
     }
 
     fn flush(&mut self) -> Result<(), Infallible> {
+        Ok(())
+    }
+}
+
+/// As a HAL has it, whose interrupts wake the task; this one asks to be polled again.
+impl embedded_io_async::Read for Uart {
+    async fn read(&mut self, buffer: &mut [u8]) -> Result<usize, Infallible> {
+        poll_fn(|_| if Self::is(RECEIVE_EMPTY) { Poll::Pending } else { Poll::Ready(Read::read(self, buffer)) }).await
+    }
+}
+
+impl embedded_io_async::Write for Uart {
+    async fn write(&mut self, bytes: &[u8]) -> Result<usize, Infallible> {
+        let bytes = bytes.get(..1).unwrap_or_default();
+        poll_fn(|_| if Self::is(TRANSMIT_FULL) { Poll::Pending } else { Poll::Ready(Write::write(self, bytes)) }).await
+    }
+
+    async fn flush(&mut self) -> Result<(), Infallible> {
         Ok(())
     }
 }
