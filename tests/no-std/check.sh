@@ -22,3 +22,5 @@ check() {
 
 check 108
 check 109 --features signing
+# The log has 4 and 12 motors, and the last status survives CDR.
+check 125 --features px4

@@ -3,6 +3,8 @@
 #![no_std]
 #![no_main]
 
+#[cfg(feature = "px4")]
+mod px4;
 #[cfg(feature = "signing")]
 mod signing;
 
@@ -25,6 +27,8 @@ extern "C" fn main() -> i32 {
     while let Some(frame) = parser.finish() {
         seen += firmware.worth(&frame);
     }
+    #[cfg(feature = "px4")]
+    let seen = seen + px4::worth();
     i32::from(seen)
 }
 

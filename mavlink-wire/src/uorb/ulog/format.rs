@@ -1,6 +1,8 @@
 //! The format definitions of a log: what its records look like.
 
-use core::str;
+use core::{iter, str};
+
+use memchr::memchr;
 
 use super::Records;
 use crate::uorb::Kind;
@@ -28,11 +30,23 @@ impl FormatField<'_> {
 
 /// The fields of a format; `None` in place of one that is none.
 pub(super) fn fields(text: &str) -> impl Iterator<Item = Option<FormatField<'_>>> {
-    text.split(';').filter(|field| !field.is_empty()).map(|field| {
-        let (element, name) = field.split_once(' ')?;
-        let Some((element, len)) = element.split_once('[') else { return Some(FormatField { element, name, len: 1 }) };
+    let mut rest = text;
+    let fields = iter::from_fn(move || {
+        let (field, behind) = cut(rest, b';').or_else(|| (!rest.is_empty()).then_some((rest, "")))?;
+        rest = behind;
+        Some(field)
+    });
+    fields.filter(|field| !field.is_empty()).map(|field| {
+        let (element, name) = cut(field, b' ')?;
+        let Some((element, len)) = cut(element, b'[') else { return Some(FormatField { element, name, len: 1 }) };
         Some(FormatField { element, name, len: len.strip_suffix(']')?.parse().ok()? })
     })
+}
+
+/// What stands before and behind the first of these bytes. `str::split_once` could panic, as far as a linker can see.
+fn cut(text: &str, byte: u8) -> Option<(&str, &str)> {
+    let at = memchr(byte, text.as_bytes())?;
+    Some((text.get(..at)?, text.get(at + 1..)?))
 }
 
 /// The fields of the format with this name, as text. Scans the definitions anew, so that nothing has to be stored; they end
