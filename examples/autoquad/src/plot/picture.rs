@@ -1,6 +1,9 @@
 //! The picture: a panel for each quantity, a line for each controller, marks where something happened.
 
+use std::ops::Range;
+
 use plotters::coord::Shift;
+use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
 use plotters::coord::types::RangedCoordf64;
 use plotters::drawing::DrawingAreaErrorKind;
 use plotters::prelude::{
@@ -46,7 +49,7 @@ const FEW: usize = 6;
 
 type Area<DB> = DrawingArea<DB, Shift>;
 type Result<T, DB> = std::result::Result<T, DrawingAreaErrorKind<<DB as DrawingBackend>::ErrorType>>;
-type Chart<'a, DB> = ChartContext<'a, DB, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
+type Chart<'a, DB> = ChartContext<'a, DB, Cartesian2d<Clock, RangedCoordf64>>;
 
 /// Draws a flight.
 pub(super) fn draw<DB: DrawingBackend>(root: &Area<DB>, flight: &Flight) -> Result<(), DB> {
@@ -126,23 +129,26 @@ fn draw_panel<DB: DrawingBackend>(
         .margin_left(MARGIN)
         .y_label_area_size(AXIS_WIDTH)
         .x_label_area_size(if is_last { 44 } else { 6 })
-        .build_cartesian_2d(0.0..end, low..high)?;
+        .build_cartesian_2d(Clock { end }, low..high)?;
     let mut mesh = chart.configure_mesh();
     mesh.y_desc(quantity.label()).y_labels(6).label_style(style(15)).axis_desc_style(style(16));
     let number = |value: &f64| quantity.number(*value);
     mesh.y_label_formatter(&number);
     mesh.light_line_style(WHITE.mix(0.0)).bold_line_style(BLACK.mix(0.12));
-    let clock = |second: &f64| time::clock((second.max(0.0) * 1e6) as u64);
     if is_last {
-        mesh.x_desc("time since the start (min:s)").x_labels(12).x_label_formatter(&clock).draw()?;
+        mesh.x_desc("time since the start (min:s)").draw()?;
     } else {
-        mesh.x_labels(12).x_label_formatter(&|_| String::new()).draw()?;
+        mesh.x_label_formatter(&|_| String::new()).draw()?;
     }
     for event in &flight.events {
         mark(&mut chart, event, low, high)?;
     }
+    draw_lines(&mut chart, flight, quantity)
+}
+
+/// A line for each controller. What something happened to lies on top.
+fn draw_lines<DB: DrawingBackend>(chart: &mut Chart<'_, DB>, flight: &Flight, quantity: Quantity) -> Result<(), DB> {
     let width = if flight.motors.len() <= FEW { 2 } else { 1 };
-    // What something happened to lies on top.
     let is_special = |port: u8| flight.events.iter().any(|event| event.port == port);
     for special in [false, true] {
         for (&port, trace) in flight.motors.iter().filter(|&(&port, _)| is_special(port) == special) {
@@ -153,6 +159,39 @@ fn draw_panel<DB: DrawingBackend>(
         }
     }
     Ok(())
+}
+
+/// The axis of time, in seconds.
+struct Clock {
+    end: f64,
+}
+
+impl Ranged for Clock {
+    type FormatOption = NoDefaultFormatting;
+    type ValueType = f64;
+
+    fn map(&self, value: &f64, (left, right): (i32, i32)) -> i32 {
+        left + (value / self.end * f64::from(right - left)).round() as i32
+    }
+
+    /// At whole steps of a clock, up to thirteen.
+    fn key_points<H: KeyPointHint>(&self, _hint: H) -> Vec<f64> {
+        const STEPS: [u32; 14] = [1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600, 7200];
+        const DAY: f64 = 86_400.0;
+        let step = STEPS.into_iter().map(f64::from).find(|step| self.end / step <= 12.0);
+        let step = step.unwrap_or_else(|| (self.end / 12.0 / DAY).ceil() * DAY);
+        (0..=12).map(|number| f64::from(number) * step).filter(|&tick| tick <= self.end).collect()
+    }
+
+    fn range(&self) -> Range<f64> {
+        0.0..self.end
+    }
+}
+
+impl ValueFormatter<f64> for Clock {
+    fn format(second: &f64) -> String {
+        time::clock((second.max(0.0) * 1e6) as u64)
+    }
 }
 
 /// A vertical line where something happened.
@@ -170,4 +209,20 @@ fn limits(flight: &Flight, quantity: Quantity) -> (f64, f64) {
     let low = if matches!(quantity, Quantity::Speed | Quantity::Current) { 0.0 } else { low };
     let room = ((high - low) * 0.06).max(0.1);
     (if low == 0.0 { 0.0 } else { low - room }, high + room)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn times_have_numbers_at_whole_steps_of_a_clock() {
+        for (end, step) in
+            [(10.0, 1.0), (120.0, 10.0), (121.0, 15.0), (7200.0, 600.0), (86_400.0, 7200.0), (1e6, 86_400.0)]
+        {
+            let ticks = Clock { end }.key_points(13);
+            assert_eq!((ticks.first(), ticks.get(1)), (Some(&0.0), Some(&step)), "{end} s");
+            assert!(ticks.len() <= 13 && ticks.last().is_some_and(|&last| end - last < step), "{end} s: {ticks:?}");
+        }
+    }
 }
