@@ -21,10 +21,10 @@ use mavlink_wire::{MAX_FRAME, Message, Sender};
 const HASTY: Patience = Patience {
     connect: Duration::from_secs(5),
     command: command::Options {
-        retry: Retry { timeout: Duration::from_millis(50), retries: 1 },
+        retry: Retry { timeout: Duration::from_millis(400), retries: 1 },
         ..command::Options::DEFAULT
     },
-    retry: Retry { timeout: Duration::from_millis(50), retries: 1 },
+    retry: Retry { timeout: Duration::from_millis(400), retries: 1 },
     ..Patience::DEFAULT
 };
 

@@ -38,21 +38,21 @@ pub(crate) fn link(address: &str, system_id: u8) -> Link {
 /// A station's link on a free port, and a vehicle that sends there.
 pub(crate) fn pair() -> (Link, Running) {
     let station = link("udpin:127.0.0.1:0", 255);
-    let vehicle = vehicle(station.local_addr().expect("a port"));
+    let vehicle = vehicle(station.local_addr().expect("a port"), Duration::ZERO);
     (station, vehicle)
 }
 
-/// A vehicle that sends there.
-pub(crate) fn vehicle(station: SocketAddr) -> Running {
+/// A vehicle that sends there, and thinks so long about each frame.
+pub(crate) fn vehicle(station: SocketAddr, thinks: Duration) -> Running {
     let to = format!("udpout:{station}");
     let stop = Arc::new(AtomicBool::new(false));
     let stopped = Arc::clone(&stop);
-    let vehicle = thread::spawn(move || fly(link(&to, 1), &stopped));
+    let vehicle = thread::spawn(move || fly(link(&to, 1), &stopped, thinks));
     Running(stop, Some(vehicle))
 }
 
 /// Answers until it is told to stop; refuses to arm, with a reason.
-fn fly(mut link: Link, stop: &AtomicBool) {
+fn fly(mut link: Link, stop: &AtomicBool, thinks: Duration) {
     let beat = Heartbeat { r#type: MavType::QUADROTOR, autopilot: MavAutopilot::AUTOQUAD, ..Heartbeat::DEFAULT };
     let streams = [148, 0].map(|message_id| Stream { message_id, default: None, shortest: Duration::ZERO });
     let params = [Param::new("RATE_P", 0.15_f32), Param::new("MOTORS", 4_u8), Param::new("OFFSET", -70_000_i32)];
@@ -81,7 +81,10 @@ fn fly(mut link: Link, stop: &AtomicBool) {
         }
         let until = time::Instant::now() + Duration::from_millis(5);
         match link.receive_until(until) {
-            Ok(Some(frame)) => vehicle.handle(&frame, Instant::ZERO + started.elapsed()),
+            Ok(Some(frame)) => {
+                thread::sleep(thinks);
+                vehicle.handle(&frame, Instant::ZERO + started.elapsed());
+            }
             Ok(None) => {}
             Err(LinkError::Closed) => return,
             Err(error) => panic!("{error}"),
