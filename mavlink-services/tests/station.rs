@@ -3,20 +3,23 @@
 
 mod flying;
 
+use std::net::SocketAddr;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::thread;
 use std::time::{self, Duration};
 
 use flying::{link, pair};
 use mavlink_services::common::{
-    Heartbeat, MavCmd, MavMissionResult, MavMissionType, MavParamError, MavResult, MavType,
+    self, CommandAck, Heartbeat, MavAutopilot, MavCmd, MavMissionResult, MavMissionType, MavParamError, MavResult,
+    MavType, MissionAck, MissionCount,
 };
 use mavlink_services::interval::Interval;
 use mavlink_services::mission::{self, MissionItem};
 use mavlink_services::param::{self, ParamValue};
 use mavlink_services::{Address, Error, Patience, Retry, Station, command};
 use mavlink_wire::link::LinkError;
-use mavlink_wire::{MAX_FRAME, Message, Sender};
+use mavlink_wire::{Encode, MAX_FRAME, Message, Sender, Targeted};
 
 const HASTY: Patience = Patience {
     connect: Duration::from_secs(5),
@@ -108,6 +111,58 @@ fn what_does_not_happen_has_its_reason() {
     let silent = station.disarm().unwrap_err();
     assert!(matches!(silent, Error::Command { failure: command::Failure::Timeout { sent: 2, .. }, .. }), "{silent:?}");
     station.receive_until(time::Instant::now() + Duration::from_millis(20)).unwrap();
+}
+
+/// Somebody else on the link, who answers everything at once and all the time: with other values, for others, and for this station.
+fn babble(station: SocketAddr, stop: &AtomicBool) {
+    let link = link(&format!("udpout:{station}"), 9);
+    let accepted = CommandAck { command: MavCmd::COMPONENT_ARM_DISARM, ..CommandAck::DEFAULT };
+    let param_id = param::Name::truncated("RATE_P");
+    let param = common::ParamValue { param_id, param_value: 9.0, param_count: 9999, ..common::ParamValue::DEFAULT };
+    let beat = Heartbeat { autopilot: MavAutopilot::PX4, ..Heartbeat::DEFAULT };
+    while !stop.load(Ordering::Relaxed) {
+        let messages: [&dyn Encode; 6] = [
+            &accepted,
+            &CommandAck { target_system: 255, target_component: 1, ..accepted },
+            &param,
+            &MissionCount { count: u16::MAX, ..MissionCount::DEFAULT }.to(255, 1),
+            &MissionAck { r#type: MavMissionResult::ERROR, ..MissionAck::DEFAULT }.to(255, 1),
+            &beat,
+        ];
+        for message in messages {
+            let _ = link.send(message);
+        }
+        // A hundred thousand frames in a second, if the machine can: but the others have to come through the same socket.
+        thread::sleep(Duration::from_micros(50));
+    }
+}
+
+/// Ends the babble, also when the test fails.
+struct End<'s>(&'s AtomicBool);
+
+impl Drop for End<'_> {
+    fn drop(&mut self) {
+        self.0.store(true, Ordering::Relaxed);
+    }
+}
+
+#[test]
+fn who_else_is_on_the_link_disturbs_nothing() {
+    let (link, _vehicle) = pair();
+    let address = link.local_addr().unwrap();
+    let mut station = Station::over(link, Patience::DEFAULT).unwrap();
+    let stop = AtomicBool::new(false);
+    thread::scope(|scope| {
+        scope.spawn(|| babble(address, &stop));
+        let _end = End(&stop);
+        assert_eq!(station.params(|_, _| {}).unwrap().len(), 3);
+        assert_eq!(station.set_param("RATE_P", 0.3).unwrap(), ParamValue::F32(0.3));
+        let items = [MissionItem::at(MavCmd::NAV_WAYPOINT, 47.0, 8.0, 10.0); 8];
+        assert_eq!(station.upload(&items).unwrap().count, 8);
+        assert_eq!(station.download().unwrap().len(), 8);
+        assert!(matches!(station.arm(), Err(Error::Command { failure: command::Failure::Refused { .. }, .. })));
+        assert_eq!((station.vehicle(), station.heartbeat().autopilot), (Address::new(1, 1), MavAutopilot::AUTOQUAD));
+    });
 }
 
 #[test]
