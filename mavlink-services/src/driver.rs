@@ -5,6 +5,7 @@ mod session;
 mod station;
 #[cfg(feature = "tokio")]
 pub(crate) mod tokio;
+mod until;
 mod verbs;
 
 pub use error::Error;

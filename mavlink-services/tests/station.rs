@@ -11,8 +11,8 @@ use std::time::{self, Duration};
 
 use flying::{link, pair};
 use mavlink_services::common::{
-    self, CommandAck, Heartbeat, MavAutopilot, MavCmd, MavMissionResult, MavMissionType, MavParamError, MavResult,
-    MavType, MissionAck, MissionCount,
+    self, CommandAck, CommandLong, Heartbeat, MavAutopilot, MavCmd, MavMissionResult, MavMissionType, MavParamError,
+    MavResult, MavType, MissionAck, MissionCount,
 };
 use mavlink_services::interval::Interval;
 use mavlink_services::mission::{self, MissionItem};
@@ -73,6 +73,20 @@ fn a_station_does_all_of_it() {
     station.clear(MavMissionType::FENCE).unwrap();
     assert_eq!(station.download_plan(MavMissionType::FENCE, |_, _| {}).unwrap(), []);
     assert_eq!(station.download().unwrap().len(), 5);
+
+    station.set_current(3).unwrap();
+
+    let calibrate = CommandLong { command: MavCmd::PREFLIGHT_CALIBRATION, ..CommandLong::DEFAULT };
+    let mut reports = 0;
+    let stopped = station.command_while(&calibrate, |told| {
+        reports += 1;
+        assert_eq!(told.percent, Some(1));
+        reports < 2
+    });
+    let Err(Error::Command { failure: command::Failure::Refused { result, .. }, .. }) = stopped else {
+        panic!("{stopped:?}")
+    };
+    assert_eq!((result, reports), (MavResult::CANCELLED, 2));
 
     let every = Interval::Every(Duration::from_millis(20));
     station.set_interval(Heartbeat::ID, every).unwrap();

@@ -8,7 +8,9 @@ use std::time;
 use mavlink_wire::{Encode, Frame, Message, Version};
 
 use super::Error;
-use crate::common::{Heartbeat, MavAutopilot, MavMissionType, MavProtocolCapability, MavState, MavType, Statustext};
+use crate::common::{
+    CommandLong, Heartbeat, MavAutopilot, MavCmd, MavMissionType, MavProtocolCapability, MavState, MavType, Statustext,
+};
 use crate::heartbeat::{Beacon, Monitor};
 use crate::mission::Form;
 use crate::param::Encoding;
@@ -213,3 +215,18 @@ impl Session {
         command::Fetch::new(self.own, self.peer(), self.patience.retry, argument, self.now())
     }
 }
+
+/// The command that arms or disarms.
+pub(super) const fn arming(arm: bool) -> CommandLong {
+    let param1 = if arm { 1.0 } else { 0.0 };
+    CommandLong { command: MavCmd::COMPONENT_ARM_DISARM, param1, ..CommandLong::DEFAULT }
+}
+
+/// The command that sends a vehicle to an item.
+pub(super) fn making_current(seq: u16) -> CommandLong {
+    CommandLong { command: MavCmd::DO_SET_MISSION_CURRENT, param1: f32::from(seq), ..CommandLong::DEFAULT }
+}
+
+/// How `AUTOPILOT_VERSION` was asked for before 2019.
+pub(super) const OLD_VERSION: CommandLong =
+    CommandLong { command: MavCmd::REQUEST_AUTOPILOT_CAPABILITIES, param1: 1.0, ..CommandLong::DEFAULT };

@@ -7,10 +7,11 @@ use std::vec;
 use std::vec::Vec;
 
 use mavlink_wire::link::{Link, LinkError, Options};
-use mavlink_wire::{Dialect, Encode, Frame, FrameBuf, Message, Sender, Table};
+use mavlink_wire::{Dialect, Encode, Frame, FrameBuf, Message, Sender};
 
-use super::session::{Patience, Session};
-use super::verbs::{OLD_VERSION, arming, making_current, verbs};
+use super::session::{OLD_VERSION, Patience, Session, arming, making_current};
+use super::until::While;
+use super::verbs::verbs;
 use super::{Error, STATION};
 use crate::command::{self, Accepted, Fetch, Progress};
 use crate::common::{AutopilotVersion, Common, Heartbeat, MavMissionType, MavResult};
@@ -48,7 +49,7 @@ impl Station {
     /// The address is wrong, the link cannot be opened, or no vehicle is heard in ten seconds.
     pub fn connect(address: &str) -> Result<Self, Error> {
         let (system_id, component_id) = STATION;
-        let options = Options::new(Self::table(), Sender::v2(system_id, component_id));
+        let options = Options::new(Common::TABLE, Sender::v2(system_id, component_id));
         Self::over(Link::connect(address, options)?, Patience::DEFAULT)
     }
 

@@ -27,6 +27,20 @@ macro_rules! verbs {
             self.run(&mut sending, progress) $($wait)*
         }
 
+        /// The same, until `go_on` says `false` to a report of progress: then the vehicle is asked to stop.
+        ///
+        /// # Errors
+        ///
+        /// As [`command`](Self::command). A vehicle that stopped refuses with `MAV_RESULT_CANCELLED`; one that was faster does not.
+        pub $($async)? fn command_while(
+            &mut self,
+            command: &(impl Encode + ?Sized),
+            go_on: impl FnMut(Progress) -> bool,
+        ) -> Result<Accepted, Error> {
+            let mut sending = While::new(self.session.command(command)?, go_on);
+            self.run(&mut sending, |_| {}) $($wait)*
+        }
+
         /// Arms the motors.
         ///
         /// # Errors
@@ -316,30 +330,7 @@ macro_rules! verbs {
         pub fn link(&self) -> &Link {
             &self.link
         }
-
-        fn table() -> &'static Table<'static> {
-            Common::TABLE
-        }
     };
 }
 
-/// The command that arms or disarms.
-pub(super) const fn arming(arm: bool) -> CommandLong {
-    let param1 = if arm { 1.0 } else { 0.0 };
-    CommandLong { command: MavCmd::COMPONENT_ARM_DISARM, param1, ..CommandLong::DEFAULT }
-}
-
-/// The command that sends a vehicle to an item.
-pub(super) fn making_current(seq: u16) -> CommandLong {
-    CommandLong { command: MavCmd::DO_SET_MISSION_CURRENT, param1: f32::from(seq), ..CommandLong::DEFAULT }
-}
-
-/// How `AUTOPILOT_VERSION` was asked for before 2019.
-pub(super) const OLD_VERSION: CommandLong =
-    CommandLong { command: MavCmd::REQUEST_AUTOPILOT_CAPABILITIES, param1: 1.0, ..CommandLong::DEFAULT };
-
 pub(super) use verbs;
-
-use mavlink_wire::Message;
-
-use crate::common::{CommandLong, MavCmd};

@@ -70,6 +70,10 @@ fn fly(mut link: Link, stop: &AtomicBool, thinks: Duration) {
                     let _ = link.send(&Statustext { severity: MavSeverity::ERROR, text, ..Statustext::DEFAULT });
                     vehicle.commands.finish_with(request.ticket, MavResult::FAILED, 7, now);
                 }
+                Event::Command(request) if request.command.command() == MavCmd::PREFLIGHT_CALIBRATION => {
+                    vehicle.commands.progress(request.ticket, Some(1), now);
+                }
+                Event::Cancel(ticket) => drop(vehicle.commands.finish(ticket, MavResult::CANCELLED, now)),
                 Event::Command(request) => drop(vehicle.commands.finish(request.ticket, MavResult::UNSUPPORTED, now)),
                 Event::Due(148) => {
                     let capabilities =
