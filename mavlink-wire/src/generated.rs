@@ -15,7 +15,7 @@ pub use crate::reflect::fmt_message;
 
 #[cfg(feature = "uorb")]
 pub use crate::uorb::code::{
-    body, body_mut, boolean, booleans, elements, elements_mut, fill, first, is_blank, narrow, narrow_each,
+    body, body_mut, boolean, booleans, each, elements, elements_mut, fill, first, is_blank, narrow, narrow_each,
 };
 
 #[cfg(feature = "bitflags")]

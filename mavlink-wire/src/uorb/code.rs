@@ -31,6 +31,18 @@ pub fn elements<const L: usize>(bytes: &[u8], at: usize, stride: usize) -> impl 
     bytes.get(at..).unwrap_or_default().chunks(stride.max(1)).map_while(<[u8]>::first_chunk)
 }
 
+/// `N` nested messages of `L` bytes each, from `at` on, one every `stride` bytes, each made by `read`.
+#[inline]
+pub fn each<T, const N: usize, const L: usize>(
+    bytes: &[u8],
+    at: usize,
+    stride: usize,
+    read: impl Fn(&[u8; L]) -> T,
+) -> [T; N] {
+    let element = |i| bytes.get(at + stride * i..).and_then(<[u8]>::first_chunk);
+    core::array::from_fn(|i| read(element(i).unwrap_or(&[0; L])))
+}
+
 /// Nested messages of `L` bytes each that are written, from `at` on, one every `stride` bytes.
 #[inline]
 pub fn elements_mut<const L: usize>(bytes: &mut [u8], at: usize, stride: usize) -> impl Iterator<Item = &mut [u8; L]> {
@@ -276,6 +288,7 @@ mod tests {
         let bytes = [9, 1, 2, 0, 3, 4];
         assert!(elements::<2>(&bytes, 1, 3).eq([&[1, 2], &[3, 4]]));
         assert_eq!(elements::<2>(&bytes, 7, 3).count(), 0);
+        assert_eq!(each(&bytes, 1, 3, |element: &[u8; 2]| *element), [[1, 2], [3, 4], [0, 0]]);
         assert_eq!(booleans::<2>(&[0, 1, 0], 1, "x"), Ok([true, false]));
         assert_eq!(boolean(&[7], 0, "x"), Err(CdrError::Bool { field: "x", value: 7 }));
     }

@@ -68,9 +68,31 @@ fn loaded(field: &Move<'_>, target: &TokenStream, base: u32) -> Value {
                 let begun = std::iter::once(quote!(#target = #literal;));
                 Value::Later(begun.chain(nested.statements).collect())
             }
+            ([row], Some(len)) if row.count == len && is_total(&row.fields) => Value::Whole(each(row, base)),
             (rows, _) => Value::Later(rows.iter().map(|row| self::row(row, field.slot, target, base)).collect()),
         },
     }
+}
+
+/// Whether reading a message is one literal that cannot fail.
+fn is_total(fields: &[Move<'_>]) -> bool {
+    fields.iter().all(|field| match &field.held {
+        Held::Plain(stored, len) => *stored != Plain::Bool && *len == field.slot.len,
+        Held::Messages(rows) => match (rows.as_slice(), field.slot.len) {
+            ([row], None) => is_total(&row.fields),
+            ([row], Some(len)) => row.count == len && is_total(&row.fields),
+            _ => false,
+        },
+    })
+}
+
+/// `wire::generated::each(p, 16, 40, |p: &[u8; 35]| EscReport { … })`: made in its place, not over an array of what is not
+/// known.
+fn each(row: &Row<'_>, base: u32) -> TokenStream {
+    let Row { at, stride, len, .. } = row;
+    let literal = message(row.ident, &quote!(one), &row.fields, (0, row.is_whole)).literal;
+    let (at, stride, len) = (decimal(base + at), decimal(*stride), decimal(*len));
+    quote!(wire::generated::each(p, #at, #stride, |p: &[u8; #len]| #literal))
 }
 
 /// `for (one, p) in read.esc.iter_mut().zip(wire::generated::elements::<35>(p, 16, 40)) { … }`

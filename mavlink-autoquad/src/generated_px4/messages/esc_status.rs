@@ -229,32 +229,33 @@ impl wire::uorb::Topic for EscStatus {
 impl wire::uorb::TopicByLength for EscStatus {}
 
 fn read_main(p: &[u8; 491]) -> Result<EscStatus, wire::uorb::CdrError> {
-    let mut read = EscStatus {
+    Ok(EscStatus {
         timestamp: get(p, 0),
         counter: get(p, 8),
         esc_count: get(p, 10),
         esc_connectiontype: get(p, 11),
         esc_online_flags: get(p, 12),
         esc_armed_flags: get(p, 14),
-        ..EscStatus::UNKNOWN
-    };
-    for (one, p) in read.esc.iter_mut().zip(wire::generated::elements::<35>(p, 16, 40)) {
-        *one = EscReport {
-            timestamp: get(p, 0),
-            esc_errorcount: get(p, 8),
-            esc_rpm: get(p, 12),
-            esc_voltage: get(p, 16),
-            esc_current: get(p, 20),
-            esc_temperature: get(p, 24),
-            motor_temperature: get(p, 28),
-            esc_state: get(p, 30),
-            actuator_function: get(p, 31),
-            failures: get(p, 32),
-            esc_power: get(p, 34),
-            ..EscReport::UNKNOWN
-        };
-    }
-    Ok(read)
+        esc: wire::generated::each(
+            p,
+            16,
+            40,
+            |p: &[u8; 35]| EscReport {
+                timestamp: get(p, 0),
+                esc_errorcount: get(p, 8),
+                esc_rpm: get(p, 12),
+                esc_voltage: get(p, 16),
+                esc_current: get(p, 20),
+                esc_temperature: get(p, 24),
+                motor_temperature: get(p, 28),
+                esc_state: get(p, 30),
+                actuator_function: get(p, 31),
+                failures: get(p, 32),
+                esc_power: get(p, 34),
+                ..EscReport::UNKNOWN
+            },
+        ),
+    })
 }
 
 fn store_main(topic: &EscStatus, p: &mut [u8; 491]) -> Result<(), wire::uorb::CdrError> {
