@@ -56,7 +56,8 @@
 //! A connection that is lost is made again, a device that is gone is opened again, first after a tenth of a second and then
 //! ever less often, up to every 5 seconds. Meanwhile `receive` waits, and `send` gives `Ok(0)`: it went to nobody.
 //! [`Link::trouble`] says why. A client of `tcpin` that has been silent for 5 seconds gives its place to one who waits. With
-//! [`Options::without_reconnecting`], a loss is [`LinkError::Closed`].
+//! [`Options::without_reconnecting`], a loss is [`LinkError::Closed`]. A server that vanishes without a word, as by a cut cable, is lost when
+//! the system gives up sending to it, which takes minutes; before, its full buffer is told.
 //!
 //! # Threads
 //!

@@ -38,7 +38,7 @@ pub enum Address {
         /// Bits per second.
         baud: u32,
     },
-    /// `file:flight.tlog`: reads a log, or a stream of frames that was kept.
+    /// `file:flight.tlog`: reads a log, or a stream of frames that was kept. A pipe with a name is waited for whatever the deadline is.
     File(String),
 }
 
