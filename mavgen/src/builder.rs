@@ -293,10 +293,11 @@ impl Builder {
         tree.and_then(|files| emit(&files)).map_err(|internal| Failure::Internal(internal.to_string()))
     }
 
-    /// Whether it is for uORB messages, because it was given a folder or a `.msg` file; what else it is given is a dialect.
+    /// Whether it is for uORB messages, because it was given a folder or a `.msg` file; what else it is given is a dialect, and a
+    /// folder that is called `.xml` is a mistake.
     pub fn is_uorb(&self) -> bool {
-        let is_one = |path: &PathBuf| path.extension().is_some_and(|extension| extension == "msg") || path.is_dir();
-        self.roots.iter().any(is_one)
+        let has = |path: &Path, extension| path.extension().is_some_and(|found| found == extension);
+        self.roots.iter().any(|path| has(path, "msg") || path.is_dir() && !has(path, "xml"))
     }
 
     fn check_runtime(&self) -> Result<(), Failure> {

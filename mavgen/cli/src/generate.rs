@@ -1,5 +1,6 @@
 //! `mavgen generate`.
 
+use std::path::Path;
 use std::process::ExitCode;
 use std::time::Instant;
 
@@ -47,6 +48,18 @@ impl Generate {
         let (written, kept, removed) = (plural(done.written, "file"), done.kept, done.removed);
         let (out, elapsed) = (self.output.out.display(), start.elapsed().as_millis());
         report.note(&format!("{out}: {written} written, {kept} kept, {removed} removed, in {elapsed} ms"));
+        if done.written > 0 && kept == 0 && removed == 0 {
+            report.note(&next(&self.output.out));
+        }
         Ok(ExitCode::SUCCESS)
     }
+}
+
+/// What one does next, after the first time.
+fn next(out: &Path) -> String {
+    let messages = out.join("messages.rs");
+    let read = if messages.exists() { messages } else { out.join("mod.rs") };
+    let name = out.file_name().unwrap_or_default().display();
+    let read = read.display();
+    format!("next: read {read}, and write `#[rustfmt::skip] mod {name};` in a crate that depends on mavlink-wire")
 }

@@ -9,7 +9,7 @@ use super::input::Input;
 impl Input {
     /// Whether uORB messages are asked for, and not a dialect.
     pub(super) fn is_uorb(&self) -> bool {
-        self.xml.iter().any(|path| path.is_dir() || is_message(path))
+        self.xml.iter().any(|path| Builder::new(path).is_uorb())
     }
 
     /// The builder of uORB messages.

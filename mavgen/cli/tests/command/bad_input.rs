@@ -54,10 +54,7 @@ fn definitions_that_are_no_text() {
 fn a_file_that_cannot_be_read_is_all_that_is_said() {
     let folder = folder(ACME);
     for command in ["lint", "dump"] {
-        assert_eq!(
-            stderr(&mavgen(folder.path(), &[command, "."])),
-            "error[M001]: `.` cannot be read: it is a folder\n\n"
-        );
+        assert_eq!(stderr(&mavgen(folder.path(), &[command, "."])), "error[M001]: no `.msg` file is in .\n\n");
     }
 }
 

@@ -7,14 +7,20 @@ use crate::{ACME, folder, mavgen, stderr, tree};
 const GENERATE: [&str; 4] = ["generate", "acme.xml", "--out", "src/acme"];
 
 #[test]
-fn one_line_says_what_was_done() {
+fn a_line_says_what_was_done_and_at_first_what_is_next() {
     let folder = folder(ACME);
     let first = mavgen(folder.path(), &GENERATE);
     assert_eq!(first.status.code(), Some(0), "{}", stderr(&first));
     assert!(stderr(&first).starts_with("src/acme: 6 files written, 0 kept, 0 removed, in "), "{}", stderr(&first));
-    assert!(stderr(&first).ends_with(" ms\n") && stderr(&first).lines().count() == 1, "{}", stderr(&first));
+    let next = "next: read src/acme/messages.rs, and write `#[rustfmt::skip] mod acme;` in a crate that depends on mavlink-wire\n";
+    assert!(
+        stderr(&first).ends_with(&format!(" ms\n{next}")) && stderr(&first).lines().count() == 2,
+        "{}",
+        stderr(&first)
+    );
     let again = mavgen(folder.path(), &GENERATE);
     assert!(stderr(&again).starts_with("src/acme: 0 files written, 6 kept, 0 removed"), "{}", stderr(&again));
+    assert!(stderr(&again).ends_with(" ms\n"), "{}", stderr(&again));
     fs::write(folder.path().join("acme.xml"), ACME.replace("SPRAYER", "SPRINKLER")).unwrap();
     let renamed = mavgen(folder.path(), &GENERATE);
     assert!(stderr(&renamed).starts_with("src/acme: 4 files written, 2 kept, 1 removed"), "{}", stderr(&renamed));
