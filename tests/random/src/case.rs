@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use crate::Construct;
 use crate::chance::Chance;
+use crate::commands;
 use crate::enums::{self, Enum};
 use crate::messages::{self, Message};
 use crate::names::Scope;
@@ -89,11 +90,14 @@ impl World {
             self.enums.push(made);
             self.files[file].enums.push(text);
         }
-        if chance.one_in(6) && self.types.take("MAV_CMD") {
+        if chance.one_in(4) && self.types.take("MAV_CMD") {
             let of = self.enums.first().map(|one| one.name.as_str());
-            let (made, text) = enums::commands(chance, file, of);
+            let (mut made, text) = commands::make(chance, file, of);
+            let carriers = commands::carriers(chance, &mut self.types);
+            made.uses.extend(carriers.iter().map(|_| (file, made.scalar)));
             self.enums.push(made);
             self.files[file].enums.push(text);
+            self.files[file].messages.extend(carriers);
         }
         if file > 0 {
             self.extend(file);
@@ -164,6 +168,9 @@ impl World {
             let overlaid = self.files.len() + overlays.len();
             let (enums, types) = (&mut self.enums, &mut self.types);
             let text = overlay::make(&mut self.chance, (&base, overlaid), (&messages, enums), (&mut visible, types));
+            let commands = self.enums.iter().find(|one| one.name == "MAV_CMD" && one.file == file);
+            let said = commands.map(|of| commands::overlay(&mut self.chance, of)).unwrap_or_default();
+            let text = text.replace("</mavlink-overlay>", &format!("{said}</mavlink-overlay>"));
             let name = base.replace(".xml", ".overlay.xml");
             overlays.push(name.clone());
             files.push((name, text));

@@ -58,6 +58,18 @@ constructs! {
     AutomaticValue,
     /// Commands with their params.
     Command,
+    /// A command called like what carries it, or like something else.
+    OddCommand,
+    /// A command with a place.
+    Location,
+    /// A label that is no name, or that of another param.
+    OddLabel,
+    /// `COMMAND_LONG`.
+    CommandLong,
+    /// `COMMAND_INT`.
+    CommandInt,
+    /// A command in an overlay.
+    NamedParam,
     // Messages.
     /// An array of an enum.
     EnumArray,

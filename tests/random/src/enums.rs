@@ -118,30 +118,3 @@ fn value(chance: &mut Chance, of: &Enum, nth: usize) -> u64 {
         (false, _) => nth as u64,
     }
 }
-
-/// `MAV_CMD`, whose entries have params.
-pub(crate) fn commands(chance: &mut Chance, file: usize, of: Option<&str>) -> (Enum, String) {
-    chance.say(Construct::Command);
-    let mut text = String::from("<enum name=\"MAV_CMD\">\n");
-    let mut entries = Vec::new();
-    for nth in 0..chance.between(1, 3) {
-        let (name, value) = (format!("MAV_CMD_{}", names::entry(chance, "DO", nth)), 20 + nth as u64);
-        _ = writeln!(text, "<entry value=\"{value}\" name=\"{name}\">{}", lifecycle(chance, 8).0);
-        for index in 1..=7 {
-            let more = match chance.below(5) {
-                0 => attribute("label", "Speed") + &attribute("units", "m/s") + " minValue=\"-1\" maxValue=\"10\"",
-                1 => of.map(|of| attribute("label", "State") + &attribute("enum", of)).unwrap_or_default(),
-                2 => " reserved=\"true\" default=\"NaN\"".to_owned(),
-                3 => attribute("label", "Count") + " increment=\"1\" minValue=\"0\"",
-                _ => continue,
-            };
-            _ = writeln!(text, "<param index=\"{index}\"{more}>{}</param>", prose(chance));
-        }
-        text.push_str("</entry>\n");
-        entries.push((name, value));
-    }
-    text.push_str("</enum>\n");
-    let scalar = Scalar::unsigned(16);
-    let name = "MAV_CMD".to_owned();
-    (Enum { name, file, bitmask: false, deprecated: false, refined: false, entries, scalar, uses: Vec::new() }, text)
-}

@@ -6,6 +6,7 @@
 mod bits;
 mod case;
 mod chance;
+mod commands;
 mod construct;
 mod enums;
 mod layout;
