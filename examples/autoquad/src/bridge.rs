@@ -5,8 +5,6 @@ mod vehicle;
 
 use std::fs;
 use std::path::PathBuf;
-use std::sync::mpsc;
-use std::thread;
 use std::time::{Duration, Instant};
 
 use clap::Args;
@@ -16,10 +14,10 @@ use mavlink_autoquad::wire::signing::{Key, Signer, Verifier};
 use mavlink_autoquad::wire::{Dialect, Sender, Timestamp};
 
 use crate::failure::Failure;
-use crate::station::{Asking, Running, Station, connect};
+use crate::station::{Asking, Run, Running, Station, connect};
 use crate::telemetry::Firmware;
 use crate::time;
-use ground::forward;
+use ground::Ground;
 use vehicle::Translation;
 
 /// How often the motors are reported.
@@ -62,49 +60,36 @@ impl Bridge {
         let run = self.running.start()?;
         let key = self.sign.as_ref().map(|path| key(path)).transpose()?;
         let mut station = Station::connect(&self.vehicle, self.asking)?;
-        let (mut sending, mut threads) = (Vec::new(), Vec::new());
-        let (failures, failed) = mpsc::channel();
+        let mut ground = Ground::default();
         for address in &self.ground {
-            let link = ground_link(address, key.as_ref())?;
-            sending.push(link.sending());
-            let (vehicle, failures) = (station.sending(), failures.clone());
-            threads.push(thread::spawn(move || drop(failures.send(forward(link, &vehicle)))));
+            ground.add(ground_link(address, key.as_ref())?, station.sending());
         }
+        eprintln!("autoquad: forwards {} to {}; Ctrl-C ends it", self.vehicle, self.ground.join(", "));
         let mut translation = Translation::new(self.firmware, key);
-        let mut reported = Instant::now();
-        let result = loop {
-            if !run.goes_on() {
-                break Ok(());
-            }
-            if let Ok(result) = failed.try_recv() {
-                break result;
-            }
-            let received = station.receive_until(reported + REPORT);
-            let frames = match &received {
-                Err(_) => Vec::new(),
-                Ok(frame) => frame.as_ref().map(|frame| translation.forward(frame)).unwrap_or_default(),
-            };
-            if let Err(failure) = received {
-                break Err(failure);
-            }
-            let mut out = frames;
-            if reported.elapsed() >= REPORT {
-                reported = Instant::now();
-                out.extend(translation.report(Timestamp::from_unix_micros(time::now_us())));
-            }
-            for frame in &out {
-                // A ground station that is not there now is no fault, and one that is slow has lost this frame.
-                for ground in &sending {
-                    let _ = ground.send_frame(&frame.as_frame());
-                }
-            }
-            station.say_silence();
-        };
-        sending.iter().for_each(mavlink_autoquad::wire::link::SendHalf::close);
-        threads.into_iter().for_each(|thread| drop(thread.join()));
+        let result = forward(run, &mut station, &mut ground, &mut translation);
+        ground.close();
         eprintln!("autoquad: {}", translation.tally());
         result
     }
+}
+
+/// Forwards from the vehicle to the ground, and looks after what goes the other way.
+fn forward(run: Run, station: &mut Station, ground: &mut Ground, translation: &mut Translation) -> Result<(), Failure> {
+    let mut reported = Instant::now();
+    while run.goes_on() {
+        if let Some(result) = ground.ended() {
+            return result;
+        }
+        if let Some(frame) = station.receive_until(reported + REPORT)? {
+            ground.send(&translation.forward(&frame));
+        }
+        if reported.elapsed() >= REPORT {
+            reported = Instant::now();
+            ground.send(&translation.report(Timestamp::from_unix_micros(time::now_us())));
+        }
+        station.say_silence();
+    }
+    Ok(())
 }
 
 /// The key of the passphrase in a file.

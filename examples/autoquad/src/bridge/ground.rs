@@ -1,6 +1,8 @@
 //! From the ground stations to the vehicle.
 
 use std::collections::BTreeMap;
+use std::sync::mpsc;
+use std::thread::{self, JoinHandle};
 
 use mavlink_autoquad::autoquad::Autoquad;
 use mavlink_autoquad::wire::link::{Link, LinkError, SendHalf};
@@ -9,8 +11,53 @@ use mavlink_autoquad::wire::{ComponentId, Dialect, Frame, FrameBuf, MAX_FRAME, S
 use crate::failure::Failure;
 use crate::station::refused;
 
+/// How a link has ended.
+type End = Result<(), Failure>;
+
+/// The ground stations, each with a thread that forwards what it sends.
+pub(super) struct Ground {
+    sending: Vec<SendHalf>,
+    threads: Vec<JoinHandle<()>>,
+    ends: (mpsc::Sender<End>, mpsc::Receiver<End>),
+}
+
+impl Default for Ground {
+    fn default() -> Self {
+        Self { sending: Vec::new(), threads: Vec::new(), ends: mpsc::channel() }
+    }
+}
+
+impl Ground {
+    /// Adds a ground station, which is heard by the vehicle from now on.
+    pub(super) fn add(&mut self, link: Link, vehicle: SendHalf) {
+        self.sending.push(link.sending());
+        let end = self.ends.0.clone();
+        self.threads.push(thread::spawn(move || drop(end.send(forward(link, &vehicle)))));
+    }
+
+    /// Sends frames to all. A ground station that is not there now is no fault, and one that is slow has lost a frame.
+    pub(super) fn send(&self, frames: &[FrameBuf]) {
+        for frame in frames {
+            for ground in &self.sending {
+                let _ = ground.send_frame(&frame.as_frame());
+            }
+        }
+    }
+
+    /// How the link to a ground station has ended, if one has.
+    pub(super) fn ended(&self) -> Option<End> {
+        self.ends.1.try_recv().ok()
+    }
+
+    /// Closes all links.
+    pub(super) fn close(self) {
+        self.sending.iter().for_each(SendHalf::close);
+        self.threads.into_iter().for_each(|thread| drop(thread.join()));
+    }
+}
+
 /// Forwards all frames of a ground station until its link is closed.
-pub(super) fn forward(mut link: Link, vehicle: &SendHalf) -> Result<(), Failure> {
+fn forward(mut link: Link, vehicle: &SendHalf) -> End {
     let mut older = Older::default();
     loop {
         let frame = match link.receive() {
