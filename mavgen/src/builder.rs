@@ -178,7 +178,7 @@ impl Builder {
     /// Whether each entry of `MAV_CMD` becomes a type in the module `commands` (the default), if the dialect has a message that
     /// carries commands: `COMMAND_LONG` or `COMMAND_INT`.
     ///
-    /// Those of `common.xml` take about a tenth of the time in which the sources compile. Who sends none can do without.
+    /// Those of `common.xml` add about an eighth to the time in which the sources compile. Who sends none can do without.
     #[must_use]
     pub fn commands(mut self, types: bool) -> Self {
         self.commands = types;
