@@ -6,7 +6,7 @@ set -eu
 cd "$(dirname "$0")"
 seconds=${1:-60}
 [ $# -eq 0 ] || shift
-[ $# -gt 0 ] || set -- dialect overlay msg parser decode signing command_station command_component heartbeat vehicle param_list param_access param_component mission_station mission_component
+[ $# -gt 0 ] || set -- dialect overlay msg ulog cdr parser decode signing command_station command_component heartbeat vehicle param_list param_access param_component mission_station mission_component
 work=${CARGO_TARGET_DIR:-target}/fuzz
 for target in "$@"; do
     corpus=$work/corpus/$target
@@ -27,6 +27,13 @@ for target in "$@"; do
                 cat "$seed" "$(dirname "$seed")"/*.overlay.xml >"$corpus/$(echo "$seed" | tr / _)" 2>/dev/null || true
             done
             set -- -dict=mavlink.dict -max_len=8192 ;;
+        ulog)
+            cp ../vectors/px4/*.ulg "$corpus"
+            set -- -max_len=4096 ;;
+        cdr)
+            # Payloads of each definition, which rosbags made.
+            perl -ne 'if (/^value \S+ (\S+)/) { open my $f, ">", "'"$corpus"'/value-$."; print $f pack "H*", $1 }' ../vectors/px4/esc_status.txt
+            set -- -max_len=512 ;;
         parser | decode)
             # One input a line: frames that pymavlink made, the last line several with damage between them.
             perl -ne 'chomp; open my $f, ">", "'"$corpus"'/frames-$."; print $f pack "H*", $_' seeds/frames.hex
