@@ -23,7 +23,7 @@ pub(in crate::resolve) fn build(
     // An entry whose value is beyond 64 bits has been refused.
     let entries = merged.entries.iter().filter_map(|entry| Some((entry, u64::try_from(entry.value).ok()?)));
     let name = merged.name.value.as_str();
-    let entries = entries.map(|(entry, value)| build_entry(name, entry, value, enums, said, diagnostics)).collect();
+    let entries = entries.map(|entry| build_entry(name, entry, enums, said, diagnostics)).collect();
     let (named_in, oldest) = merged.oldest(loaded);
     let mut origin = origin(merged, defining_file, diagnostics);
     if merged.refined.in_use {
@@ -43,8 +43,7 @@ pub(in crate::resolve) fn build(
 
 fn build_entry(
     enum_: &str,
-    entry: &ValuedEntry<'_>,
-    value: u64,
+    (entry, value): (&ValuedEntry<'_>, u64),
     enums: &Enums<'_>,
     (notes, commands): (&Notes<'_>, &Commands<'_>),
     diagnostics: &mut Diagnostics,
