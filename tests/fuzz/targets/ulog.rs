@@ -27,8 +27,10 @@ fuzz_target!(|bytes: &[u8]| {
     let _ = samples.fit().to_string();
     // Bound by hand, a record says what it says there.
     if let (Some(binding), true) = (log.bind::<EscStatus>("esc_status"), !read.is_empty()) {
-        assert!(log.records().filter(|record| record.kind == b'D').any(|record| {
-            record.payload.get(2..).and_then(|data| binding.read(data)).is_some()
-        }));
+        assert!(
+            log.records()
+                .filter(|record| record.kind == b'D')
+                .any(|record| { record.payload.get(2..).and_then(|data| binding.read(data)).is_some() })
+        );
     }
 });
