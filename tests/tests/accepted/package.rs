@@ -93,7 +93,7 @@ impl Package {
         self.write("input", input);
         let mut cargo = Command::new(env!("CARGO"));
         cargo.args(arguments).args(["--offline", "--color", "never"]).current_dir(&self.folder);
-        cargo.env("CARGO_TARGET_DIR", folder().join("target")).env_remove("RUSTFLAGS");
+        cargo.env("CARGO_TARGET_DIR", folder().join("target")).env("CARGO_INCREMENTAL", "0").env_remove("RUSTFLAGS");
         cargo.stdin(File::open(self.folder.join("input")).unwrap());
         let output = cargo.output().unwrap();
         let text = |bytes| String::from_utf8_lossy(bytes).into_owned();
