@@ -69,7 +69,7 @@ impl Csv {
         match &self.out {
             None => self.write(recording, io::stdout().lock(), Failure::stdout).map(drop),
             Some(out) => {
-                let file = self.overwriting.beside(&self.log, out)?.create(out)?;
+                let file = self.overwriting.create(out, Some(&self.log))?;
                 let rows = self.write(recording, file, |error| Failure::file(out, error))?;
                 eprintln!("autoquad: {}: {rows} rows written", out.display());
                 Ok(())

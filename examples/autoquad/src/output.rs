@@ -17,17 +17,9 @@ pub(crate) struct Overwriting {
 }
 
 impl Overwriting {
-    /// Refuses to write onto what is read.
-    pub(crate) fn beside(self, input: &Path, out: &Path) -> Result<Self, Failure> {
-        let (input, written) = (fs::canonicalize(input).ok(), fs::canonicalize(out).ok());
-        if written.is_some() && written == input {
-            return Err(Failure::file(out, "is what is read; give another name for what is written"));
-        }
-        Ok(self)
-    }
-
-    /// Creates a file that is written to as data comes in.
-    pub(crate) fn create(self, path: &Path) -> Result<File, Failure> {
+    /// Creates a file that is written to as data comes in. It is never the file that is read meanwhile, not even by force.
+    pub(crate) fn create(self, path: &Path, read: Option<&Path>) -> Result<File, Failure> {
+        not_onto(path, read)?;
         let file = match self.force {
             true => File::create(path),
             false => OpenOptions::new().write(true).create_new(true).open(path),
@@ -36,9 +28,10 @@ impl Overwriting {
     }
 
     /// Writes a file that is complete from the start. On an error nothing is left of it, and an older file stays as it was.
-    pub(crate) fn write(self, path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    pub(crate) fn write(self, path: &Path, bytes: &[u8], read: Option<&Path>) -> Result<(), Failure> {
+        not_onto(path, read)?;
         if !self.force {
-            drop(self.create(path)?);
+            drop(self.create(path, read)?);
         }
         let beside = beside(path);
         let result = fs::write(&beside, bytes).and_then(|()| fs::rename(&beside, path));
@@ -50,6 +43,15 @@ impl Overwriting {
             Failure::file(path, error)
         })
     }
+}
+
+/// Refuses to write onto what is read.
+fn not_onto(path: &Path, read: Option<&Path>) -> Result<(), Failure> {
+    let (read, written) = (read.and_then(|read| fs::canonicalize(read).ok()), fs::canonicalize(path).ok());
+    if written.is_some() && written == read {
+        return Err(Failure::file(path, "is what is read; give another name for what is written"));
+    }
+    Ok(())
 }
 
 /// A name in the same folder, for a file that is not complete yet.
@@ -77,12 +79,12 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("flight.tlog");
         let (asked, forced) = (Overwriting { force: false }, Overwriting { force: true });
-        asked.write(&path, b"first").unwrap();
-        let Err(Failure::Sentence(sentence)) = asked.write(&path, b"second") else { panic!("overwritten") };
+        asked.write(&path, b"first", None).unwrap();
+        let Err(Failure::Sentence(sentence)) = asked.write(&path, b"second", None) else { panic!("overwritten") };
         assert!(sentence.contains("exists already") && sentence.contains("--force"), "{sentence}");
-        assert!(asked.create(&path).is_err());
+        assert!(asked.create(&path, None).is_err());
         assert_eq!(fs::read(&path).unwrap(), b"first");
-        forced.write(&path, b"third").unwrap();
+        forced.write(&path, b"third", None).unwrap();
         assert_eq!(fs::read(&path).unwrap(), b"third");
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
     }
@@ -92,15 +94,20 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let (log, forced) = (folder.path().join("flight.tlog"), Overwriting { force: true });
         fs::write(&log, b"first").unwrap();
-        assert!(forced.beside(&log, &folder.path().join(".").join("flight.tlog")).is_err());
-        assert!(forced.beside(&log, &folder.path().join("other.tlog")).is_ok());
+        let (same, other) = (folder.path().join(".").join("flight.tlog"), folder.path().join("other.tlog"));
+        assert!(forced.create(&same, Some(&log)).is_err());
+        assert!(forced.write(&same, b"second", Some(&log)).is_err());
+        assert_eq!(fs::read(&log).unwrap(), b"first");
+        assert!(forced.create(&other, Some(&log)).is_ok());
     }
 
     #[test]
     fn a_folder_that_is_not_there_is_said() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("missing").join("flight.tlog");
-        let Err(Failure::Sentence(sentence)) = Overwriting { force: true }.write(&path, b"") else { panic!("written") };
+        let Err(Failure::Sentence(sentence)) = Overwriting { force: true }.write(&path, b"", None) else {
+            panic!("written")
+        };
         assert!(sentence.contains("No such file or directory"), "{sentence}");
     }
 }

@@ -77,7 +77,7 @@ impl Plot {
             Format::Png => png(&flight, self.size),
         };
         let bytes = bytes.map_err(|error| Failure::file(&out, format!("the picture could not be drawn: {error}")))?;
-        self.overwriting.beside(&self.log, &out)?.write(&out, &bytes)?;
+        self.overwriting.write(&out, &bytes, Some(&self.log))?;
         eprintln!("autoquad: {}: {} controllers, {} marks", out.display(), flight.motors.len(), flight.events.len());
         Ok(())
     }

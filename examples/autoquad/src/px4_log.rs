@@ -64,7 +64,7 @@ impl Px4Log {
         let mut statuses = log.read::<EscStatus>();
         match &self.out {
             Some(out) => {
-                let file = self.overwriting.create(out)?;
+                let file = self.overwriting.create(out, Some(&self.log))?;
                 let rows = csv(&mut statuses, file, |error| Failure::file(out, error))?;
                 eprintln!("autoquad: {}: {rows} rows written", out.display());
             }
@@ -259,6 +259,16 @@ mod tests {
         assert_eq!(rows[0].split(',').count(), HEADER.len());
         assert_eq!(rows[1], "1.000000,0,0,2,1,0,4000,15.5,,,0,0,0,0,0.000000");
         assert_eq!(rows[4], "2.500000,0,1,1,0,0,6001,,,,0,0,FAILURE_MOTOR_STUCK,0,0.000000");
+    }
+
+    #[test]
+    fn the_log_is_not_overwritten() {
+        let (folder, bytes) = (tempfile::tempdir().unwrap(), log());
+        let log = folder.path().join("flight.ulg");
+        std::fs::write(&log, &bytes).unwrap();
+        let (out, overwriting) = (Some(log.clone()), Overwriting { force: true });
+        assert!(Px4Log { log: log.clone(), csv: false, out, overwriting }.run().is_err());
+        assert_eq!(std::fs::read(&log).unwrap(), bytes);
     }
 
     #[test]

@@ -58,7 +58,8 @@ impl Record {
         let rotation =
             Rotation { bytes: self.rotate_size.map(|megabytes| megabytes * 1_000_000), time: self.rotate_time };
         let mut station = Station::connect(&self.address, self.asking)?;
-        let mut files = Files::create(&self.log, self.overwriting, rotation)?;
+        let read = self.address.strip_prefix("file:").map(PathBuf::from);
+        let mut files = Files::create(&self.log, read, self.overwriting, rotation)?;
         eprintln!("autoquad: records {} into {}; Ctrl-C ends it", self.address, self.log.display());
         let mut flushed = Instant::now();
         while run.goes_on() {

@@ -9,11 +9,15 @@ use indicatif::{ProgressBar, ProgressBarIter, ProgressStyle};
 use mavlink_autoquad::autoquad::Autoquad;
 use mavlink_autoquad::wire::Dialect;
 use mavlink_autoquad::wire::tlog::{Entry, Reader};
+use mavlink_autoquad::wire::uorb::ulog::{Log, LogError};
 
 use crate::failure::Failure;
 
 /// Bytes from which on a bar is shown.
 const LONG: u64 = 8 << 20;
+
+/// As many bytes as the header of a log of PX4 has.
+const ULOG_HEADER: u64 = 16;
 
 /// A tlog that is read from its start to its end.
 pub(crate) struct Recording {
@@ -37,7 +41,9 @@ impl Recording {
         }
         let bytes = metadata.len();
         if Reader::new(&mut file, Autoquad::TABLE).read().map_err(refused)?.is_none() {
-            return Err(no_recording(path, bytes));
+            let mut first = Vec::new();
+            file.rewind().and_then(|()| file.take(ULOG_HEADER).read_to_end(&mut first)).map_err(refused)?;
+            return Err(no_recording(path, bytes, &first));
         }
         file.rewind().map_err(refused)?;
         let bar = bar(bytes);
@@ -60,11 +66,15 @@ impl Recording {
     }
 }
 
-fn no_recording(path: &Path, bytes: u64) -> Failure {
+/// Why a file without an entry, which begins with these bytes, is no recording, and what reads it.
+fn no_recording(path: &Path, bytes: u64, first: &[u8]) -> Failure {
     Failure::file(
         path,
         match bytes {
             0 => "is empty".to_owned(),
+            _ if !matches!(Log::new(first), Err(LogError::NotALog)) => {
+                "is a log of PX4, which `autoquad px4-log` reads".to_owned()
+            }
             _ => format!(
                 "no MAVLink frame in {bytes} bytes, so it is no tlog; `autoquad salvage` reads the .mavlink logs of AutoQuad's \
                  QGroundControl"
@@ -94,4 +104,28 @@ pub(crate) fn bar(bytes: u64) -> ProgressBar {
     let bar = ProgressBar::new(bytes).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
     bar.enable_steady_tick(Duration::from_millis(200));
     bar
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use mavlink_autoquad::px4::EscStatus;
+    use mavlink_autoquad::wire::uorb::ulog::Writer;
+
+    use super::*;
+
+    #[test]
+    fn what_is_no_recording_is_named() {
+        let folder = tempfile::tempdir().unwrap();
+        let log = Writer::new(Vec::new(), 0).topic::<EscStatus>().begin().unwrap().finish().unwrap();
+        for (bytes, why) in
+            [(&log[..], "px4-log"), (&log[..16], "px4-log"), (b"no log at all", "salvage"), (b"", "empty")]
+        {
+            let path = folder.path().join("flight.tlog");
+            fs::write(&path, bytes).unwrap();
+            let Err(Failure::Sentence(sentence)) = Recording::open(&path) else { panic!("read: {why}") };
+            assert!(sentence.contains(why), "{sentence}");
+        }
+    }
 }

@@ -66,14 +66,13 @@ impl Encode for Salvaged {
 impl Salvage {
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let out = self.out.clone().unwrap_or_else(|| self.log.with_extension("tlog"));
-        let overwriting = self.overwriting.beside(&self.log, &out)?;
         let log = read_whole(&self.log)?;
         let mut salvaged = records(&log, Autoquad::TABLE).peekable();
         if salvaged.peek().is_none() {
             return Err(Failure::file(&self.log, "nothing of it is a record of AutoQuad's QGroundControl"));
         }
         let failed = |error| Failure::file(&out, error);
-        let mut writer = Writer::new(BufWriter::new(overwriting.create(&out)?));
+        let mut writer = Writer::new(BufWriter::new(self.overwriting.create(&out, Some(&self.log))?));
         let (mut senders, mut tally) = (BTreeMap::<_, Sender>::new(), Tally::default());
         let bar = bar(log.len() as u64);
         for record in salvaged {

@@ -92,7 +92,7 @@ impl Ulog {
     }
 
     fn begin(&self, out: &std::path::Path, start_us: u64) -> Result<DataWriter<BufWriter<File>>, Failure> {
-        let file = BufWriter::new(self.overwriting.create(out)?);
+        let file = BufWriter::new(self.overwriting.create(out, Some(&self.log))?);
         let log = Writer::new(file, start_us).info("sys_name", "AutoQuad").topic::<EscStatus>();
         log.begin().map_err(|error| Failure::file(out, error))
     }
@@ -148,6 +148,16 @@ mod tests {
         assert!(read.is_sorted_by(|(_, one), (_, next)| one.timestamp < next.timestamp));
         assert!(read.iter().all(|(instance, status)| *instance == 0 && status.esc_count == 6));
         assert!(read.iter().any(|(_, status)| status.motors().any(|motor| !motor.report.failures.is_empty())));
+    }
+
+    #[test]
+    fn the_recording_is_not_overwritten() {
+        let (folder, _) = converted(6);
+        let log = folder.path().join("flight.tlog");
+        let (before, out) = (fs::read(&log).unwrap(), Some(log.clone()));
+        let forced = Overwriting { force: true };
+        assert!(Ulog { log: log.clone(), out, overwriting: forced, firmware: Firmware::default() }.run().is_err());
+        assert_eq!(fs::read(&log).unwrap(), before);
     }
 
     #[test]

@@ -21,6 +21,7 @@ pub(super) struct Rotation {
 /// The files that are written.
 pub(super) struct Files {
     first: PathBuf,
+    read: Option<PathBuf>,
     overwriting: Overwriting,
     rotation: Rotation,
     number: u32,
@@ -37,8 +38,8 @@ struct Current {
 }
 
 impl Current {
-    fn create(path: PathBuf, overwriting: Overwriting) -> Result<Self, Failure> {
-        let file = BufWriter::new(overwriting.create(&path)?);
+    fn create(path: PathBuf, read: Option<&Path>, overwriting: Overwriting) -> Result<Self, Failure> {
+        let file = BufWriter::new(overwriting.create(&path, read)?);
         Ok(Self { path, file, bytes: 0, since: Instant::now() })
     }
 
@@ -63,9 +64,15 @@ impl Current {
 }
 
 impl Files {
-    pub(super) fn create(path: &Path, overwriting: Overwriting, rotation: Rotation) -> Result<Self, Failure> {
-        let current = Current::create(path.to_owned(), overwriting)?;
-        Ok(Self { first: path.to_owned(), overwriting, rotation, number: 1, current, frames: 0 })
+    /// Begins the first file. None of them is the file that is `read`.
+    pub(super) fn create(
+        path: &Path,
+        read: Option<PathBuf>,
+        overwriting: Overwriting,
+        rotation: Rotation,
+    ) -> Result<Self, Failure> {
+        let current = Current::create(path.to_owned(), read.as_deref(), overwriting)?;
+        Ok(Self { first: path.to_owned(), read, overwriting, rotation, number: 1, current, frames: 0 })
     }
 
     /// Writes a frame that was received at this Unix time in µs.
@@ -105,7 +112,7 @@ impl Files {
             self.number += 1;
             let path = numbered(&self.first, self.number);
             if self.overwriting.force || !path.exists() {
-                self.current = Current::create(path, self.overwriting)?;
+                self.current = Current::create(path, self.read.as_deref(), self.overwriting)?;
                 return Ok(());
             }
         }
@@ -139,7 +146,7 @@ mod tests {
         // Somebody's recording is in the way of the second file.
         fs::write(folder.path().join("copy-2.tlog"), b"mine").unwrap();
         let rotation = Rotation { bytes: Some(20_000), time: None };
-        let mut files = Files::create(&copy, Overwriting::default(), rotation).unwrap();
+        let mut files = Files::create(&copy, None, Overwriting::default(), rotation).unwrap();
         let (mut recording, mut written) = (Recording::open(&log).unwrap(), 0);
         while let Some(entry) = recording.read().unwrap() {
             files.write(entry.time_us.unwrap(), &entry.frame).unwrap();
@@ -152,7 +159,17 @@ mod tests {
         let bytes: Vec<u8> = parts.iter().filter_map(|path| fs::read(path).ok()).flatten().collect();
         assert_eq!(bytes, fs::read(&log).unwrap());
         assert!(fs::metadata(&copy).unwrap().len() < 20_300);
-        assert!(Files::create(&copy, Overwriting::default(), rotation).is_err());
+        assert!(Files::create(&copy, None, Overwriting::default(), rotation).is_err());
+    }
+
+    #[test]
+    fn a_recording_that_is_read_is_not_overwritten() {
+        let folder = tempfile::tempdir().unwrap();
+        let log = folder.path().join("flight.tlog");
+        fs::write(&log, b"mine").unwrap();
+        let (forced, rotation) = (Overwriting { force: true }, Rotation { bytes: None, time: None });
+        assert!(Files::create(&log, Some(log.clone()), forced, rotation).is_err());
+        assert_eq!(fs::read(&log).unwrap(), b"mine");
     }
 
     #[test]
