@@ -1,9 +1,8 @@
-//! The MAVLink dialect compiler: reads dialect XML, understands it exactly as pymavlink does, and writes Rust that a
-//! person enjoys reading.
+//! The MAVLink dialect compiler: reads dialect XML exactly as pymavlink does, and writes readable Rust.
 //!
 //! # In a build script
 //!
-//! A dialect of one's own needs `mavlink-wire` as a dependency, `mavgen` as a build-dependency, and two lines.
+//! For a dialect of your own, add `mavlink-wire` as a dependency, `mavgen` as a build-dependency, and two lines:
 //!
 //! ```no_run
 //! // in the `main` of build.rs
@@ -17,18 +16,22 @@
 //!
 //! # In a repository
 //!
-//! [`Builder::generate`] writes the same sources into a folder, and [`Builder::check`] says whether they are current, so
-//! that a test can. The `mavgen` command does both without a line of Rust: `cargo install mavgen-cli`.
+//! [`Builder::generate`] writes the same sources into a folder. [`Builder::check`] says whether they are current; call it in a
+//! test. The `mavgen` command does both without any Rust: `cargo install mavgen-cli`.
 //!
-//! [`Builder::messages`] keeps a large dialect small: only the messages that a program speaks, and what they need.
+//! [`Builder::messages`] selects messages of a large dialect: only these and what they need are generated.
 //!
 //! # Bits inside integers
 //!
-//! What XML cannot say, that an integer is packed with other values, an [`overlay`] says.
+//! MAVLink XML cannot say that several values are packed into one integer. An [`overlay`] can.
 //!
 //! # Without generating anything
 //!
-//! The feature `decode` adds a module of that name: messages and views of packed bits read at run time, by the model.
+//! The feature `decode` adds the module `decode`, which reads messages and views of packed bits at run time.
+//!
+//! # PX4's messages
+//!
+//! With the feature `uorb`, a builder takes PX4's `.msg` files instead of XML, and generates types for ULog files and CDR.
 //!
 //! # How it works
 //!
@@ -37,10 +40,10 @@
 //! (+ overlay, read by the same reader, joined in resolve)
 //! ```
 //!
-//! [`syntax`] is what a file says, with a [`source::Span`] on every name and number. [`ir`] is what the files mean together:
-//! wire order, offsets, checksums, merged enums; other tools can be written on it. Then every Rust item is decided, first its
-//! names, and printed. Problems are collected as [`diag::Diagnostic`]s, each with its place; after an error only names are still
-//! looked at, so that one run finds all.
+//! [`syntax`] is what one file says, with a [`source::Span`] on every name and number. [`ir`] is what all files mean together:
+//! wire order, offsets, checksums, merged enums; you can build other tools on it. `lower` then decides every Rust item, names
+//! first, and `emit` prints them. Problems are collected as [`diag::Diagnostic`]s, each with its place. After an error, mavgen
+//! still checks names, so that one run reports all errors.
 
 #![cfg_attr(docsrs, feature(doc_cfg))]
 #![forbid(unsafe_code)]

@@ -1,5 +1,7 @@
-//! The AutoQuad dialect of MAVLink, with the common, standard and minimal messages it includes: typed, lossless, `no_std`,
-//! without an allocator, and proven byte for byte against pymavlink.
+//! The AutoQuad dialect of MAVLink, with the common, standard and minimal messages that it includes. It is typed, lossless,
+//! `no_std`, without an allocator, and compared byte for byte with pymavlink.
+//!
+//! To open a UDP, TCP or serial address, use `wire::link` (feature `std`). For PX4's `EscStatus`, use `px4` (feature `px4`).
 //!
 //! # Receiving
 //!
@@ -40,8 +42,8 @@
 //! # Motor controllers
 //!
 //! AutoQuad packs the status of each ESC32 into 64 bits: [`AqEscTelemetry::escs`](autoquad::AqEscTelemetry::escs) reads them
-//! in volts, amperes, rpm and degrees. [`esc`] makes a table of up to 16 controllers from the batches of four, and the
-//! messages that ground stations of today show.
+//! in volts, amperes, rpm and degrees. [`esc`] collects the batches of four into a table of up to 16 controllers, and converts
+//! it to the messages that current ground stations show.
 //!
 //! ```
 //! use mavlink_autoquad::autoquad::{AqEscTelemetry, EscInfo, EscStatus};
@@ -66,9 +68,9 @@
 //!
 //! # On firmware
 //!
-//! With `default-features = false` the crate is the committed sources and nothing else: no build script work, no build
-//! dependency, and a checksum without a table. A [`wire::Table`] of just the messages you read keeps the others out of the
-//! flash:
+//! With `default-features = false`, cargo compiles the committed sources only: no work in the build script, no build
+//! dependency, and a checksum without a table. List only the messages that you read in a [`wire::Table`]; all others then stay
+//! out of the flash:
 //!
 //! ```
 //! use mavlink_autoquad::autoquad::{AqEscTelemetry, Heartbeat};
@@ -81,17 +83,18 @@
 //!
 //! # What AutoQuad does differently
 //!
-//! * Message ids 150 and 152 are others in ArduPilot's dialect. Their checksums differ, so neither is taken for the other,
-//!   but a bridge has to convert them: a ground station of today discards them.
+//! * ArduPilot's dialect uses the message ids 150 and 152 for other messages. Their `crc_extra` differs, so neither is taken
+//!   for the other. A bridge has to convert AutoQuad's, because current ground stations discard them.
 //! * `time_boot_ms` of [`autoquad::AqEscTelemetry`] comes from a 32-bit microsecond counter: it wraps every 71 min 35 s.
 //!   [`esc::UptimeClock`] goes on counting. In the messages of `common.xml` AutoQuad's firmware sends *micro*seconds in
 //!   fields of that name.
-//! * Array slots at and behind `num_in_seq` hold stale data.
-//! * The stream starts with [`autoquad::RequestDataStream`], `req_stream_id` 13 ([`autoquad::MavDataStream::PROPULSION`]).
-//! * The `.mavlink` logs of AutoQuad's QGroundControl are no tlogs, although they look like them: their times are
-//!   little-endian, and every frame lacks its last eight bytes (`MAVLinkProtocol.cc`, since December 2012), checksum
-//!   included. A parser finds no frame in them, but [`wire::tlog::salvage`] gives what is left. Of the telemetry that is all
-//!   but the ids of the last two ESCs and the versions of all, which somebody has to know:
+//! * Array slots from `num_in_seq` on hold stale data.
+//! * Motor telemetry has to be requested, with [`autoquad::RequestDataStream`] and `req_stream_id` 13
+//!   ([`autoquad::MavDataStream::PROPULSION`]).
+//! * The `.mavlink` logs of AutoQuad's QGroundControl look like tlogs but are not. Their times are little-endian, and every
+//!   frame lacks its last eight bytes, checksum included (`MAVLinkProtocol.cc`, since December 2012). A parser finds no frame
+//!   in them, but [`wire::tlog::salvage`] reads what is left. Of the motor telemetry, only the ids of the last two ESCs and the
+//!   versions of all four are missing; you have to supply them:
 //!
 //! ```
 //! use mavlink_autoquad::autoquad::{AqEscTelemetry, Autoquad};

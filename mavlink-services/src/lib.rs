@@ -1,7 +1,11 @@
-//! MAVLink's protocols: what two components have to say to each other, as state machines, for any dialect that includes `common`.
+//! MAVLink's protocols (microservices) as state machines, for any dialect that includes `common`.
 //!
-//! A machine does no io and has no clock: the caller gives it the frames that come and the time, and sends what it says. One shape
-//! serves all of them, [`Service`]. Nothing allocates; where a protocol moves lists, the storage is the caller's.
+//! For a ground station on a computer, use `Station` (feature `std`; `tokio::Station` for async tasks): it runs the operations over
+//! a link, as in `station.set_param("RATE_P", 0.2)?`. For a vehicle or another component, use [`Vehicle`], which answers all
+//! protocols. Both are made of the machines in the table.
+//!
+//! A machine does no io and has no clock: the caller gives it received frames and the time, and sends the messages that it returns.
+//! All machines implement [`Service`]. Nothing allocates; the caller provides the storage for lists.
 //!
 //! | protocol | station: who asks | component: who answers |
 //! |---|---|---|
@@ -12,10 +16,7 @@
 //! | [`param`] | [`List`](param::List), [`Read`](param::Read), [`Write`](param::Write) | [`Component`](param::Component) |
 //! | [`timesync`] | [`Measure`](timesync::Measure) | [`Responder`](timesync::Responder) |
 //!
-//! What a station asks for is a machine that ends, an [`Operation`]. Several may run at once.
-//!
-//! [`Vehicle`] is all that a component answers, as one machine. `Station` (feature `std`; `tokio::Station` for async tasks) runs the
-//! operations of a station over a link: `station.set_param("RATE_P", 0.2)?`.
+//! A station's machines are [`Operation`]s, which end. Several may run at once.
 //!
 //! ```
 //! use mavlink_services::common::{CommandLong, MavCmd};
@@ -26,7 +27,7 @@
 //! let arm = CommandLong { command: MavCmd::COMPONENT_ARM_DISARM, param1: 1.0, ..CommandLong::DEFAULT };
 //! let mut arming = command::Send::new(own, peer, command::Options::DEFAULT, &arm, now)?;
 //!
-//! // What is to be sent, and until when nothing else happens unless a frame comes.
+//! // The message to send, and the time of the next poll if no frame comes before.
 //! let Some(Output::Send(sent)) = arming.poll(now) else { panic!() };
 //! assert_eq!(sent.decode::<CommandLong>().unwrap().target_system, 1);
 //! assert!(arming.poll(now).is_none());
@@ -36,13 +37,13 @@
 //!
 //! # Bounds
 //!
-//! Every operation ends: done, refused by the peer with its reason, or timed out. A machine keeps what it is to send as flags, not
-//! as a queue: whatever a peer sends, and however much of it, nothing grows and nothing stalls. Frames of others are no answers.
+//! Every operation ends: done, refused by the peer with its reason, or timed out. A machine keeps what it has to send as flags, not
+//! as a queue, so no peer can make it grow or stall. It ignores answers from other components than its peer.
 //!
 //! # Messages of your dialect
 //!
-//! What goes in is any [`Encode`](mavlink_wire::Encode): a `CommandLong` of your dialect is the one of [`common`] to the byte. What
-//! comes out are types of this crate, and messages of [`common`].
+//! You may pass any [`Encode`](mavlink_wire::Encode): a `CommandLong` of your dialect has the same bytes as that of [`common`]. The
+//! machines return types of this crate, and messages of [`common`].
 //!
 //! # Features
 //!
@@ -59,7 +60,7 @@ extern crate std;
 
 mod address;
 pub mod command;
-/// The messages of `common` that the protocols are made of, as mavgen generates them; another dialect's are the same to the byte.
+/// The messages of `common` that the protocols use, as mavgen generates them. Those of other dialects have the same bytes.
 #[rustfmt::skip]
 #[path = "generated/mod.rs"]
 pub mod common;

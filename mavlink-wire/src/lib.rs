@@ -1,13 +1,15 @@
-//! MAVLink frames: a parser, a sender, and the traits that generated dialects implement.
+//! MAVLink frames: a parser, a sender, links, logs, and the traits that generated dialects implement.
 //!
-//! Bytes in, frames out: what carries the bytes (a UART, a socket, a log) is yours, or that of one of the thin adapters
-//! that features add; only these allocate and block. Nothing panics. The messages come from a dialect crate, or from
+//! The core is sans-io: bytes in, frames out. You carry the bytes (a UART, a socket, a log), or one of the adapters does that
+//! features add. Only these adapters allocate or block. Nothing panics. The messages come from a dialect crate, or from
 //! `mavgen` in your own build script.
+//!
+//! To open a UDP, TCP or serial address in one line, use the module `link` (feature `std`).
 //!
 //! # Receiving
 //!
-//! A [`Parser`] takes bytes as they come, cut anywhere, and gives [`Frame`]s: views whose checksum was verified. What
-//! messages it can verify is a [`Table`], a whole dialect's or the few that matter:
+//! A [`Parser`] takes bytes as they come, cut anywhere, and returns [`Frame`]s: views of bytes whose checksum was verified. A
+//! [`Table`] lists the messages that it can verify, those of a whole dialect or the few that you need:
 //!
 //! ```
 //! # use mavlink_wire as wire;
@@ -40,30 +42,31 @@
 //! # Ok::<_, wire::EncodeError>(())
 //! ```
 //!
-//! - A frame of a message that the table does not have is handed over too, so that it can be forwarded
-//!   ([`Frame::bytes`]); [`Frame::is_verified`] is false then.
-//! - [`Frame::decode`] gives one message type, [`Frame::message`] a dialect's enum of all messages;
-//!   [`Frame::decode_into`] does the same without moving the message, for those who count nanoseconds.
+//! - You also get frames of messages that the table does not have, to forward them ([`Frame::bytes`]). Then
+//!   [`Frame::is_verified`] is false.
+//! - [`Frame::decode`] returns one message type, [`Frame::message`] a dialect's enum of all messages.
+//!   [`Frame::decode_into`] does the same without moving the message, which is faster.
 //! - Decoding is total. A payload may be shorter than its message (MAVLink 2 drops trailing zeros) or longer (a newer
 //!   sender); enum values and flags that the definition does not name survive.
 //! - Messages print as their fields say, with units and the names of entries; `SETUP_SIGNING` without its key.
-//! - [`Frame::reflect`] needs no message type: it gives names, values and units, for routers and loggers ([`reflect`]).
-//! - [`Parser::statistics`] counts what was found and what was damaged, [`Losses`] what never arrived;
-//!   [`Parser::next_reporting_bad_checksums`] says of which message a checksum is wrong, which is how two definitions of one message show.
+//! - [`Frame::reflect`] needs no message type: it returns names, values and units, for routers and loggers ([`reflect`]).
+//! - [`Parser::statistics`] counts frames and damaged bytes, [`Losses`] the frames that never arrived.
+//!   [`Parser::next_reporting_bad_checksums`] also says which message has a wrong checksum. It shows that both sides define a
+//!   message differently.
 //!
 //! # Sending
 //!
-//! A [`Sender`] per link numbers the frames and writes each into a buffer of yours. Prefer `..Message::DEFAULT` over
-//! naming every field: definitions grow.
+//! One [`Sender`] per link numbers the frames and writes each into a buffer of yours. Prefer `..Message::DEFAULT` to naming
+//! every field, because definitions grow.
 //!
 //! A command of `MAV_CMD` is a type with its params as fields ([`Command`]): [`AsLong::long`] makes the `COMMAND_LONG` that carries
 //! it, [`AsInt::int`] the `COMMAND_INT`.
 //!
 //! # Forwarding
 //!
-//! [`Frame::bytes`] are what came, to the byte. A [`FrameBuf`] keeps a frame for a queue, and can give it another sequence
-//! number or take its signature away; [`Sender::renumber`] makes it the next frame of a link. A router forwards what its
-//! table does not have, too; the more the table has, the less damage passes. [`Routes`] says to which links a frame goes.
+//! [`Frame::bytes`] are the received bytes, unchanged. A [`FrameBuf`] keeps a frame for a queue, and can change its sequence
+//! number or remove its signature; [`Sender::renumber`] makes it the next frame of a link. A router also forwards messages that
+//! its table does not have; it cannot check those for damage. [`Routes`] says which links a frame goes to.
 //!
 //! ```
 //! # use mavlink_wire::{MessageInfo, Table};
@@ -85,35 +88,36 @@
 //!
 //! # Flash
 //!
-//! What a program does not name, it does not carry: messages are no part of a [`Table`] that does not list them, names and field
-//! tables are dropped where nothing prints them, and no panic is reachable. A receiver of two messages with [`Parser`] takes
+//! A program contains only what it uses: a [`Table`] has only the messages that it lists, names and field tables are dropped if
+//! nothing prints them, and no panic is reachable. A receiver of two messages with [`Parser`] takes
 //! 2.9 kB of code and constants on x86-64 without `fast-crc`, built for size (`opt-level = "z"`, fat LTO). A fifth of that
-//! goes into frames of unknown messages, and a fifth into a bound for the work that hostile bytes can make.
+//! handles frames of unknown messages, and a fifth bounds the work that hostile bytes can cause.
 //! `tests/no-std/size.sh` in the repository measures and limits it.
 //!
 //! # Modules
 //!
-//! What everybody uses stands here, at the root; [`prelude`] has the traits. [`generated`] is for generated code alone.
+//! The common types are at the root; [`prelude`] has the traits. [`generated`] is only for generated code.
 //!
 //! # Features
 //!
-//! - `fast-crc` (default): speed that is paid for in flash. The checksum from a table of 8 KiB, and frames where they lie in
-//!   the chunk. Without it, the checksum by a few instructions per byte, and all bytes through the parser's own buffer, one
-//!   code for every case: see [Flash](#flash). The frames are the same.
+//! - `fast-crc` (default): more speed for more flash. The checksum uses a table of 8 KiB, and whole frames are not copied.
+//!   Without it, the checksum takes a few instructions per byte, and all bytes go through the parser's own buffer: see
+//!   [Flash](#flash). The frames are the same.
 //! - `std`: links to addresses of UDP, TCP and files (module `link`); frames over `std::io` (`io`), over a UDP socket of yours
-//!   (`udp`), and in log files ([`tlog`], of which a part needs no std).
-//! - `serial`: links over serial ports. `tokio`: links for async tasks (`link::tokio`), with `tokio-serial` over serial ports, too.
+//!   (`udp`), and in log files ([`tlog`], a part of which works without `std`).
+//! - `serial`: links over serial ports.
+//! - `tokio`: links for async tasks (`link::tokio`). `tokio-serial`: the same over serial ports.
 //! - `tokio-codec`: a codec for `tokio_util::codec` (`tokio_codec`).
 //! - `embedded-io`, `embedded-io-async`: frames over the traits of these crates (modules of the same names).
-//! - `signing`: signatures are made and verified, in the module `signing`. Without it they are only handed over
+//! - `signing`: makes and verifies signatures, in the module `signing`. Without it, you can only read them
 //!   ([`Frame::signature`]).
-//! - `serde`: messages, enums, flags, [`Chars`] and dialects serialize, without losing a bit, in text by names; so do frames, ids
-//!   and counters; the module `serde` says how.
-//! - `defmt`: `Format` of the same, of frames, counters and errors. Written by the field tables, with the names of fields and
-//!   entries sent as text: a type that is never logged costs no flash.
+//! - `serde`: messages, enums, flags, [`Chars`] and dialects serialize without losing a bit, by names in text formats. So do
+//!   frames, ids and counters. The module `serde` says how.
+//! - `defmt`: `Format` of the same, and of errors. It uses the field tables and sends the names of fields and entries as text, so
+//!   that a type that is never logged costs no flash.
 //! - `arbitrary`: `Arbitrary` of messages, enums, flags, [`Chars`] and dialects, for fuzzing: any payload decodes.
 //! - `bitflags`: `bitflags::Flags` of flags types, for code that works on any.
-//! - `uorb`: PX4's uORB messages, read from its logs (`uorb`).
+//! - `uorb`: PX4's uORB messages, in ULog files and CDR (module `uorb`).
 //! - `mavlink-core`: a dialect over the connections of rust-mavlink; the module `interop` says how.
 
 #![no_std]
