@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use super::{Builder, Failure};
 use crate::diag::Diagnostics;
 use crate::emit::{GeneratedFile, emit};
-use crate::lower::topic::{UnionNames, tree};
+use crate::lower::topic::{CONSTANTS, UnionNames, tree};
 use crate::lower::{Options, spelling};
 use crate::output::{Report, write};
 use crate::problems::Problems;
@@ -138,10 +138,10 @@ impl Builder {
         let definitions: Vec<_> = newest.chain(self.older.iter().cloned()).collect();
         let mut known = HashSet::new();
         for (name, _) in &definitions {
-            let letters = |c: char| c.is_ascii_alphanumeric() || c == '_';
-            if !name.starts_with(|c: char| c.is_ascii_alphabetic()) || !name.chars().all(letters) {
-                let help = "use letters, digits and underscores, and begin with a letter (Builder::definition)";
-                return Err(Failure::Usage(format!("a definition cannot be called `{name}`: {help}")));
+            if let Some(why) = no_definition(name) {
+                let help =
+                    "--definition and --older give names, Builder::definition and Builder::older in a build script";
+                return Err(Failure::Usage(format!("a definition cannot be called `{name}`: {why} ({help})")));
             }
             if !known.insert(spelling::constant(name)) {
                 return Err(Failure::Usage(format!("two definitions are called `{name}`: give each its own name")));
@@ -164,5 +164,29 @@ impl Builder {
         let all = self.messages.is_none() || has_errors;
         let folders = folders.iter().filter(|_| all).map(|folder| (*folder).to_owned());
         read.chain(folders).collect()
+    }
+}
+
+/// Why a definition cannot be called so, if it cannot: each is a constant of every message.
+fn no_definition(name: &str) -> Option<&'static str> {
+    let letters = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    if !name.starts_with(|c: char| c.is_ascii_alphabetic()) || !name.chars().all(letters) {
+        return Some("use letters, digits and underscores, and begin with a letter");
+    }
+    CONSTANTS.contains(&&*spelling::constant(name)).then_some("every message has another constant of that name")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_definition_has_a_name_that_messages_have_left() {
+        for good in ["main", "v1_14", "V2026", "DEFAULT", "type", "unknown_2"] {
+            assert_eq!(no_definition(good), None, "{good}");
+        }
+        for bad in ["", "1.14", "v1.14", "_v1", "ü", "unknown", "UNKNOWN", "Topics", "definitions"] {
+            assert!(no_definition(bad).is_some(), "{bad}");
+        }
     }
 }

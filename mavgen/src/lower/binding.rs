@@ -1,5 +1,6 @@
 //! Enums that overlays bind to fields.
 
+use super::docs;
 use super::items::Items;
 use super::named::NamedMessage;
 use crate::internal::Internal;
@@ -22,7 +23,7 @@ impl<'d> Items<'d> {
         let bound = self.enum_type(binding.enum_)?;
         let when = binding.condition.as_ref().map(|condition| self.holds(message, condition)).transpose()?;
         let link = format!("[`Self::{field}`](field@Self::{field})");
-        let shown = Paragraph::line(format!("{link} as [`{}`].", bound.ident));
+        let shown = Paragraph::line(format!("{link} as {}.", docs::link(bound.ident)));
         let ty = Ty::Enum(bound);
         let get = Method {
             ident: getter.to_owned(),
@@ -34,7 +35,7 @@ impl<'d> Items<'d> {
         let set = Method {
             ident: format!("set_{getter}"),
             sig: Sig::setter("value", ty),
-            docs: Docs::line(format!("Sets {link} from [`{}`].", bound.ident)),
+            docs: Docs::line(format!("Sets {link} from {}.", docs::link(bound.ident))),
             inline: true,
             kind: Kind::BindSet(Bind { field, bound, when: None }),
         };

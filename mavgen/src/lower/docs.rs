@@ -123,3 +123,42 @@ pub(crate) fn reference(file: &str, anchor: &str) -> Option<String> {
     let stem = file.strip_suffix(".xml").filter(|stem| PUBLISHED.contains(stem))?;
     Some(format!("See the [message reference](https://mavlink.io/en/messages/{stem}.html#{anchor})."))
 }
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use super::link;
+    use crate::Builder;
+
+    const DIALECT: &str = "<mavlink><enums>
+<enum name='HASH'><entry value='0' name='HASH_A'/></enum>
+</enums><messages><message id='1' name='DEBUG'>
+<field type='uint8_t' name='bits'/><field type='uint8_t' name='plain'/><field type='uint8_t' name='other'/>
+<field type='int8_t' name='narrow' enum='HASH'/><field type='uint8_t' name='wide' enum='HASH'/>
+<field type='uint8_t[2]' name='each'/><field type='float' name='value'/>
+</message></messages></mavlink>";
+
+    const OVERLAY: &str = "<mavlink-overlay version='1' for='acme.xml'><message name='DEBUG'>
+<bind name='bound' field='plain' enum='HASH'/>
+<view name='CLONE' words='bits' item='clone_bits'><bits name='a' at='0' width='8' enum='HASH'/></view>
+<view name='COPY' words='each[i]' item='one' items='ones'><bits name='a' at='0' width='8'/></view>
+<view name='EQ' item='eq_value'><value name='a' field='value'/></view>
+</message></mavlink-overlay>";
+
+    /// rustdoc takes `Debug` for the macro as well, and refuses the link.
+    #[test]
+    fn no_link_is_that_of_a_derive_macro() {
+        let folder = tempfile::tempdir().unwrap();
+        let (dialect, overlay) = (folder.path().join("acme.xml"), folder.path().join("acme.overlay.xml"));
+        fs::write(&dialect, DIALECT).unwrap();
+        fs::write(&overlay, OVERLAY).unwrap();
+        let builder = Builder::new(dialect).overlay(overlay);
+        let text: String =
+            builder.emit(&builder.resolve().unwrap()).unwrap().into_iter().map(|file| file.text).collect();
+        for name in ["Clone", "Copy", "Debug", "Eq", "Hash"] {
+            assert!(text.contains(&link(name)), "no link to {name}");
+            assert!(!text.contains(&format!("[`{name}`]")), "a link to the macro {name}");
+        }
+    }
+}

@@ -85,7 +85,7 @@ impl<'d> Items<'d> {
         });
         let bindings = message.bindings().map(|(binding, getter)| {
             let (field, bound) = (message.field(binding.field)?.ident, self.enum_type(binding.enum_)?);
-            Ok(format!("- [`Self::{getter}()`]: `{}`, as [`{}`].", spelled(field), bound.ident))
+            Ok(format!("- [`Self::{getter}()`]: `{}`, as {}.", spelled(field), docs::link(bound.ident)))
         });
         views.chain(bindings).collect()
     }
@@ -101,7 +101,7 @@ impl<'d> Items<'d> {
         }
         if let Some(Values::Converted(id)) = field.values {
             let (name, to) = (named.ident, self.enum_type(id)?);
-            sentences.push(format!("A number: [`Self::{name}()`] gives it as [`{}`].", to.ident));
+            sentences.push(format!("A number: [`Self::{name}()`] gives it as {}.", docs::link(to.ident)));
         }
         if field.extension {
             sentences.push("Extension: MAVLink 1 does not carry it.".to_owned());

@@ -75,7 +75,9 @@ pub(super) fn root<'d>(maker: &Maker<'_, 'd>) -> Result<File<'d>, Internal> {
 /// What stands over the module of a dialect.
 fn about(name: &str, has_messages: bool, type_name: &str) -> String {
     match has_messages {
-        true => format!("The `{name}` dialect: its messages, its enums, and [`{type_name}`] over all messages."),
+        true => {
+            format!("The `{name}` dialect: its messages, its enums, and {} over all messages.", docs::link(type_name))
+        }
         false => format!("The `{name}` dialect."),
     }
 }

@@ -7,7 +7,7 @@ mod fields;
 mod names;
 mod tree;
 
-pub(crate) use names::UnionNames;
+pub(crate) use names::{CONSTANTS, UnionNames};
 pub(crate) use tree::{about, tree};
 
 use names::TopicNames;

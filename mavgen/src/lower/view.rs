@@ -6,6 +6,7 @@ mod record;
 mod slots;
 mod source;
 
+use super::docs;
 use super::items::Items;
 use super::named::{NamedAccess, NamedMessage, NamedView};
 use super::spelling;
@@ -54,11 +55,11 @@ impl<'d> Items<'d> {
         let fields = source::word_fields(message, view)?;
         let fields: Vec<String> = fields.iter().map(|field| format!("`{}`", field.model.name.text)).collect();
         let facts = format!(
-            "`{}` of `{file}`: {} bits in {} of [`{}`], the least significant first.",
+            "`{}` of `{file}`: {} bits in {} of {}, the least significant first.",
             view.model.name.text,
             view.model.width,
             fields.join(", "),
-            message.ty()
+            docs::link(message.ty())
         );
         let rows = view.members().map(|member| self.row(view, member)).collect::<Result<_, _>>()?;
         let table = Paragraph::Table(vec!["bits", "name", "meaning", "only if"], rows);
@@ -75,7 +76,7 @@ impl<'d> Items<'d> {
         };
         let meaning = match &member.meaning {
             Meaning::Flag => "yes or no".to_owned(),
-            Meaning::Values(id) => format!("[`{}`]", self.enum_type(*id)?.ident),
+            Meaning::Values(id) => docs::link(self.enum_type(*id)?.ident),
             Meaning::Number { units } => units.as_deref().map_or_else(|| "number".to_owned(), line),
             Meaning::Scaled(scaled) => format!("{scaled} {}", scaled.units.as_deref().map(line).unwrap_or_default()),
         };
@@ -116,7 +117,7 @@ fn only_if(view: NamedView<'_>, member: &Member) -> String {
 /// What the overlay says of the view, or where it comes from: of the method that gives it.
 fn summary(view: NamedView<'_>) -> Paragraph<'_> {
     if view.model.origin.description.trim().is_empty() {
-        return Paragraph::line(format!("The [`{}`] in the fields.", view.ty()));
+        return Paragraph::line(format!("The {} in the fields.", docs::link(view.ty())));
     }
     Paragraph::prose(view.model.origin.description.as_str())
 }

@@ -55,7 +55,8 @@ pub(super) struct DefinitionNames {
 }
 
 /// Constants that every topic has. One of a message that is called so takes an underscore.
-const CONSTANTS: [&str; 8] = ["ABSENT", "DEFINITIONS", "FIELDS", "NAME", "QUEUE", "TOPICS", "UNKNOWN", "VERSION"];
+pub(crate) const CONSTANTS: [&str; 8] =
+    ["ABSENT", "DEFINITIONS", "FIELDS", "NAME", "QUEUE", "TOPICS", "UNKNOWN", "VERSION"];
 
 /// Methods that every topic has beside those of messages.
 const METHODS: [&str; 8] =

@@ -1,5 +1,6 @@
 //! A view of values: `gps()`, `set_gps()` and `with_gps()`, and the record that they take and give.
 
+use super::super::docs;
 use super::super::items::Items;
 use super::super::named::{NamedMessage, NamedRecord, NamedView};
 use super::{Given, summary};
@@ -51,8 +52,9 @@ impl<'d> Items<'d> {
         named: NamedRecord<'d>,
     ) -> Result<RecordType<'d>, Internal> {
         let fields = named.values().map(|(value, ident)| self.key_field(message, value, ident));
-        let (file, name, ty) = (self.file_name(view.model.origin.file)?, &view.model.name.text, message.ty());
-        let facts = format!("`{name}` of `{file}`: values of [`{ty}`].");
+        let (file, name, ty) =
+            (self.file_name(view.model.origin.file)?, &view.model.name.text, docs::link(message.ty()));
+        let facts = format!("`{name}` of `{file}`: values of {ty}.");
         let docs = Docs(vec![Paragraph::prose(&view.model.origin.description), Paragraph::line(facts)]);
         Ok(RecordType { ident: view.ty(), docs, fields: fields.collect::<Result<_, _>>()? })
     }
