@@ -1,10 +1,10 @@
-//! Who speaks, and to whom.
+//! Addresses of components: system id and component id.
 
 use core::fmt;
 
 use mavlink_wire::{ComponentId, Frame, SystemId};
 
-/// A component of a system. Zeros stand for all, where somebody is addressed or waited for.
+/// A component of a system. As a target, and where you wait for a sender, zero stands for all.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Address {
     /// The system.
@@ -23,13 +23,13 @@ impl Address {
         Self { system_id: system_id.into(), component_id: component_id.into() }
     }
 
-    /// Who sent a frame.
+    /// The sender of a frame.
     #[must_use]
     pub fn of(frame: &Frame<'_>) -> Self {
         Self { system_id: frame.system_id(), component_id: frame.component_id() }
     }
 
-    /// Whether that one is meant by this: it is the same, or a zero here stands for all.
+    /// Whether this address includes the other: both are the same, or a zero here stands for all.
     #[must_use]
     pub fn includes(self, other: Self) -> bool {
         (self.system_id.is_broadcast() || self.system_id == other.system_id)

@@ -1,7 +1,7 @@
-//! Commands: `COMMAND_LONG` or `COMMAND_INT` goes there, `COMMAND_ACK` comes back, perhaps after reports of progress.
+//! Commands: a station sends `COMMAND_LONG` or `COMMAND_INT`, and gets `COMMAND_ACK`, perhaps after reports of progress.
 //!
-//! A station [sends](Send) a command, again and again until it is acknowledged, and can cancel it; [`Fetch`] asks for a message.
-//! A [`Component`] hands out what it is told to do, once each, and answers.
+//! A station [sends](Send) a command, repeats it until it is acknowledged, and can cancel it. [`Fetch`] requests a message. A
+//! [`Component`] reports each command to your program once, and sends the answers.
 
 mod component;
 mod failure;
@@ -18,7 +18,7 @@ use mavlink_wire::{Encode, Frame, Message};
 use crate::common::{CommandInt, CommandLong, MavCmd};
 use crate::{Address, Outgoing, convert};
 
-/// A command in one of its two forms. `COMMAND_INT` has a frame, and its place in integers.
+/// A received command, in one of its two forms. `COMMAND_INT` has a frame, and its coordinates as integers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Command {
     /// Seven floats.
@@ -28,7 +28,7 @@ pub enum Command {
 }
 
 impl Command {
-    /// What is to be done.
+    /// The entry of `MAV_CMD`.
     #[must_use]
     pub fn command(&self) -> MavCmd {
         match self {
@@ -37,7 +37,7 @@ impl Command {
         }
     }
 
-    /// The command as the message of another dialect that has it, to be read as a typed command; `None` if that is the other form.
+    /// Converts it to the message of your dialect, to read it as a typed command. `None` if `M` is the other form.
     #[must_use]
     pub fn to_message<M: Message>(&self) -> Option<M> {
         match self {

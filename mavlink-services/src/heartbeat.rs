@@ -1,6 +1,6 @@
 //! Heartbeats: who is there, what it is, and when it is gone.
 //!
-//! Everybody sends them, a station as well: [`Beacon`]. [`Monitor`] watches those of others.
+//! Every component sends them with [`Beacon`], a station as well. [`Monitor`] watches those of others.
 
 mod beacon;
 mod monitor;

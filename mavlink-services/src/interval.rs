@@ -1,7 +1,7 @@
 //! Message intervals: how often a component sends which message.
 //!
-//! A station asks with [`set`] and [`Get`], which are commands. A component keeps its [`Streams`], and hands them the commands that
-//! its [`command::Component`](crate::command::Component) gives it.
+//! A station uses [`set`] and [`Get`], which send commands. A component has [`Streams`], and passes them the commands that its
+//! [`command::Component`](crate::command::Component) reports.
 
 mod station;
 mod streams;
@@ -16,7 +16,7 @@ use core::time::Duration;
 pub enum Interval {
     /// Never.
     Off,
-    /// As often as the component thinks right. Of an answer: it does not send this message, or does not know it.
+    /// At the component's default rate. In an answer: the component does not send this message, or does not know it.
     Default,
     /// Once in this time, in whole microseconds.
     Every(Duration),

@@ -1,9 +1,9 @@
-//! Plans of a vehicle: its mission, its fence, its rally points; and which item of the mission it is at.
+//! Plans of a vehicle: mission, fence and rally points, and the current item of the mission.
 //!
-//! A station moves plans with one machine each time: [`Upload`], [`Download`], [`Clear`], [`SetCurrent`]. They are
-//! [`Operation`](crate::Operation)s: they end. A vehicle has one [`Component`], which keeps plans in storage of yours ([`Plans`]).
+//! A station uses one machine for each operation: [`Upload`], [`Download`], [`Clear`], [`SetCurrent`]. They are
+//! [`Operation`](crate::Operation)s, which end. A vehicle has one [`Component`], which keeps the plans in storage of yours ([`Plans`]).
 //!
-//! The three plans are moved alike and kept apart; [`Access::plan`] says which one is meant. MAVLink 1 has the mission alone.
+//! All three plans are transferred in the same way; [`Access::plan`] says which one. MAVLink 1 has only the mission.
 
 #![expect(deprecated, reason = "old stations and vehicles know nothing newer")]
 

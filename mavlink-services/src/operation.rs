@@ -2,25 +2,25 @@
 
 use crate::Service;
 
-/// What a station asks for, from the question to its end: a [`Service`] that is done one day, with or without success.
+/// One operation of a station: a [`Service`] that ends, with or without success.
 ///
-/// Its end is told once. After it, [`poll`](Service::poll) gives nothing, and there is no [`deadline`](Service::deadline). To give
-/// up earlier, drop it.
+/// It reports its end once. Then [`poll`](Service::poll) returns `None`, and there is no [`deadline`](Service::deadline). To give up
+/// earlier, drop it.
 pub trait Operation: Service<Event = Update<Self::Progress, Self::Outcome, Self::Failure>> {
-    /// What is told on the way.
+    /// What it reports before its end.
     type Progress;
 
-    /// What it is for.
+    /// The result if it succeeds.
     type Outcome;
 
-    /// Why it can fail.
+    /// The reason if it fails.
     type Failure;
 }
 
 /// The events of an [`Operation`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Update<P, T, F> {
-    /// It goes on, and this came.
+    /// Progress; the operation goes on.
     Progress(P),
     /// It has ended.
     Done(Result<T, F>),

@@ -7,7 +7,7 @@ use mavlink_wire::{Encode, MAX_PAYLOAD, Message, MessageInfo, Payload};
 /// The longest payload that a machine sends; `MISSION_ITEM` has 38 bytes.
 const LONGEST: usize = 40;
 
-/// A message that a machine wants to be sent. It is [`Encode`]: give it to a `Sender` or to a link.
+/// A message for you to send. It implements [`Encode`]: give it to a `Sender` or to a link.
 #[derive(Clone, Copy)]
 pub struct Outgoing {
     info: &'static MessageInfo,

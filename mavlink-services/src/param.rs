@@ -1,10 +1,9 @@
 //! Parameters: a component's settings, listed, read and set by name.
 //!
-//! A station asks with one machine each time: [`List`], [`Read`], [`Write`]. They are [`Operation`](crate::Operation)s: they end. A
-//! component has one [`Component`], which answers from a table of yours ([`Parameters`]).
+//! A station uses one machine for each operation: [`List`], [`Read`], [`Write`]. They are [`Operation`](crate::Operation)s, which end.
+//! A component has one [`Component`], which answers from a table of yours ([`Parameters`]).
 //!
-//! The four bytes that carry a value are read in one of two ways, [`Encoding`]; what does not fit is an error on both sides, never
-//! another number.
+//! Four bytes carry a value, in one of two [`Encoding`]s. A value that does not fit is an error on both sides, never another number.
 
 mod component;
 mod encoding;
@@ -50,34 +49,34 @@ impl Param {
     }
 }
 
-/// A parameter as a component told it.
+/// A parameter as a component sent it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Told {
     /// Its name.
     pub name: Name,
     /// Its value.
     pub value: ParamValue,
-    /// Its place in the component's list. ArduPilot does not tell it with a value that was set, or was asked for by name.
+    /// Its index in the component's list. ArduPilot does not send it after a set, or after a read by name.
     pub index: Option<u16>,
     /// How many parameters the component has.
     pub count: u16,
 }
 
-/// Who asks whom, and how.
+/// Which station asks which component, and how.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Access {
-    /// Who asks: the ids that its frames are sent with.
+    /// The station: the ids with which you send its frames.
     pub own: Address,
-    /// Whose parameters: one component, without zeros.
+    /// The component that has the parameters. No id may be zero.
     pub peer: Address,
     /// How that component's values are encoded; [`Encoding::of`] finds out.
     pub encoding: Encoding,
-    /// How long an answer may take, and how often it is asked for.
+    /// How long an answer may take, and how often to ask.
     pub retry: Retry,
 }
 
 impl Access {
-    /// With the usual patience ([`Retry::DEFAULT`]).
+    /// With the usual timeout and number of tries ([`Retry::DEFAULT`]).
     #[must_use]
     pub const fn new(own: Address, peer: Address, encoding: Encoding) -> Self {
         Self { own, peer, encoding, retry: Retry::DEFAULT }

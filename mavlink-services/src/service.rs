@@ -1,4 +1,4 @@
-//! The shape of a machine.
+//! The trait that all machines implement.
 
 use mavlink_wire::Frame;
 
@@ -6,13 +6,13 @@ use crate::{Instant, Outgoing};
 
 /// One end of a protocol, without io and without a clock.
 ///
-/// The whole of it is a loop: hand over what comes, send what it says, wait for the next of both.
+/// Run it in a loop: pass it each received frame, send the messages that it returns, wait for the next frame or the deadline.
 ///
 /// ```
 /// use mavlink_services::{Instant, Outgoing, Service};
 /// use mavlink_wire::Frame;
 ///
-/// /// What a loop does each time that a frame came, or the deadline passed.
+/// /// Call this for each received frame, and when the deadline has passed.
 /// fn step<S: Service>(
 ///     service: &mut S,
 ///     frame: Option<&Frame<'_>>,
@@ -30,23 +30,23 @@ use crate::{Instant, Outgoing};
 /// }
 /// ```
 ///
-/// Times may repeat and may be late; they must not go back. Who does not [`poll`](Self::poll) loses events, and nothing else
-/// goes wrong: a machine keeps the last of a kind.
+/// Times may repeat and may be late; they must not go back. If you do not [`poll`](Self::poll), you lose events and nothing else:
+/// a machine keeps only the last event of each kind.
 pub trait Service {
-    /// What is to be told to the program.
+    /// What the machine reports to the program.
     type Event;
 
-    /// Takes a frame. Any frame will do: what is not this machine's is left alone.
+    /// Takes a received frame. Pass all frames: the machine ignores those that are not for it.
     fn handle(&mut self, frame: &Frame<'_>, now: Instant);
 
-    /// What is to be done now: call it until it gives `None`, after each [`handle`](Self::handle), after each call that starts
+    /// The next thing to do now. Call it until it returns `None`: after each [`handle`](Self::handle), after each call that starts
     /// or answers something, and at the [`deadline`](Self::deadline).
     fn poll(&mut self, now: Instant) -> Option<Output<Self::Event>>;
 
-    /// When there will be something to do although no frame comes; `None` is never. Ask after [`poll`](Self::poll) gave `None`.
+    /// When to poll again if no frame comes; `None` means never. Ask after [`poll`](Self::poll) returned `None`.
     fn deadline(&self) -> Option<Instant>;
 
-    /// Polls until there is an event, and sends what is to be sent before it. `None`: all is done for now.
+    /// Polls until there is an event, and sends the messages before it. `None` means that all is done for now.
     fn next_event(&mut self, now: Instant, mut send: impl FnMut(&Outgoing)) -> Option<Self::Event>
     where
         Self: Sized,
@@ -60,12 +60,12 @@ pub trait Service {
     }
 }
 
-/// What a machine wants.
+/// What the program has to do for a machine.
 #[derive(Clone, Copy, Debug)]
 pub enum Output<E> {
-    /// This is to be sent to the other side.
+    /// Send this message to the other side.
     Send(Outgoing),
-    /// This is to be told to the program.
+    /// Look at this event.
     Event(E),
 }
 

@@ -1,6 +1,6 @@
 //! Time synchronisation: how far the clock of another component is ahead of one's own.
 //!
-//! [`Measure`] asks a few times and takes the quickest answer; a [`Responder`] answers.
+//! [`Measure`] asks several times and takes the answer with the shortest round trip. A [`Responder`] answers.
 
 mod measure;
 mod responder;

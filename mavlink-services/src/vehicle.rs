@@ -1,4 +1,4 @@
-//! All that a vehicle answers, as one machine.
+//! One machine that answers all protocols of a vehicle.
 
 use mavlink_wire::Frame;
 
@@ -8,10 +8,11 @@ use crate::mission::{self, Plans};
 use crate::param::{self, Encoding, Parameters};
 use crate::{Address, Instant, Output, Service, command, earliest, interval, timesync};
 
-/// The component sides of all protocols together: one frame goes in, one kind of event comes out.
+/// The component sides of all protocols in one machine.
 ///
-/// The parts are public: answer commands by [`commands`](Self::commands), change the heartbeat by [`beacon`](Self::beacon). Commands
-/// that are about message intervals and the current item are answered here. Leave parts away by composing the others yourself, as this does.
+/// The parts are public: answer commands with [`commands`](Self::commands), change the heartbeat with [`beacon`](Self::beacon). The
+/// vehicle itself answers commands about message intervals and the current item. To leave out a protocol, compose the other machines
+/// yourself, as this type does.
 #[derive(Clone, Debug)]
 pub struct Vehicle<P, M, const STREAMS: usize> {
     /// Its heartbeat.
@@ -27,7 +28,7 @@ pub struct Vehicle<P, M, const STREAMS: usize> {
     clock: timesync::Responder,
 }
 
-/// What a [`Vehicle`] tells.
+/// What a [`Vehicle`] reports.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Event {

@@ -1,4 +1,4 @@
-//! Links: frames from and to whoever is at an address. Needs the feature `std`; serial ports need `serial`.
+//! Links by address: UDP, TCP, serial ports and files. Needs the feature `std`; serial ports need `serial`.
 //!
 //! ```
 //! # use mavlink_wire::{Encode, MessageInfo, Table};
@@ -28,40 +28,45 @@
 //! # Ok::<(), mavlink_wire::link::LinkError>(())
 //! ```
 //!
-//! | address | what it is | who gets what is sent |
+//! | address | what it does | who receives what you send |
 //! |---|---|---|
 //! | `udpin:0.0.0.0:14550` | listens for datagrams | each peer: whoever sent a frame in the last 3 s |
-//! | `udpout:192.168.0.7:14550` | sends datagrams there | who is there |
-//! | `udpbcast:192.168.0.255:14550` | sends datagrams to a whole network | all there |
-//! | `tcpin:0.0.0.0:5760` | listens for a connection, one at a time | who has connected |
-//! | `tcpout:192.168.0.7:5760` | connects there | who is there |
-//! | `serial:/dev/ttyUSB0:57600` | a serial port | who is behind the cable |
-//! | `file:flight.tlog` | reads a log, or bytes that were kept | nobody |
+//! | `udpout:192.168.0.7:14550` | sends datagrams there | that address |
+//! | `udpbcast:192.168.0.255:14550` | broadcasts datagrams to a network | all in that network |
+//! | `tcpin:0.0.0.0:5760` | listens for one client at a time | the client |
+//! | `tcpout:192.168.0.7:5760` | connects there | the server |
+//! | `serial:/dev/ttyUSB0:57600` | opens a serial port | the device at the other end |
+//! | `file:flight.tlog` | reads a tlog or a raw stream of frames | nobody |
 //!
 //! # Receiving
 //!
-//! MAVLink 1 and 2 are received always. [`Link::receive`] waits as long as it takes, [`Link::receive_until`] until a deadline,
-//! [`Link::receive_from`] says who sent the frame. Frames may be cut anywhere, also into datagrams: each peer has a parser.
-//! Nothing that is received can make a call take longer than its deadline, or take more memory: 16 peers and 16 others that
-//! sent something have a parser, the others are forgotten.
+//! A link receives MAVLink 1 and 2. [`Link::receive`] waits without a limit, [`Link::receive_until`] until a deadline.
+//! [`Link::receive_from`] also says who sent the frame. Frames may be cut anywhere, even across datagrams, because each peer has
+//! its own parser.
+//!
+//! No received data can make a call miss its deadline, or use more and more memory: at most 16 peers and 16 other senders have a
+//! parser; others are forgotten.
 //!
 //! # Sending
 //!
-//! [`Link::send`] speaks to each peer in its version of MAVLink: in MAVLink 2 once it has sent that, and in that of the
-//! [`Sender`](crate::Sender) before. Who signs sends MAVLink 2. A send buffer that stays full for a second is
-//! [`LinkError::Full`]; of a frame that was taken in part, the rest goes out first the next time. So no frame is torn.
+//! [`Link::send`] uses each peer's version of MAVLink: that of the [`Sender`](crate::Sender) at first, and MAVLink 2 once the peer
+//! sent it. A link that signs always sends MAVLink 2. If the send buffer stays full for a second, you get [`LinkError::Full`]. If
+//! the system took a part of a frame, the next send writes its rest first, so that no frame is torn.
 //!
-//! # Peers that die
+//! # Reconnecting
 //!
-//! A connection that is lost is made again, a device that is gone is opened again, first after a tenth of a second and then
-//! ever less often, up to every 5 seconds. Meanwhile `receive` waits, and `send` gives `Ok(0)`: it went to nobody.
-//! [`Link::trouble`] says why. A client of `tcpin` that has been silent for 5 seconds gives its place to one who waits. With
-//! [`Options::without_reconnecting`], a loss is [`LinkError::Closed`]. A server that vanishes without a word, as by a cut cable, is lost when
-//! the system gives up sending to it, which takes minutes; before, its full buffer is told.
+//! A link reopens a lost connection or device by itself: first after a tenth of a second, then ever less often, up to every 5
+//! seconds. Meanwhile `receive` waits, and `send` returns `Ok(0)`: nobody got the message. [`Link::trouble`] says why. With
+//! [`Options::without_reconnecting`], a lost connection is [`LinkError::Closed`].
+//!
+//! A client of `tcpin` that was silent for 5 seconds is replaced if another one waits.
+//!
+//! If a server vanishes without closing the connection, as with a cut cable, the system notices only after minutes. Until then
+//! `send` returns [`LinkError::Full`] when the buffer is full.
 //!
 //! # Threads
 //!
-//! [`Link::split`] gives a half that receives and one that sends. The one that sends can be cloned.
+//! [`Link::split`] returns a half that receives and a half that sends. The sending half can be cloned.
 
 mod address;
 mod chunk;

@@ -23,22 +23,22 @@ use vehicle::Translation;
 /// How often the motors are reported.
 const REPORT: Duration = Duration::from_millis(100);
 
-/// Shows an AutoQuad to ground stations of today: they know ESC_INFO and ESC_STATUS, but take AutoQuad's own messages for damage.
+/// Connects an AutoQuad to current ground stations such as QGroundControl, which show ESC_INFO and ESC_STATUS.
 ///
-/// What the vehicle sends goes on to the ground stations, but for AQ_TELEMETRY_F and AQ_ESC_TELEMETRY, whose numbers ArduPilot gave
-/// to other messages. In their place come ESC_INFO once and ESC_STATUS ten times a second, from the vehicle's own system and
-/// component, with sequence numbers that count on. What ground stations send goes to the vehicle as MAVLink 1, which is all that
-/// AutoQuad understands.
+/// The bridge forwards all that the vehicle sends, except AQ_TELEMETRY_F and AQ_ESC_TELEMETRY: ArduPilot uses their ids for other
+/// messages. Instead it sends ESC_INFO once and ESC_STATUS ten times a second, from the vehicle's own system and component, with
+/// continuous sequence numbers. It forwards what ground stations send to the vehicle as MAVLink 1, because AutoQuad understands
+/// nothing else.
 #[derive(Args)]
 #[command(after_help = AFTER_HELP)]
 pub(crate) struct Bridge {
-    /// Where the vehicle is heard: udpin:, udpout:, udpbcast:, tcpin:, tcpout:HOST:PORT or serial:DEVICE:BAUD.
+    /// The vehicle's address: udpin:, udpout:, udpbcast:, tcpin:, tcpout:HOST:PORT or serial:DEVICE:BAUD.
     vehicle: String,
-    /// Where the ground stations are.
+    /// The addresses of the ground stations.
     #[arg(required = true)]
     ground: Vec<String>,
-    /// Signs what goes to the ground, all of it as MAVLink 2, and takes only signed frames from there. The file holds the
-    /// passphrase that the ground station uses.
+    /// Signs all frames to the ground stations, as MAVLink 2, and accepts only signed frames from them. The file holds the
+    /// passphrase of the ground station.
     #[arg(long, value_name = "FILE")]
     sign: Option<PathBuf>,
     #[command(flatten)]

@@ -17,21 +17,21 @@ use crate::time;
 
 /// Writes the motor telemetry of a recording as a table: a row for each report of each controller.
 ///
-/// The header has the units. Times are there twice, in ISO 8601 and as seconds since 1970, both UTC; the vehicle's own uptime
-/// goes on where its clock wraps after 71 minutes. What a controller did not report is empty: a silent one has no values, and
-/// firmware 2 has no temperature.
+/// The header has the units. Each row has its time twice, in ISO 8601 and as seconds since 1970, both in UTC, and the vehicle's
+/// uptime, which is corrected for the wrap of its clock after 71 minutes. Values that a controller did not report are empty: a
+/// silent one has no values, and firmware 2 has no temperature.
 #[derive(Args)]
 #[command(after_help = AFTER_HELP)]
 pub(crate) struct Csv {
     /// The recording, a tlog.
     log: PathBuf,
-    /// Writes into this file instead of standard output.
+    /// Writes to this file instead of standard output.
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
     #[command(flatten)]
     overwriting: Overwriting,
-    /// When the recording began, if the clock that recorded it was wrong: its first entry gets this time, and the others
-    /// follow as they do in the log.
+    /// The time when the recording began, if the recorder's clock was wrong. The first entry gets this time; the others keep
+    /// their distance from it.
     #[arg(long, value_name = "TIME", value_parser = time::parse)]
     epoch: Option<u64>,
     #[command(flatten)]

@@ -37,13 +37,13 @@ const PICTURE: Duration = Duration::from_millis(100);
 /// How far an arrow goes in a recording.
 const STEP_US: u64 = 10 * SECOND_US;
 
-/// Shows the motor controllers live: state, values and age of each, limits in colour, trends, totals, faults, and the link.
+/// Shows the motor controllers live: state, values and age of each, limits in colour, trends, totals, faults, quality of the link.
 #[derive(Args)]
 #[command(after_help = AFTER_HELP)]
 pub(crate) struct Monitor {
-    /// A recording, or where the vehicle is heard: udpin:, udpout:, udpbcast:, tcpin:, tcpout:HOST:PORT or serial:DEVICE:BAUD.
+    /// A recording, or the vehicle's address: udpin:, udpout:, udpbcast:, tcpin:, tcpout:HOST:PORT or serial:DEVICE:BAUD.
     source: String,
-    /// Prints lines once a second instead of a screen, for pipes.
+    /// Prints lines once a second instead of drawing a screen, for pipes.
     #[arg(long)]
     plain: bool,
     #[command(flatten)]
@@ -57,8 +57,8 @@ pub(crate) struct Monitor {
 }
 
 const AFTER_HELP: &str = "\
-Keys: q quits, tab shows the next vehicle, t another trend. In a recording space pauses, the arrows go 10 s back or on, page up \
-and page down a minute, home and end to its ends, - and + change the speed.
+Keys: q quits, tab shows the next vehicle, t another trend. In a recording, space pauses, the left and right arrows go 10 s back and \
+forward, page up and page down a minute, home and end to the start and the end; - and + change the speed.
 
 Examples:
   autoquad monitor udpin:0.0.0.0:14550

@@ -11,7 +11,7 @@ use crate::failure::Failure;
 /// Whether files may be overwritten.
 #[derive(Args, Clone, Copy, Debug, Default)]
 pub(crate) struct Overwriting {
-    /// Overwrite the file if it exists.
+    /// Overwrites the file if it exists.
     #[arg(long)]
     pub(crate) force: bool,
 }

@@ -20,18 +20,18 @@ use flight::Flight;
 /// DejaVu Sans, the characters that are needed: `font/LICENSE`.
 const FONT: &[u8] = include_bytes!("../font/DejaVuSans.ttf");
 
-/// Draws speed, current, voltage and temperature of each controller over time, with a mark where one failed or fell silent.
+/// Draws speed, current, voltage and temperature of each controller over time, and marks where one failed or fell silent.
 #[derive(Args)]
 #[command(after_help = AFTER_HELP)]
 pub(crate) struct Plot {
     /// The recording, a tlog.
     log: PathBuf,
-    /// The picture: .svg or .png; the recording's name with .svg if it is not given.
+    /// The picture to write, .svg or .png. By default, the recording's name with .svg.
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
     #[command(flatten)]
     overwriting: Overwriting,
-    /// The system id of the vehicle, where there are several; else it is the first.
+    /// The system id of the vehicle, if there are several. By default, the first.
     #[arg(long, value_name = "ID")]
     system: Option<u8>,
     /// Width and height in pixels.

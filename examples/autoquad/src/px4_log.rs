@@ -13,19 +13,19 @@ use crate::output::Overwriting;
 use crate::recording::read_whole;
 use crate::time;
 
-/// Shows the motor controllers in a log of PX4 (.ulg) of any release: a summary of each, or every report as a table.
+/// Shows the motor controllers in a PX4 ULog (.ulg) of any release: a summary of each, or every report as CSV.
 ///
-/// What the log does not say is empty. Motors are numbered since PX4 1.14; before, only the place of a controller is known, and
-/// before August 2019 not which of them answer. Temperatures of DroneCAN controllers in logs of PX4 1.9 are kelvin.
+/// A value that the log lacks is empty. Motor numbers exist since PX4 1.14; older logs have only the slot of a controller. Logs from
+/// before August 2019 do not say which controllers answer. In logs of PX4 1.9, temperatures of DroneCAN controllers are in kelvin.
 #[derive(Args)]
 #[command(after_help = AFTER_HELP)]
 pub(crate) struct Px4Log {
-    /// The log, a ULog.
+    /// The ULog to read.
     log: PathBuf,
     /// Writes every report as CSV to standard output.
     #[arg(long)]
     csv: bool,
-    /// Writes every report as CSV into this file.
+    /// Writes every report as CSV to this file.
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
     #[command(flatten)]

@@ -16,23 +16,22 @@ use files::{Files, Rotation};
 /// How often what was received is given to the system.
 const FLUSH: Duration = Duration::from_secs(1);
 
-/// Records everything that a link carries as a tlog, which every ground station reads.
+/// Records everything that a link carries as a tlog, which ground stations can read.
 ///
-/// AutoQuads are asked to report their motors. What was received is on its way to the disk a second later; Ctrl-C ends the
-/// recording with nothing lost.
+/// It requests motor telemetry from AutoQuads. Received frames are written every second; Ctrl-C ends the recording without loss.
 #[derive(Args)]
 #[command(after_help = AFTER_HELP)]
 pub(crate) struct Record {
-    /// Where the vehicle is heard: udpin:, udpout:, udpbcast:, tcpin:, tcpout:HOST:PORT or serial:DEVICE:BAUD.
+    /// The vehicle's address: udpin:, udpout:, udpbcast:, tcpin:, tcpout:HOST:PORT or serial:DEVICE:BAUD.
     address: String,
-    /// The tlog.
+    /// The tlog to write.
     log: PathBuf,
     #[command(flatten)]
     overwriting: Overwriting,
-    /// Begins another file after so many megabytes: flight.tlog, flight-2.tlog and so on.
+    /// Starts a new file after this many megabytes: flight.tlog, flight-2.tlog and so on.
     #[arg(long, value_name = "MB", value_parser = clap::value_parser!(u64).range(1..))]
     rotate_size: Option<u64>,
-    /// Begins another file after this time.
+    /// Starts a new file after this time.
     #[arg(long, value_name = "TIME", value_parser = rotation_time)]
     rotate_time: Option<Duration>,
     #[command(flatten)]

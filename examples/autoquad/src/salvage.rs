@@ -14,18 +14,18 @@ use crate::failure::Failure;
 use crate::output::Overwriting;
 use crate::recording::{bar, read_whole};
 
-/// Makes a tlog of a .mavlink log, as AutoQuad's QGroundControl wrote it from December 2012 on.
+/// Converts a .mavlink log, which AutoQuad's QGroundControl wrote from December 2012 on, to a tlog.
 ///
-/// Those logs lack the last eight bytes of every frame: its checksum, and the end of its payload. Fields that are lost, as a
-/// whole or in part, become zero; which messages they belong to is said at the end. Of motor telemetry only the ids of the
-/// third and the fourth controller of each batch are lost, and the firmware versions. The ids are counted on from the second,
-/// or taken from --ports; the version is that of --esc-version. AQ_TELEMETRY_F is left out, since its dataset's number is lost.
+/// In those logs every frame lacks its last eight bytes: the checksum and the end of the payload. Fields that are lost, fully or in
+/// part, become zero; the program lists their messages at the end. Motor telemetry lost only the ids of the third and the fourth
+/// controller of each batch, and the firmware versions. The ids are counted on from the second, or taken from --ports; the version
+/// is that of --esc-version. AQ_TELEMETRY_F is left out, because the number of its dataset is lost.
 #[derive(Args)]
 #[command(after_help = AFTER_HELP)]
 pub(crate) struct Salvage {
-    /// The .mavlink log.
+    /// The .mavlink log to read.
     log: PathBuf,
-    /// The tlog; the log's name with .tlog if it is not given.
+    /// The tlog to write. By default, the log's name with .tlog.
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
     #[command(flatten)]
@@ -34,7 +34,7 @@ pub(crate) struct Salvage {
     /// which measures the temperature.
     #[arg(long, value_name = "VERSION", default_value_t = 21)]
     esc_version: u8,
-    /// The motor ports that are in use, if they are not those from 1 on without a gap.
+    /// The motor ports in use, such as 1,2,3,4,5,8. By default, they count from 1 without a gap.
     #[arg(long, value_name = "PORTS", value_delimiter = ',', value_parser = clap::value_parser!(u8).range(1..=16))]
     ports: Vec<u8>,
 }

@@ -23,39 +23,39 @@ use crate::time;
 use streams::Streams;
 use vehicle::{ID, Vehicle};
 
-/// Makes up an AutoQuad that flies: its motors spool up and carry load, one controller fails, one falls silent.
+/// Simulates an AutoQuad in flight: its motors spool up and carry load, one controller fails, one falls silent.
 ///
 /// It sends what an AutoQuad sends: heartbeat, attitude, position, motor telemetry (AQ_ESC_TELEMETRY) and the datasets of
-/// AQ_TELEMETRY_F. Over a link, those two have to be asked for, as of a vehicle: by REQUEST_DATA_STREAM 13 and by
-/// MAV_CMD_AQ_TELEMETRY. The seed decides which motors are hit; the same seed makes the same flight. Motor ports 4, 8, 12 and 16
-/// have controllers with firmware 2.1, which counts errors, the others with 3.0, which measures the temperature.
+/// AQ_TELEMETRY_F. Over a link, the last two have to be requested, as from a real vehicle: with REQUEST_DATA_STREAM 13 and
+/// MAV_CMD_AQ_TELEMETRY. The seed decides which motors fail; the same seed gives the same flight. The controllers on motor ports 4,
+/// 8, 12 and 16 have firmware 2.1, which counts errors; the others have 3.0, which measures the temperature.
 #[derive(Args)]
 #[command(after_help = AFTER_HELP)]
 pub(crate) struct Simulate {
-    /// The address of the link to fly on: udpout:HOST:PORT, or any other.
+    /// The address to send to, such as udpout:HOST:PORT; any address of a link works.
     #[arg(required_unless_present = "tlog", conflicts_with = "tlog")]
     address: Option<String>,
-    /// Writes the whole flight into this log instead, faster than real time.
+    /// Writes the whole flight to this tlog instead, faster than real time.
     #[arg(long, value_name = "FILE")]
     tlog: Option<PathBuf>,
     #[command(flatten)]
     overwriting: Overwriting,
-    /// How many motors it has.
+    /// The number of motors.
     #[arg(long, value_name = "1-16", default_value_t = 4, value_parser = clap::value_parser!(u8).range(1..=16))]
     motors: u8,
-    /// The seed of all that is random.
+    /// The seed of all random values.
     #[arg(long, value_name = "NUMBER", default_value_t = 1)]
     seed: u64,
     /// How long the flight takes.
     #[arg(long, value_name = "TIME", default_value = "2m", value_parser = flight_time)]
     duration: Duration,
-    /// When the flight starts, in UTC; now if it is not given.
+    /// When the flight starts, in UTC. By default, now.
     #[arg(long, value_name = "TIME", value_parser = time::parse)]
     start: Option<u64>,
-    /// How many times a second the log has motor telemetry.
+    /// Motor telemetry in the tlog, times a second.
     #[arg(long, value_name = "HZ", default_value_t = 10, value_parser = clap::value_parser!(u16).range(1..=200))]
     rate: u16,
-    /// Over a link: how many times as fast as real time.
+    /// Over a link: how many times faster than real time.
     #[arg(long, value_name = "TIMES", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=100))]
     speed: u32,
 }

@@ -32,10 +32,10 @@ const LONG_SILENCE: Duration = Duration::from_secs(5);
 /// What is sent to vehicles.
 #[derive(Args, Clone, Copy, Debug)]
 pub(crate) struct Asking {
-    /// How many times a second AutoQuads are asked to report their motors.
+    /// Requests motor telemetry this many times a second.
     #[arg(long, value_name = "HZ", default_value_t = 10, value_parser = clap::value_parser!(u16).range(1..=200))]
     rate: u16,
-    /// Sends nothing at all, not even heartbeats: for listening beside a ground station that has asked already.
+    /// Sends nothing, not even heartbeats. Use it beside a ground station that requested the telemetry already.
     #[arg(long)]
     listen_only: bool,
 }
@@ -43,7 +43,7 @@ pub(crate) struct Asking {
 /// For how long a command runs.
 #[derive(Args, Clone, Copy, Debug)]
 pub(crate) struct Running {
-    /// Ends after this time; else by Ctrl-C.
+    /// Ends after this time. By default, Ctrl-C ends it.
     #[arg(long = "for", value_name = "TIME", value_parser = humantime::parse_duration)]
     time: Option<Duration>,
 }

@@ -20,16 +20,16 @@ use crate::telemetry::Firmware;
 /// Instances of a topic that PX4's tools read.
 const INSTANCES: u8 = 10;
 
-/// Writes the motor telemetry of a recording as a log of PX4, for PlotJuggler, pyulog or Flight Review.
+/// Writes the motor telemetry of a recording as a PX4 ULog, for PlotJuggler, pyulog or Flight Review.
 ///
-/// The log has the topic `esc_status`, an instance for each AutoQuad, with the time since it started. Of more than 12 motors the
-/// first 12 are written.
+/// The log has the topic `esc_status`, with one instance for each AutoQuad. Its times count from the vehicle's start. PX4 knows 12
+/// motors: of more than 12, the first 12 are written.
 #[derive(Args)]
 #[command(after_help = AFTER_HELP)]
 pub(crate) struct Ulog {
     /// The recording, a tlog.
     log: PathBuf,
-    /// The log of PX4; the recording's name with .ulg if it is not given.
+    /// The ULog to write. By default, the recording's name with .ulg.
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
     #[command(flatten)]

@@ -1,13 +1,13 @@
-//! Where a link goes to, as people write it.
+//! Addresses of links, as people write them.
 
 mod parse;
 
 use core::fmt;
 use std::string::String;
 
-/// Where a link goes to: what [`Link::connect`](super::Link::connect) reads, and made by `parse`.
+/// The address of a link, as [`Link::connect`](super::Link::connect) takes it; `parse` makes one.
 ///
-/// Addresses are spelled as in rust-mavlink; `udpin://0.0.0.0:14550`, as MAVSDK spells them, is read as well.
+/// Addresses have the form of rust-mavlink. The form of MAVSDK, `udpin://0.0.0.0:14550`, works as well.
 ///
 /// ```
 /// use mavlink_wire::link::Address;
@@ -21,11 +21,11 @@ use std::string::String;
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Address {
-    /// `udpin:0.0.0.0:14550`: listens there, and answers whom it hears.
+    /// `udpin:0.0.0.0:14550`: listens there, and sends to every peer that it heard.
     UdpIn(String),
     /// `udpout:192.168.0.7:14550`: sends there. A host may have a name.
     UdpOut(String),
-    /// `udpbcast:192.168.0.255:14550`: sends to all in that network.
+    /// `udpbcast:192.168.0.255:14550`: broadcasts to that network.
     UdpBroadcast(String),
     /// `tcpin:0.0.0.0:5760`: listens for a client, one at a time.
     TcpIn(String),
@@ -38,7 +38,7 @@ pub enum Address {
         /// Bits per second.
         baud: u32,
     },
-    /// `file:flight.tlog`: reads a log, or a stream of frames that was kept. A pipe with a name is waited for whatever the deadline is.
+    /// `file:flight.tlog`: reads a tlog or a raw stream of frames. Reading from a named pipe may take longer than the deadline.
     File(String),
 }
 
@@ -57,7 +57,7 @@ impl fmt::Display for Address {
     }
 }
 
-/// An address that no link goes to.
+/// A text that is no address of a link.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct AddressError {
     given: String,
@@ -77,13 +77,13 @@ enum Problem {
 }
 
 impl AddressError {
-    /// What was given.
+    /// The text that was given.
     #[must_use]
     pub fn given(&self) -> &str {
         &self.given
     }
 
-    /// What would be right, as far as one can guess.
+    /// The best guess of what was meant.
     #[must_use]
     pub fn right(&self) -> &str {
         &self.right

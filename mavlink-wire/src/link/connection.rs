@@ -33,10 +33,10 @@ use crate::{ComponentId, Encode, Frame, Losses, Sender, SystemId};
 use send::Outgoing;
 use stream::Stream;
 
-/// Frames from and to whoever is at an address.
+/// Sends frames to an address and receives them.
 ///
-/// A link is two halves; [`split`](Self::split) gives them to two threads, and [`sending`](Self::sending) gives another hand on
-/// the half that sends.
+/// A link has two halves. [`split`](Self::split) returns them, for two threads. [`sending`](Self::sending) returns another handle
+/// of the half that sends.
 #[derive(Debug)]
 pub struct Link {
     receiving: ReceiveHalf,
@@ -53,12 +53,12 @@ struct Opened {
 }
 
 impl Link {
-    /// Opens a link to this address: one of those that [`Address`] has.
+    /// Opens a link to this address, as [`Address`] describes it.
     ///
     /// # Errors
     ///
-    /// Why it does not open: the address is wrong, in use, or nobody is there. The first attempt has to succeed; afterwards
-    /// a link connects again by itself.
+    /// The address is wrong or in use, or nobody is there. The first attempt has to succeed; afterwards the link reconnects by
+    /// itself.
     pub fn connect(address: &str, options: Options) -> Result<Self, LinkError> {
         let Opened { shared, line, receiving, sending, is_stream } = open(&address.parse()?, &options)?;
         let (peers, shared) = (shared.peers.clone(), Arc::new(shared));
@@ -74,13 +74,13 @@ impl Link {
         })
     }
 
-    /// Both halves, for two threads.
+    /// Splits the link into both halves, for two threads.
     #[must_use]
     pub fn split(self) -> (ReceiveHalf, SendHalf) {
         (self.receiving, self.sending)
     }
 
-    /// Another hand on the half that sends, for another thread.
+    /// Another handle of the half that sends, for another thread.
     #[must_use]
     pub fn sending(&self) -> SendHalf {
         self.sending.clone()

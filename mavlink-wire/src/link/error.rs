@@ -7,11 +7,11 @@ use std::string::String;
 use super::AddressError;
 use crate::EncodeError;
 
-/// Why a link cannot be opened, or does not do what it is asked to. The text says what to do.
+/// Why a link cannot be opened, or why an operation failed. The text says what to do.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum LinkError {
-    /// The address is wrong: [`AddressError::right`] has what would be right.
+    /// The address is wrong; [`AddressError::right`] suggests a right one.
     Address(AddressError),
     /// Another program listens there, or has the device.
     InUse {
@@ -28,37 +28,37 @@ pub enum LinkError {
         /// As it was given.
         path: String,
     },
-    /// The system does not let this user.
+    /// This user lacks the permission.
     NoPermission {
         /// The address, the device or the file.
         address: String,
     },
-    /// Nobody is there: refused, no way there, no such host, or no answer.
+    /// Nobody is there: connection refused, no route, no such host, or no answer.
     Unreachable {
         /// The address.
         address: String,
-        /// What the system says.
+        /// The error of the system.
         reason: io::Error,
     },
-    /// This is built without what the address needs.
+    /// The crate was built without the feature that the address needs.
     Feature {
-        /// The feature of this crate that has it.
+        /// The feature of this crate.
         name: &'static str,
     },
-    /// One cannot listen there: this machine has no such address.
+    /// Cannot listen there: this machine does not have the address.
     NotHere {
         /// The address.
         address: String,
     },
-    /// The message cannot be carried, or not to whoever listens.
+    /// The message cannot be encoded for this peer, or may not be sent to everybody.
     Encode(EncodeError),
-    /// The other side, or the system, takes no more bytes now. The message was not sent and has no number.
+    /// The other side, or the system, takes no more bytes now. The message was not sent and used no sequence number.
     Full,
     /// The end of the file.
     Ended,
-    /// The link was closed here, or lost by one that does not connect again.
+    /// The link was closed here, or its connection was lost and it does not reconnect.
     Closed,
-    /// What else the system says.
+    /// Any other error of the system.
     Io(io::Error),
 }
 

@@ -13,7 +13,7 @@ use crate::{Sender, Table, Version};
 /// How long a send waits for room if nothing else is said.
 const SEND_TIMEOUT: Duration = Duration::from_secs(1);
 
-/// How a link behaves: what it knows, who it is, whom it trusts.
+/// Options of a link: its table of messages, its sender, timeouts, and whose frames it accepts.
 ///
 /// ```
 /// use core::time::Duration;
@@ -39,8 +39,8 @@ pub struct Options {
 }
 
 impl Options {
-    /// A link that verifies the messages of this table, and sends what this sender makes: with its ids, with its signature,
-    /// and in its version until the peer is heard, who is then spoken to in his own.
+    /// A link that verifies the messages of this table, and sends with the ids and the signature of this sender. It uses the
+    /// sender's version of MAVLink until it hears the peer, and then the peer's version.
     #[must_use]
     pub const fn new(table: &'static Table<'static>, sender: Sender) -> Self {
         Self {
@@ -58,44 +58,43 @@ impl Options {
         }
     }
 
-    /// The same that sends in this version alone, whatever a peer speaks. Some autopilots speak MAVLink 1 until they hear
-    /// MAVLink 2.
+    /// Always sends this version of MAVLink, whatever a peer sends. Some autopilots send MAVLink 1 until they receive MAVLink 2.
     #[must_use]
     pub const fn with_version(mut self, version: Version) -> Self {
         self.version = Some(version);
         self
     }
 
-    /// The same with room for so many peers, instead of 16. For `udpin` and `udpbcast`.
+    /// Sets the greatest number of peers, instead of 16. For `udpin` and `udpbcast`.
     #[must_use]
     pub const fn with_peer_limit(mut self, limit: usize) -> Self {
         self.peer_limit = Some(limit);
         self
     }
 
-    /// The same that forgets a peer when it has been silent for so long, instead of 3 seconds. For UDP.
+    /// Sets the silence after which a peer is forgotten, instead of 3 seconds. For UDP.
     #[must_use]
     pub const fn with_peer_expiry(mut self, silence: Duration) -> Self {
         self.peer_expiry = Some(silence);
         self
     }
 
-    /// The same whose sends wait so long for room in a full buffer, instead of 1 second; at least a millisecond.
+    /// Sets how long a send waits for room in a full buffer, instead of 1 second. At least a millisecond.
     #[must_use]
     pub const fn with_send_timeout(mut self, timeout: Duration) -> Self {
         self.send_timeout = timeout;
         self
     }
 
-    /// The same that is closed when the connection or the device is lost, instead of opening it again.
+    /// Closes the link when the connection or the device is lost, instead of reopening it.
     #[must_use]
     pub const fn without_reconnecting(mut self) -> Self {
         self.reconnects = false;
         self
     }
 
-    /// The same that hands over only what this verifier trusts, by the clock of the system; on UDP, only who signs is a peer.
-    /// Files are handed over as they are: they are older than any clock allows.
+    /// Returns only frames that this verifier trusts, by the system's clock. On UDP, only a sender of signed frames is a peer.
+    /// Files are not verified, because their frames are too old for any clock.
     #[cfg(feature = "signing")]
     #[must_use]
     pub fn with_verifier(mut self, verifier: Verifier) -> Self {
@@ -103,9 +102,9 @@ impl Options {
         self
     }
 
-    /// The same with a rule of yours for frames that no signature vouches for: unsigned ones, and those whose signature is
-    /// wrong or old. Else it is `RADIO_STATUS` alone that passes. `|frame| frame.signature().is_none()` takes what is not
-    /// signed. What passes by the rule makes no peer on UDP.
+    /// Sets a rule for frames without a valid signature: unsigned ones, and those whose signature is wrong or old. Without a
+    /// rule, only `RADIO_STATUS` passes. `|frame| frame.signature().is_none()` accepts unsigned frames. On UDP, a frame that
+    /// passes by the rule does not make its sender a peer.
     #[cfg(feature = "signing")]
     #[must_use]
     pub fn with_unsigned(mut self, allow: fn(&Frame<'_>) -> bool) -> Self {

@@ -3,7 +3,7 @@
 use core::fmt;
 use std::net::SocketAddr;
 
-/// Who is at the other end of a link: an address of UDP or TCP, or whoever is behind the cable or in the file.
+/// The other end of a link: a UDP or TCP address, the device behind a serial port, or the file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Peer {
     address: Option<SocketAddr>,

@@ -4,19 +4,19 @@ use std::sync::{Mutex, PoisonError};
 
 use crate::Statistics;
 
-/// What a link has received and sent so far.
+/// Counts of what a link received and sent so far.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub struct LinkStatistics {
-    /// What was found in the bytes that came, and what could not be read.
+    /// Frames found in the received bytes, and bytes that could not be read.
     pub received: Statistics,
-    /// Frames that the verifier refused. They are counted as received, too.
+    /// Frames that the verifier refused. They also count as received.
     pub refused: u64,
     /// Frames sent; one that went to three peers counts three times.
     pub sent: u64,
-    /// Frames that were not sent, or not wholly: no room, or the connection was lost.
+    /// Frames that were not sent, or only in part: the buffer was full, or the connection was lost.
     pub unsent: u64,
-    /// How often the link was opened; what is above one is connections that were made again.
+    /// How often the link was opened; each time after the first is a reconnection.
     pub connections: u64,
 }
 

@@ -1,4 +1,4 @@
-//! The same links for async tasks. Needs the feature `tokio`; serial ports need `tokio-serial`.
+//! The links of [`link`](super) for async tasks. Needs the feature `tokio`; serial ports need `tokio-serial`.
 //!
 //! ```
 //! # use mavlink_wire::{Encode, MessageInfo, Table};
@@ -33,14 +33,16 @@
 //!
 //! Addresses, [`Options`], errors and behaviour are those of [`link`](super).
 //!
-//! # Dropped futures
+//! # Cancel safety
 //!
-//! Every future may be dropped before it is ready, as `select!` and `timeout` do: no byte is lost and no frame torn. A `receive`
-//! that was dropped has received nothing; the next one goes on where it was. A `send` that was dropped has sent nothing and
-//! taken no number, or the frame is kept and goes out before the next one.
+//! Every future may be dropped before it is ready, as `select!` and `timeout` do: no byte is lost and no frame torn. If you drop a
+//! `receive`, it received nothing, and the next one goes on from there. If you drop a `send`, either nothing was sent and no
+//! sequence number used, or the frame is kept and goes out before the next one.
 //!
-//! The runtime needs its drivers for io and time: `enable_all`. While a connection is being made again, a link looks after it
-//! every 20 ms, when one of its futures is polled.
+//! # Runtime
+//!
+//! The runtime needs its drivers for io and time: `enable_all`. A link reconnects only while one of its futures is polled; then it
+//! tries every 20 ms whether the connection is ready.
 
 mod ends;
 mod open;
@@ -66,9 +68,9 @@ use super::{LinkError, LinkStatistics, Options, Peer};
 use crate::signing::Verifier;
 use crate::{ComponentId, Encode, Frame, Losses, Sender, SystemId};
 
-/// Frames from and to whoever is at an address, for async tasks.
+/// Sends frames to an address and receives them, for async tasks.
 ///
-/// A link is two halves; [`split`](Self::split) gives them to two tasks, and [`sending`](Self::sending) gives another hand on
+/// A link has two halves. [`split`](Self::split) returns them, for two tasks. [`sending`](Self::sending) returns another handle of
 /// the half that sends.
 #[derive(Debug)]
 pub struct Link {
@@ -105,24 +107,24 @@ impl Common {
 }
 
 impl Link {
-    /// Opens a link to this address: one of those that [`Address`](super::Address) has. Call it in a runtime of tokio.
+    /// Opens a link to this address, as [`Address`](super::Address) describes it. Call it in a tokio runtime.
     ///
     /// # Errors
     ///
-    /// Why it does not open: the address is wrong, in use, or nobody is there. The first attempt has to succeed; afterwards
-    /// a link connects again by itself.
+    /// The address is wrong or in use, or nobody is there. The first attempt has to succeed; afterwards the link reconnects by
+    /// itself.
     pub async fn connect(address: &str, options: Options) -> Result<Self, LinkError> {
         let (receiving, sending) = open::open(&address.parse()?, &options).await?;
         Ok(Self { receiving, sending })
     }
 
-    /// Both halves, for two tasks.
+    /// Splits the link into both halves, for two tasks.
     #[must_use]
     pub fn split(self) -> (ReceiveHalf, SendHalf) {
         (self.receiving, self.sending)
     }
 
-    /// Another hand on the half that sends, for another task.
+    /// Another handle of the half that sends, for another task.
     #[must_use]
     pub fn sending(&self) -> SendHalf {
         self.sending.clone()

@@ -1,6 +1,6 @@
 //! Typed commands: an entry of `MAV_CMD` with its params as fields, over `COMMAND_LONG` and `COMMAND_INT`.
 //!
-//! A command says which param each of its fields is; what the two messages make of a param is here, once for all.
+//! A command says which param each of its fields is. The conversion of params to both messages is here.
 
 mod carrier;
 mod error;
@@ -12,16 +12,16 @@ use crate::{ComponentId, Message, SystemId};
 
 /// A command of a dialect: an entry of `MAV_CMD`, with its params as fields.
 ///
-/// [`AsLong::long`] and [`AsInt::int`] make messages of it; `TryFrom` of a reference to either message reads it, and refuses
-/// another command. Params without a field are sent as the XML says of them, and not looked at when they come.
+/// [`AsLong::long`] and [`AsInt::int`] make messages of it. `TryFrom` of a reference to either message reads it, and fails for
+/// another command. Params without a field are sent with their default, and ignored on receipt.
 pub trait Command: Copy + 'static {
     /// Its number in `MAV_CMD`.
     const ID: u16;
 
-    /// Each param as the XML says. Where it says nothing, a coordinate is NaN ("not known"), and all else is zero.
+    /// The defaults of the XML. Without one, a coordinate is NaN ("not known"), and any other param zero.
     const DEFAULT: Self;
 
-    /// Which param each field is: gives the fields to a message that is made, and takes them from one that came.
+    /// Maps fields to params: writes the fields to a message that is being made, and reads them from a received one.
     #[doc(hidden)]
     fn params(&mut self, params: &mut Params);
 }
@@ -31,11 +31,11 @@ pub trait AsLong: Command {
     /// The dialect's `COMMAND_LONG`.
     type Long: Message;
 
-    /// The command to this system and component, zero being all of them. Each param is the nearest float: a place is off by up
-    /// to a metre, which [`AsInt::int`] is not.
+    /// The command for this system and component; zero means all. Each param is sent as the nearest float, so that latitude and
+    /// longitude are off by up to a metre. [`AsInt::int`] sends them exactly.
     ///
     /// # Errors
-    /// [`CommandError::Param`] if the value of an enum is no float, or a number is beyond all floats.
+    /// [`CommandError::Param`] if a float cannot represent the value of an enum, or a number is greater than any float.
     #[inline]
     fn long(
         &self,
@@ -48,7 +48,7 @@ pub trait AsLong: Command {
     }
 }
 
-/// A command of a dialect that has `COMMAND_INT`: params 5 and 6 are integers, so that places are exact.
+/// A command of a dialect that has `COMMAND_INT`: params 5 and 6 are integers, so that coordinates are exact.
 pub trait AsInt: Command {
     /// The dialect's `COMMAND_INT`.
     type Int: Message;
@@ -56,13 +56,13 @@ pub trait AsInt: Command {
     /// The dialect's `MAV_FRAME`.
     type Frame: Into<u8>;
 
-    /// The command to this system and component, zero being all of them. The frame says what coordinates are: latitude and
-    /// longitude are sent in 1e-7 degrees, in local frames they are x and y in 1e-4 metres. A command without a place does not look
-    /// at the frame.
+    /// The command for this system and component; zero means all. The frame says how coordinates are sent: latitude and longitude
+    /// in 1e-7 degrees, or in local frames x and y in 1e-4 metres. A command without coordinates ignores the frame.
     ///
     /// # Errors
-    /// [`CommandError::Param`] if param 5 or 6 is no `int32_t`: beyond it, or not whole where it is no coordinate; or if the value
-    /// of an enum is no float. [`CommandError::Frame`] if coordinates have no meaning in the frame.
+    /// - [`CommandError::Param`] if param 5 or 6 does not fit an `int32_t`, or is not a whole number although it is no coordinate.
+    /// - [`CommandError::Param`] if a float cannot represent the value of an enum.
+    /// - [`CommandError::Frame`] if coordinates have no meaning in the frame.
     #[inline]
     fn int(
         &self,
@@ -96,7 +96,7 @@ fn payload<M: Message>(message: &M) -> [u8; crate::MAX_PAYLOAD] {
     payload
 }
 
-/// Completes a command: `Default`, and the messages of the dialect that carry it.
+/// Implements the rest of a command: `Default`, and the conversions to the dialect's messages that carry it.
 ///
 /// `command!(NavTakeoff, long CommandLong, int CommandInt, MavFrame)`; a dialect has both messages, or one.
 #[macro_export]

@@ -49,7 +49,7 @@ impl Carrier {
 }
 
 impl ReceiveHalf {
-    /// The next frame; waits for it as long as it takes. While nobody is there, it waits for somebody to come.
+    /// The next frame. Waits without a limit, also while nobody is there.
     ///
     /// # Errors
     ///
@@ -62,7 +62,7 @@ impl ReceiveHalf {
         }
     }
 
-    /// The next frame; `None` if there was none until then. Bytes without a frame do not make it later.
+    /// The next frame; `None` if there was none by the deadline. Garbage cannot delay it.
     ///
     /// # Errors
     ///
@@ -71,7 +71,7 @@ impl ReceiveHalf {
         Ok(self.deliver(Some(deadline))?.map(|(frame, _)| frame))
     }
 
-    /// The next frame, and who sent it; `None` if there was none until then.
+    /// The next frame, and who sent it; `None` if there was none by the deadline.
     ///
     /// # Errors
     ///
@@ -90,19 +90,19 @@ impl ReceiveHalf {
         self.shared.counters.with(received, self.inbox.refused)
     }
 
-    /// What was lost on the way, by component, as far as the numbers of the frames tell.
+    /// Lost frames by component, counted by sequence numbers.
     #[must_use]
     pub const fn losses(&self) -> &Losses {
         &self.losses
     }
 
-    /// What says which frames to trust, if something does; its time and its streams are to be saved.
+    /// The verifier of signatures, if there is one. Save its time and its streams.
     #[cfg(feature = "signing")]
     pub fn verifier(&mut self) -> Option<&mut Verifier> {
         self.inbox.verifier.as_mut()
     }
 
-    /// Trusts what this verifier trusts from now on, or everything: for a key that was given out.
+    /// From now on, checks signatures with this verifier; with `None`, trusts every frame. Use it after a new key was sent.
     #[cfg(feature = "signing")]
     pub fn set_verifier(&mut self, verifier: Option<Verifier>) {
         self.inbox.verifier = verifier;

@@ -15,7 +15,7 @@ use crate::link::shared::Shared;
 use crate::link::{LinkError, Outbox, Parcel, Peer};
 use crate::{ComponentId, Encode, EncodeError, Frame, Sender, SystemId};
 
-/// The half of a [`Link`](super::Link) that sends. A clone is another hand on the same: several threads may send.
+/// The half of a [`Link`](super::Link) that sends. A clone is another handle of the same half: several threads may send.
 #[derive(Clone)]
 pub struct SendHalf {
     pub(super) shared: Arc<Shared>,
@@ -43,15 +43,15 @@ pub(super) enum Carrier {
 }
 
 impl SendHalf {
-    /// Sends a message to whoever is at the other end: on `udpin` to all peers, to each in its version, under one number.
-    /// Gives to how many: none if nobody is there now, which is no error.
+    /// Sends a message to the other end: with `udpin` to all peers, to each in its version of MAVLink, with one sequence number.
+    /// Returns the number of peers: 0 if nobody is there now, which is no error.
     ///
     /// # Errors
     ///
-    /// - [`LinkError::Full`]: there was no room within the time that [`Options`](crate::link::Options) say. It was not sent.
-    /// - [`LinkError::Encode`]: the version of a peer cannot carry it; the others have got it. Or it is a `SETUP_SIGNING`, and
-    ///   anybody may be at the other end: name a peer with [`send_to`](Self::send_to).
-    /// - [`LinkError::Closed`], or what the system says.
+    /// - [`LinkError::Full`]: the buffer stayed full for the time in [`Options`](crate::link::Options). The message was not sent.
+    /// - [`LinkError::Encode`]: the version of a peer cannot carry the message; the other peers got it. Or it is a `SETUP_SIGNING`,
+    ///   which may reach anybody: name a peer with [`send_to`](Self::send_to).
+    /// - [`LinkError::Closed`], or an error of the system.
     pub fn send(&self, message: &(impl Encode + ?Sized)) -> Result<usize, LinkError> {
         if message.info().id == SETUP_SIGNING && self.shared.is_open_to_all {
             return Err(EncodeError::CarriesKey.into());
@@ -73,12 +73,12 @@ impl SendHalf {
         self.carry(&mut outgoing, parcel).and_then(|count| is_sent(count, peer))
     }
 
-    /// Sends a received frame as it came, to the byte: for routers. One that is to have a number, or a signature, of this link
-    /// is made by [`Sender::renumber`] before.
+    /// Sends a received frame byte for byte, for routers. To give it a sequence number or a signature of this link, call
+    /// [`Sender::renumber`] before.
     ///
     /// # Errors
     ///
-    /// As of [`send`](Self::send). A frame with a [key](Frame::carries_key) is not sent on.
+    /// As of [`send`](Self::send). A frame with a [key](Frame::carries_key) is not forwarded.
     pub fn send_frame(&self, frame: &Frame<'_>) -> Result<usize, LinkError> {
         let mut outgoing = self.ready()?;
         let parcel = outgoing.outbox.forward_to_all(frame)?;
@@ -108,18 +108,18 @@ impl SendHalf {
         self.with_sender(|sender| sender.component_id())
     }
 
-    /// Does something with what makes the frames: give it a key, save its time. Nothing is sent meanwhile.
+    /// Changes or reads the [`Sender`], for example to give it a key, save its time. Nothing is sent meanwhile.
     pub fn with_sender<R>(&self, change: impl FnOnce(&mut Sender) -> R) -> R {
         change(&mut self.lock().outbox.sender)
     }
 
-    /// Who is at the other end now, the one that was heard last in front. Behind `udpout` and `udpbcast`, who has answered.
+    /// The peers now, the one heard last first. With `udpout` and `udpbcast`, those who answered.
     #[must_use]
     pub fn peers(&self) -> Vec<Peer> {
         self.shared.peers.all(Instant::now())
     }
 
-    /// Forgets a peer; whether it was one. If it sends again, it is a peer again.
+    /// Forgets a peer, and returns whether it was one. If it sends again, it is a peer again.
     pub fn remove_peer(&self, peer: Peer) -> bool {
         self.shared.peers.remove(peer, Instant::now())
     }
@@ -136,7 +136,7 @@ impl SendHalf {
         self.line.as_ref().and_then(|line| line.trouble())
     }
 
-    /// Where `udpin` and `tcpin` listen: with port 0, the system has picked one.
+    /// The address on which `udpin` and `tcpin` listen. If you gave port 0, it has the port that the system chose.
     #[must_use]
     pub fn local_addr(&self) -> Option<SocketAddr> {
         self.shared.local

@@ -21,7 +21,7 @@ use crate::link::line::{End, Line};
 use crate::link::{LinkError, Outbox, Parcel, Peer};
 use crate::{ComponentId, Encode, EncodeError, Frame, Sender, SystemId};
 
-/// The half of a [`Link`](super::Link) that sends. A clone is another hand on the same: several tasks may send.
+/// The half of a [`Link`](super::Link) that sends. A clone is another handle of the same half: several tasks may send.
 #[derive(Clone)]
 pub struct SendHalf {
     common: Arc<Common>,
@@ -57,16 +57,16 @@ impl SendHalf {
         self.line.as_ref().map_or(Ok(true), |line| line.try_first())
     }
 
-    /// Sends a message to whoever is at the other end: on `udpin` to all peers, to each in its version, under one number.
-    /// Gives to how many: none if nobody is there now, which is no error. May be dropped: then it was not sent, or goes out
-    /// before the next one.
+    /// Sends a message to the other end: with `udpin` to all peers, to each in its version of MAVLink, with one sequence number.
+    /// Returns the number of peers: 0 if nobody is there now, which is no error. Cancel safe: the message was not sent, or
+    /// goes out before the next one.
     ///
     /// # Errors
     ///
-    /// - [`LinkError::Full`]: there was no room within the time that [`Options`](crate::link::Options) say. It was not sent.
-    /// - [`LinkError::Encode`]: the version of a peer cannot carry it; the others have got it. Or it is a `SETUP_SIGNING`, and
-    ///   anybody may be at the other end: name a peer with [`send_to`](Self::send_to).
-    /// - [`LinkError::Closed`], or what the system says.
+    /// - [`LinkError::Full`]: the buffer stayed full for the time in [`Options`](crate::link::Options). The message was not sent.
+    /// - [`LinkError::Encode`]: the version of a peer cannot carry the message; the other peers got it. Or it is a `SETUP_SIGNING`,
+    ///   which may reach anybody: name a peer with [`send_to`](Self::send_to).
+    /// - [`LinkError::Closed`], or an error of the system.
     pub async fn send(&self, message: &(impl Encode + ?Sized)) -> Result<usize, LinkError> {
         if message.info().id == SETUP_SIGNING && self.common.shared.is_open_to_all {
             return Err(EncodeError::CarriesKey.into());
@@ -88,12 +88,12 @@ impl SendHalf {
         self.carry(&mut way, [parcel].into()).await.and_then(|count| is_sent(count, peer))
     }
 
-    /// Sends a received frame as it came, to the byte: for routers. One that is to have a number, or a signature, of this link
-    /// is made by [`Sender::renumber`] before.
+    /// Sends a received frame byte for byte, for routers. To give it a sequence number or a signature of this link, call
+    /// [`Sender::renumber`] before.
     ///
     /// # Errors
     ///
-    /// As of [`send`](Self::send). A frame with a [key](Frame::carries_key) is not sent on.
+    /// As of [`send`](Self::send). A frame with a [key](Frame::carries_key) is not forwarded.
     pub async fn send_frame(&self, frame: &Frame<'_>) -> Result<usize, LinkError> {
         let mut way = self.ready().await?;
         let parcel = self.lock().forward_to_all(frame)?;
@@ -123,18 +123,18 @@ impl SendHalf {
         self.with_sender(|sender| sender.component_id())
     }
 
-    /// Does something with what makes the frames: give it a key, save its time.
+    /// Changes or reads the [`Sender`], for example to give it a key, save its time.
     pub fn with_sender<R>(&self, change: impl FnOnce(&mut Sender) -> R) -> R {
         change(&mut self.lock().sender)
     }
 
-    /// Who is at the other end now, the one that was heard last in front. Behind `udpout` and `udpbcast`, who has answered.
+    /// The peers now, the one heard last first. With `udpout` and `udpbcast`, those who answered.
     #[must_use]
     pub fn peers(&self) -> Vec<Peer> {
         self.common.shared.peers.all(Instant::now())
     }
 
-    /// Forgets a peer; whether it was one. If it sends again, it is a peer again.
+    /// Forgets a peer, and returns whether it was one. If it sends again, it is a peer again.
     pub fn remove_peer(&self, peer: Peer) -> bool {
         self.common.shared.peers.remove(peer, Instant::now())
     }
@@ -151,7 +151,7 @@ impl SendHalf {
         self.line.as_ref().and_then(|line| line.trouble())
     }
 
-    /// Where `udpin` and `tcpin` listen: with port 0, the system has picked one.
+    /// The address on which `udpin` and `tcpin` listen. If you gave port 0, it has the port that the system chose.
     #[must_use]
     pub fn local_addr(&self) -> Option<SocketAddr> {
         self.common.shared.local

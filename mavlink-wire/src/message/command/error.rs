@@ -3,7 +3,7 @@
 use core::error::Error;
 use core::fmt;
 
-/// A message cannot carry a command, or does not.
+/// A message cannot carry this command, or carries another one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(::defmt::Format))]
 #[non_exhaustive]
@@ -15,14 +15,14 @@ pub enum CommandError {
         /// The number of the command that came.
         found: u16,
     },
-    /// A param is not what it has to be.
+    /// The value of a param is not allowed.
     Param {
-        /// Which: 1 to 7.
+        /// The number of the param, 1 to 7.
         index: u8,
         /// What is wrong with it.
         error: ParamError,
     },
-    /// Coordinates have no meaning in this frame, so that nobody can say what `x` and `y` are.
+    /// Coordinates have no meaning in this frame.
     Frame {
         /// Its number in `MAV_FRAME`.
         frame: u8,
@@ -34,11 +34,11 @@ pub enum CommandError {
 #[cfg_attr(feature = "defmt", derive(::defmt::Format))]
 #[non_exhaustive]
 pub enum ParamError {
-    /// It is beyond what the message carries, or what the field can be.
+    /// The message, or the field, cannot hold the value.
     OutOfRange,
     /// It has to be a whole number.
     NotWhole,
-    /// The value of an enum is a whole number that no float is: one above 2²⁴.
+    /// A float cannot represent the value of an enum exactly; possible above 2²⁴.
     NoFloat,
 }
 
