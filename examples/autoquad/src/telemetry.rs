@@ -8,7 +8,7 @@ use mavlink_autoquad::wire::{Frame, ViewError};
 /// What somebody has to know of the controllers, because they do not tell.
 #[derive(Args, Clone, Copy, Debug, Default)]
 pub(crate) struct Firmware {
-    /// The controllers' firmware is from before 2014-12-09, which lays the bits out otherwise.
+    /// Reads the bit layout of controllers with firmware from before 2014-12-09.
     #[arg(long)]
     pub(crate) legacy: bool,
 }

@@ -1,4 +1,4 @@
-//! Who carries commands out.
+//! The component side of commands.
 
 use core::time::Duration;
 
@@ -14,7 +14,7 @@ const REMEMBERED: Duration = Duration::from_secs(3);
 /// How often the progress of a running command is reported if nothing changes.
 const REPORTED: Duration = Duration::from_secs(1);
 
-/// Hands out the commands to this component, once each, and answers them. Up to `N` of them run or are remembered.
+/// Reports each command for this component once, and sends the answers. Up to `N` commands run or are remembered.
 ///
 /// ```text
 ///            command              finish
@@ -28,9 +28,9 @@ const REPORTED: Duration = Duration::from_secs(1);
 /// ```
 ///
 /// - Every [`Request`] needs an answer, sooner or later: [`finish`](Self::finish). Unknown commands are `UNSUPPORTED`.
-/// - A `COMMAND_LONG` that is sent again says so; it is carried out once even if its acknowledgement is lost. A `COMMAND_INT` says
-///   nothing of the kind: within the same three seconds only a frame that the link doubled is recognised.
-/// - The same command with other parameters while it runs, and what finds no free place, is `TEMPORARILY_REJECTED`.
+/// - A repeated `COMMAND_LONG` is recognised by its `confirmation`, and reported once even if the acknowledgement was lost. A
+///   `COMMAND_INT` has no `confirmation`: only a frame that the link doubled is recognised, within the same three seconds.
+/// - The same command with other parameters while it runs, and a command without a free place, is `TEMPORARILY_REJECTED`.
 #[derive(Clone, Debug)]
 pub struct Component<const N: usize = 4> {
     own: Address,
@@ -58,13 +58,13 @@ pub struct Ticket {
     generation: u16,
 }
 
-/// What a [`Component`] tells.
+/// What a [`Component`] reports.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Event {
     /// Carry this out.
     Request(Request),
-    /// The sender would like this one stopped: [`finish`](Component::finish) it as `CANCELLED`, or carry on.
+    /// The sender asks to stop this command: [`finish`](Component::finish) it as `CANCELLED`, or carry on.
     Cancel(Ticket),
 }
 
@@ -134,9 +134,9 @@ impl<const N: usize> Component<N> {
         Self { own, slots: [Slot::FREE; N], request: None, bounced: None }
     }
 
-    /// Reports progress in percent; `None` is unknown. It is repeated every second from then on.
+    /// Reports progress in percent; `None` is unknown. The report is repeated every second.
     ///
-    /// Gives `false` if the command has come to its end.
+    /// Returns `false` if the command has ended.
     pub fn progress(&mut self, ticket: Ticket, progress: Option<u8>, now: Instant) -> bool {
         let Some(slot) = self.active(ticket) else { return false };
         slot.progress = progress.and_then(percent).unwrap_or(u8::MAX);
@@ -144,9 +144,9 @@ impl<const N: usize> Component<N> {
         true
     }
 
-    /// Answers a command for good: `ACCEPTED`, or why not. `IN_PROGRESS` is no end: that is [`progress`](Self::progress).
+    /// Ends a command: `ACCEPTED`, or the reason why not. For `IN_PROGRESS`, use [`progress`](Self::progress).
     ///
-    /// Gives `false` if the command has come to its end.
+    /// Returns `false` if the command has ended already.
     pub fn finish(&mut self, ticket: Ticket, result: MavResult, now: Instant) -> bool {
         self.finish_with(ticket, result, 0, now)
     }

@@ -1,4 +1,4 @@
-//! Who sends commands.
+//! The station side of commands.
 
 use core::time::Duration;
 
@@ -26,9 +26,9 @@ use crate::{Address, Instant, Operation, Outgoing, Output, Retry, Service, Updat
 ///    COMMAND_CANCEL again
 /// ```
 ///
-/// - Answers count that come from the peer, name the command, and are for this component or, as MAVLink 1 has no room for
-///   addressees, for nobody in particular. They have no number: an answer to the same command of before is taken for this one's.
-/// - While it runs, the command is not sent again. Silence ends it, and so does the limit, however much progress is reported.
+/// - An answer counts if it comes from the peer, names the command, and is for this component or without a target (as in MAVLink 1).
+///   Answers have no number: a late answer to an earlier command of the same kind is taken for the answer to this one.
+/// - While it runs, the command is not sent again. It times out after silence, and after the limit in spite of reported progress.
 /// - A command to component 0 is answered by all components; the first final answer counts.
 #[derive(Clone, Debug)]
 pub struct Send {
@@ -56,7 +56,7 @@ enum Stage {
     Done,
 }
 
-/// How patient a [`Send`] is.
+/// Timeouts and retries of a [`Send`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Options {
     /// Until the first acknowledgement, and of a `COMMAND_CANCEL`.
@@ -79,7 +79,7 @@ impl Default for Options {
     }
 }
 
-/// The peer is at it.
+/// The peer is carrying out the command.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Progress {
     /// The command.

@@ -22,7 +22,7 @@ use crate::param::{List, ListProgress, Listed, Name, ParamValue, Read, Which, Wr
 use crate::timesync::{Measure, Offset};
 use crate::{Address, Instant, Operation, Outgoing, Output, Update};
 
-/// A ground station: it waits for a vehicle, and asks it for things.
+/// A ground station: waits for a vehicle, and has a method for each operation.
 ///
 /// ```no_run
 /// use mavlink_services::Station;
@@ -34,8 +34,8 @@ use crate::{Address, Instant, Operation, Outgoing, Output, Update};
 /// # Ok::<(), mavlink_services::Error>(())
 /// ```
 ///
-/// It sends its heartbeat and watches the vehicle's whenever it waits for something. Between two operations, let it
-/// [receive](Self::receive_until).
+/// It sends its heartbeat and watches the vehicle's only while it waits for something. Between two operations, call
+/// [`receive_until`](Self::receive_until).
 pub struct Station {
     link: Link,
     session: Session,
@@ -99,7 +99,7 @@ impl Station {
         }
     }
 
-    /// Waits for the next frame, whoever sent it; `None` if there is none by then.
+    /// Waits for the next frame from any sender; `None` if there is none by the deadline.
     ///
     /// # Errors
     ///

@@ -23,7 +23,7 @@ use crate::param::{List, ListProgress, Listed, Name, ParamValue, Read, Which, Wr
 use crate::timesync::{Measure, Offset};
 use crate::{Address, Instant, Operation, Outgoing, Output, Update};
 
-/// A ground station: it waits for a vehicle, and asks it for things.
+/// A ground station: waits for a vehicle, and has a method for each operation.
 ///
 /// ```no_run
 /// # async fn fly() -> Result<(), mavlink_services::Error> {
@@ -37,11 +37,11 @@ use crate::{Address, Instant, Operation, Outgoing, Output, Update};
 /// # }
 /// ```
 ///
-/// It sends its heartbeat and watches the vehicle's whenever it waits for something. Between two operations, let it
-/// [receive](Self::receive_until).
+/// It sends its heartbeat and watches the vehicle's only while it waits for something. Between two operations, call
+/// [`receive_until`](Self::receive_until).
 ///
-/// Every future may be dropped before its end: no frame is torn, and the next operation begins anew. To go on with one that was
-/// dropped, keep it, and [`run`](Self::run) it again.
+/// Every future may be dropped before its end: no frame is torn, and the next operation starts afresh. To continue an operation,
+/// keep it and [`run`](Self::run) it again.
 pub struct Station {
     link: Link,
     session: Session,
@@ -105,7 +105,7 @@ impl Station {
         }
     }
 
-    /// Waits for the next frame, whoever sent it; `None` if there is none by then.
+    /// Waits for the next frame from any sender; `None` if there is none by the deadline.
     ///
     /// # Errors
     ///

@@ -3,17 +3,17 @@
 /// The verbs of a station, on the two that the type brings: `run` an operation, and its `session`.
 macro_rules! verbs {
     ([$($async:tt)?] [$($wait:tt)*]) => {
-        /// Sends a `COMMAND_LONG` or `COMMAND_INT` of any dialect to the vehicle, and waits until it is carried out.
+        /// Sends a `COMMAND_LONG` or `COMMAND_INT` of any dialect to the vehicle, and waits until it has been carried out.
         ///
         /// # Errors
         ///
-        /// It is refused, with the vehicle's reason and what it says about it; or it is not answered; or it is no command.
+        /// The vehicle refuses it (the error has its reason and its `STATUSTEXT`), or does not answer; or the message is no command.
         pub $($async)? fn command(&mut self, command: &(impl Encode + ?Sized)) -> Result<Accepted, Error> {
             let mut sending = self.session.command(command)?;
             self.run(&mut sending, |_| {}) $($wait)*
         }
 
-        /// The same, telling how far it is.
+        /// As [`command`](Self::command), and reports progress.
         ///
         /// # Errors
         ///
@@ -27,11 +27,12 @@ macro_rules! verbs {
             self.run(&mut sending, progress) $($wait)*
         }
 
-        /// The same, until `go_on` says `false` to a report of progress: then the vehicle is asked to stop.
+        /// As [`command`](Self::command), and asks the vehicle to stop when `go_on` returns `false` for a report of progress.
         ///
         /// # Errors
         ///
-        /// As [`command`](Self::command). A vehicle that stopped refuses with `MAV_RESULT_CANCELLED`; one that was faster does not.
+        /// As [`command`](Self::command). If the vehicle stopped, the error is `MAV_RESULT_CANCELLED`; if it finished before, there
+        /// is none.
         pub $($async)? fn command_while(
             &mut self,
             command: &(impl Encode + ?Sized),
@@ -45,7 +46,7 @@ macro_rules! verbs {
         ///
         /// # Errors
         ///
-        /// As [`command`](Self::command); vehicles say why not.
+        /// As [`command`](Self::command); the vehicle says why it does not arm.
         pub $($async)? fn arm(&mut self) -> Result<Accepted, Error> {
             self.command(&arming(true)) $($wait)*
         }
@@ -59,9 +60,9 @@ macro_rules! verbs {
             self.command(&arming(false)) $($wait)*
         }
 
-        /// Asks for one message, which may be of your dialect, and waits for it; `argument` is often an index, else 0.
+        /// Requests one message, which may be of your dialect, and waits for it. `argument` is an index for some messages, else 0.
         ///
-        /// The link has to know it: give it a table that has the message.
+        /// The table of the link has to have the message.
         ///
         /// # Errors
         ///
@@ -71,7 +72,7 @@ macro_rules! verbs {
             self.run(&mut fetching, |()| {}) $($wait)*
         }
 
-        /// Which firmware it is, and what it can do. Old ones are asked in the old way.
+        /// Requests the version and the capabilities of the vehicle; from old autopilots with the old command.
         ///
         /// # Errors
         ///
@@ -88,8 +89,8 @@ macro_rules! verbs {
             self.run(&mut fetching, |()| {}) $($wait)*
         }
 
-        /// Learns from the vehicle's capabilities, once, how it encodes the values of parameters and takes the items of plans; a
-        /// vehicle that does not tell its capabilities is judged by its heartbeat. Whatever needs to know calls this itself.
+        /// Requests the vehicle's capabilities once, to know how it encodes parameters and which mission items it takes. If the
+        /// vehicle does not answer, its heartbeat decides. Operations that need this call it themselves.
         ///
         /// # Errors
         ///
@@ -111,7 +112,7 @@ macro_rules! verbs {
         ///
         /// # Errors
         ///
-        /// There is none of this name, or it is not told.
+        /// The vehicle has no parameter of this name, or does not answer.
         pub $($async)? fn param(&mut self, name: &str) -> Result<ParamValue, Error> {
             let name = Name::try_from(name)?;
             self.learn() $($wait)*?;
@@ -120,11 +121,11 @@ macro_rules! verbs {
             Ok(self.run(&mut reading, |_| {}) $($wait)*?.value)
         }
 
-        /// Sets a parameter, of whatever type it is, and gives the value that it has then.
+        /// Sets a parameter, converting the value to the parameter's type, and returns the new value.
         ///
         /// # Errors
         ///
-        /// There is none of this name, its type cannot hold the value, or the vehicle keeps another one.
+        /// The vehicle has no parameter of this name, the type cannot hold the value, or the vehicle keeps another value.
         pub $($async)? fn set_param(&mut self, name: &str, value: impl Into<ParamValue>) -> Result<ParamValue, Error> {
             let name = Name::try_from(name)?;
             self.learn() $($wait)*?;
@@ -133,11 +134,11 @@ macro_rules! verbs {
             Ok(self.run(&mut writing, |_| {}) $($wait)*?.value)
         }
 
-        /// Lists all parameters, by their place; tells how many have come, and how many there are.
+        /// Lists all parameters in the order of their indices. Reports how many were received, and how many there are.
         ///
         /// # Errors
         ///
-        /// Some do not come, however often they are asked for.
+        /// Some parameters do not arrive, even after all retries.
         pub $($async)? fn params(&mut self, mut progress: impl FnMut(u16, u16)) -> Result<Vec<Listed>, Error> {
             self.learn() $($wait)*?;
             let access = self.session.params();
@@ -160,12 +161,12 @@ macro_rules! verbs {
         ///
         /// # Errors
         ///
-        /// The vehicle refuses an item, or does not answer. It keeps the mission that it has.
+        /// The vehicle refuses an item, or does not answer. It keeps its old mission.
         pub $($async)? fn upload(&mut self, items: &[MissionItem]) -> Result<Uploaded, Error> {
             self.upload_plan(MavMissionType::MISSION, items, |_| {}) $($wait)*
         }
 
-        /// Replaces the mission, the fence or the rally points, telling how far it is.
+        /// Replaces the mission, the fence or the rally points, and reports progress.
         ///
         /// # Errors
         ///
@@ -182,16 +183,16 @@ macro_rules! verbs {
             self.run(&mut uploading, progress) $($wait)*
         }
 
-        /// Gives the vehicle's mission.
+        /// Downloads the vehicle's mission.
         ///
         /// # Errors
         ///
-        /// The vehicle does not tell all of it.
+        /// The vehicle refuses, or does not send all items.
         pub $($async)? fn download(&mut self) -> Result<Vec<MissionItem>, Error> {
             self.download_plan(MavMissionType::MISSION, |_, _| {}) $($wait)*
         }
 
-        /// Gives the mission, the fence or the rally points; tells how many items have come, and how many there are.
+        /// Downloads the mission, the fence or the rally points. Reports how many items were received, and how many there are.
         ///
         /// # Errors
         ///
@@ -224,7 +225,7 @@ macro_rules! verbs {
             Ok(())
         }
 
-        /// Sends the vehicle to an item of its mission, by command, or in the old way if it does not know that.
+        /// Sets the current item of the mission, by command, or by `MISSION_SET_CURRENT` if the vehicle does not know the command.
         ///
         /// # Errors
         ///
@@ -240,7 +241,7 @@ macro_rules! verbs {
             Ok(())
         }
 
-        /// Asks the vehicle to send the message with this id so often.
+        /// Asks the vehicle to send the message with this id at this interval.
         ///
         /// # Errors
         ///
@@ -273,17 +274,17 @@ macro_rules! verbs {
             self.run(&mut measuring, |_| {}) $($wait)*
         }
 
-        /// The vehicle: the first one that was heard, or who was [named](Self::set_vehicle).
+        /// The vehicle: the first one that was heard, or the one of [`set_vehicle`](Self::set_vehicle).
         #[must_use]
         pub fn vehicle(&self) -> Address {
             self.session.peer()
         }
 
-        /// Speaks to this component from now on: another vehicle, or a camera.
+        /// From now on, sends operations to this component: another vehicle, or a camera.
         ///
         /// # Errors
         ///
-        /// It stands for several.
+        /// An id is zero, which stands for several components.
         pub fn set_vehicle(&mut self, vehicle: Address) -> Result<(), Error> {
             if vehicle.system_id.is_broadcast() || vehicle.component_id.is_broadcast() {
                 return Err(Error::Nobody(vehicle));
@@ -292,40 +293,40 @@ macro_rules! verbs {
             Ok(())
         }
 
-        /// What the vehicle's last heartbeat said.
+        /// The vehicle's last heartbeat.
         #[must_use]
         pub fn heartbeat(&self) -> &Heartbeat {
             self.session.heartbeat()
         }
 
-        /// Whether the vehicle's heartbeat was heard within five seconds, as far as the station has listened.
+        /// Whether the vehicle's heartbeat was heard in the last five seconds. The station hears only while it waits for something.
         #[must_use]
         pub fn is_alive(&self) -> bool {
             self.session.is_alive()
         }
 
-        /// The station's clock, which began when it was made.
+        /// The station's clock, which started when the station was made.
         #[must_use]
         pub fn now(&self) -> Instant {
             self.session.now()
         }
 
-        /// The station's own heartbeat, to be changed.
+        /// The station's own heartbeat, which you may change.
         pub fn beacon(&mut self) -> &mut Beacon {
             self.session.beacon()
         }
 
-        /// How patient the station is.
+        /// The timeouts and retries of the station.
         pub fn patience(&mut self) -> &mut Patience {
             &mut self.session.patience
         }
 
-        /// Shows every frame that comes to this closure, also those that come while something else is waited for.
+        /// Passes every received frame to this closure, also while the station waits for an answer.
         pub fn listen(&mut self, listener: impl FnMut(&Frame<'_>) + ::core::marker::Send + 'static) {
             self.session.listener = Some(Box::new(listener));
         }
 
-        /// The link, to send what else there is to say.
+        /// The link, to send other messages.
         #[must_use]
         pub fn link(&self) -> &Link {
             &self.link

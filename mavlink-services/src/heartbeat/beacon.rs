@@ -19,7 +19,7 @@ use crate::{Instant, Output, Service, convert};
 ///           └─┘
 /// ```
 ///
-/// Poll it from the loop that does the work, not from a thread of its own: a heartbeat of a program that hangs is a lie.
+/// Poll it from the loop that does the work, not from a thread of its own, so that a program that hangs sends no heartbeats.
 #[derive(Clone, Debug)]
 pub struct Beacon {
     heartbeat: Heartbeat,
