@@ -29,6 +29,10 @@ pub(super) struct Resolver<'s> {
     sources: &'s mut Sources,
     diagnostics: &'s mut Diagnostics,
     known: BTreeMap<String, Known>,
+    /// How many messages are begun: each nests the next.
+    begun: usize,
+    /// How deep each message of the package nests: one that nests nothing is 1 deep.
+    depths: Vec<usize>,
     package: Package,
 }
 
@@ -39,7 +43,16 @@ impl<'s> Resolver<'s> {
         sources: &'s mut Sources,
         diagnostics: &'s mut Diagnostics,
     ) -> Self {
-        Self { folder, said, sources, diagnostics, known: BTreeMap::new(), package: Package::default() }
+        Self {
+            folder,
+            said,
+            sources,
+            diagnostics,
+            known: BTreeMap::new(),
+            begun: 0,
+            depths: Vec::new(),
+            package: Package::default(),
+        }
     }
 
     pub(super) fn finish(self) -> Package {
@@ -55,12 +68,24 @@ impl<'s> Resolver<'s> {
             return None;
         }
         self.known.insert(name.to_owned(), Known::Begun);
-        let index = self.read(name).map(|message| {
+        self.begun += 1;
+        let message = self.read(name);
+        self.begun -= 1;
+        let index = message.map(|message| {
+            self.depths.push(1 + message.fields.iter().map(|field| self.depth(field)).max().unwrap_or(0));
             self.package.messages.push(message);
             MessageIndex(self.package.messages.len() - 1)
         });
         self.known.insert(name.to_owned(), index.map_or(Known::Poisoned, Known::Done));
         index
+    }
+
+    /// How deep the message in a field nests; 0 of a scalar.
+    fn depth(&self, field: &Field) -> usize {
+        match field.element {
+            Element::Message(nested) => self.depths.get(nested.0).copied().unwrap_or(0),
+            Element::Scalar(_) => 0,
+        }
     }
 
     fn read(&mut self, name: &str) -> Option<Message> {
@@ -156,7 +181,15 @@ impl<'s> Resolver<'s> {
             return None;
         }
         if self.folder.has(name) {
+            if self.begun >= DEEPEST {
+                self.diagnostics.push(too_deep(element));
+                return None;
+            }
             let message = self.message(name);
+            if message.is_some_and(|index| self.depths.get(index.0).is_some_and(|depth| *depth >= DEEPEST)) {
+                self.diagnostics.push(too_deep(element));
+                return None;
+            }
             if message.is_none() {
                 // What is wrong there was told there; here it must not look right.
                 self.diagnostics.push(Diagnostic::new(
@@ -195,8 +228,17 @@ impl<'s> Resolver<'s> {
 /// Bytes of the longest message.
 const LONGEST: u32 = 0xffff;
 
+/// Messages within each other. PX4 has three; the compiler of Rust gives up beyond eighty.
+const DEEPEST: usize = 32;
+
 const VERSION: &str = "MESSAGE_VERSION";
 const QUEUE: &str = "ORB_QUEUE_LENGTH";
+
+fn too_deep(element: &Spanned<String>) -> Diagnostic {
+    let message = format!("`{}` is message {} within another", element.value, DEEPEST + 1);
+    let problem = Diagnostic::new(Code::UorbNested, element.span, message);
+    problem.help(format!("at most {DEEPEST} messages can be within each other"))
+}
 
 fn unknown_type(element: &Spanned<String>, folder: &Folder) -> Diagnostic {
     let name = element.value.as_str();

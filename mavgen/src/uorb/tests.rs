@@ -24,6 +24,27 @@ fn problems(lines: &str) -> Vec<Code> {
     package(&[("A", &format!("uint64 timestamp\n{lines}\n"))]).1
 }
 
+/// The codes of so many messages, each of which nests the next; the outermost is the first or the last that is read.
+fn chain(length: usize, outermost_first: bool) -> Vec<Code> {
+    let name = |at: usize| format!("N{:05}", if outermost_first { at } else { length - at });
+    let text = |at: usize| match at + 1 < length {
+        true => format!("uint64 timestamp\n{} inner\n", name(at + 1)),
+        false => "uint64 timestamp\n".to_owned(),
+    };
+    let files: Vec<_> = (0..length).map(|at| (name(at), text(at))).collect();
+    package(&files.iter().map(|(name, text)| (name.as_str(), text.as_str())).collect::<Vec<_>>()).1
+}
+
+#[test]
+fn messages_are_nested_as_deep_as_a_compiler_takes() {
+    for outermost_first in [true, false] {
+        assert_eq!(chain(32, outermost_first), [], "{outermost_first}");
+        for too_many in [33, 1000] {
+            assert_eq!(chain(too_many, outermost_first).first(), Some(&Code::UorbNested), "{outermost_first}");
+        }
+    }
+}
+
 #[test]
 fn what_px4_refuses_or_takes_by_accident_is_an_error() {
     for (line, code) in [
