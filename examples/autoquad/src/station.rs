@@ -275,6 +275,8 @@ mod tests {
         for (address, said) in [
             ("udp:0.0.0.0:14550", "udpin"),
             ("serial:/dev/none:57600", "there is no device /dev/none"),
+            #[cfg(unix)]
+            ("serial:/dev/null:57600", "/dev/null does not open as a serial port"),
             ("tcpout:127.0.0.1:1", "nobody answers"),
         ] {
             let Err(Failure::Sentence(sentence)) = Station::connect(address, asking) else { panic!("{address}") };

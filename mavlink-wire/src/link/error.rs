@@ -23,6 +23,13 @@ pub enum LinkError {
         /// As it was given.
         path: String,
     },
+    /// The device does not open as a serial port, or not with that baud rate.
+    NoSerialPort {
+        /// As it was given.
+        path: String,
+        /// The error of the system.
+        reason: io::Error,
+    },
     /// There is no such file.
     NoFile {
         /// As it was given.
@@ -72,6 +79,10 @@ impl fmt::Display for LinkError {
             Self::NoDevice { path } => {
                 write!(f, "there is no device {path}: plug it in, and look under which name the system has it")
             }
+            Self::NoSerialPort { path, reason } => write!(
+                f,
+                "{path} does not open as a serial port ({reason}): check the name of the device, and the baud rate"
+            ),
             Self::NoFile { path } => write!(f, "there is no file {path}: check the path"),
             Self::NoPermission { address } => write!(
                 f,
@@ -99,7 +110,9 @@ impl fmt::Display for LinkError {
 impl core::error::Error for LinkError {
     fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
         match self {
-            Self::Unreachable { reason: error, .. } | Self::Io(error) => Some(error),
+            Self::Unreachable { reason: error, .. } | Self::NoSerialPort { reason: error, .. } | Self::Io(error) => {
+                Some(error)
+            }
             _ => None,
         }
     }
@@ -143,7 +156,9 @@ impl LinkError {
 impl From<LinkError> for io::Error {
     fn from(error: LinkError) -> Self {
         let kind = match &error {
-            LinkError::Io(error) | LinkError::Unreachable { reason: error, .. } => error.kind(),
+            LinkError::Io(error)
+            | LinkError::Unreachable { reason: error, .. }
+            | LinkError::NoSerialPort { reason: error, .. } => error.kind(),
             LinkError::Address(_) | LinkError::Encode(_) => io::ErrorKind::InvalidInput,
             LinkError::InUse { .. } => io::ErrorKind::AddrInUse,
             LinkError::NotHere { .. } => io::ErrorKind::AddrNotAvailable,

@@ -86,6 +86,6 @@ pub(in crate::link) fn of_opening(error: serialport::Error, path: &str) -> LinkE
             LinkError::NoDevice { path: path.into() }
         }
         serialport::ErrorKind::Io(ErrorKind::PermissionDenied) => LinkError::NoPermission { address: path.into() },
-        _ => LinkError::Unreachable { address: path.into(), reason: error.into() },
+        _ => LinkError::NoSerialPort { path: path.into(), reason: error.into() },
     }
 }
