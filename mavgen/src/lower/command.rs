@@ -136,6 +136,12 @@ fn is_of(number: f64, one: EnumType<'_>) -> bool {
     whole as f64 == number && (lowest..1_i128 << bits).contains(&whole)
 }
 
+/// What stands behind the number of a param: `, Hold`, or nothing if it has no label.
+pub(super) fn label(param: &Param) -> String {
+    let label = param.label.as_deref().map(line).filter(|label| !label.trim().is_empty());
+    label.map_or_else(String::new, |label| format!(", {label}"))
+}
+
 /// The description; then which param it is, unit, range, default, and what a coordinate is.
 fn param_docs<'d>(command: &ir::Command, param: &'d Param, ty: ParamTy<'_>) -> Docs<'d> {
     let mut facts = docs::quantity(param.units.as_deref(), None, &param.limits);
@@ -145,9 +151,11 @@ fn param_docs<'d>(command: &ir::Command, param: &'d Param, ty: ParamTy<'_>) -> D
     if is_coordinate(command, param) {
         facts.push("NaN means not known".to_owned());
     }
-    facts.extend(param.default.map(|default| format!("default {default}")));
-    let label = param.label.as_deref().map(line).unwrap_or_default();
-    let mut sentences = vec![format!("Param {}, {label}.", param.index)];
+    facts.extend(param.default.map(|default| match ty {
+        ParamTy::Enum(one) if !is_of(default, one) => format!("default 0: {default} is no number of the enum"),
+        _ => format!("default {default}"),
+    }));
+    let mut sentences = vec![format!("Param {}{}.", param.index, label(param))];
     if !facts.is_empty() {
         sentences.push(docs::capitalised(&format!("{}.", facts.join("; "))));
     }

@@ -3,7 +3,6 @@
 use super::docs;
 use super::items::Items;
 use super::named::NamedEnum;
-use crate::docs::line;
 use crate::internal::Internal;
 use crate::ir::{self, Command, Entry, EnumId, Limits, Param};
 use crate::order;
@@ -78,7 +77,7 @@ impl<'d> Items<'d> {
 
     /// `- 1, Hold: time to stay. In s; at least 0.`
     fn param_item(self, param: &'d Param) -> Result<ListItem<'d>, Internal> {
-        let label = param.label.as_ref().map_or_else(String::new, |label| format!(", {}", line(label)));
+        let label = super::command::label(param);
         let mut facts = docs::quantity(param.units.as_deref(), None, &param.limits);
         facts.extend(param.default.map(|default| format!("default {default}")));
         let mut sentences = Vec::new();

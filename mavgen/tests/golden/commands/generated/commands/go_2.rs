@@ -5,14 +5,19 @@ use ::mavlink_wire as wire;
 /// `MAV_CMD_GO_2`, command 48 of `main.xml`.
 #[doc(alias = "MAV_CMD_GO_2")]
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Go2;
+pub struct Go2 {
+    /// A label of nothing. Param 1.
+    pub param1: f32,
+}
 
 impl wire::Command for Go2 {
     const ID: u16 = 48;
-    const DEFAULT: Self = Self {};
+    const DEFAULT: Self = Self { param1: 0.0 };
 
     #[inline]
-    fn params(&mut self, _p: &mut wire::Params) {}
+    fn params(&mut self, p: &mut wire::Params) {
+        p.float(1, &mut self.param1);
+    }
 }
 
 wire::command!(Go2, long super::Long, int super::Int, super::Frame);

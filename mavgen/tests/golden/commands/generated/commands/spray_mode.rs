@@ -11,7 +11,7 @@ use ::mavlink_wire as wire;
 #[doc(alias = "MAV_CMD_SPRAY_MODE")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SprayModeCommand {
-    /// Param 1, 4th. Default NaN.
+    /// Param 1, 4th. Default 0: NaN is no number of the enum.
     pub _4th: SprayMode,
     /// Param 5, Parts. Default 65536.
     pub parts: SprayParts,

@@ -48,6 +48,8 @@ impl MavCmd {
     /// `MAV_CMD_COMMANDS`.
     pub const COMMANDS: Self = Self(47);
     /// `MAV_CMD_GO_2`.
+    ///
+    /// - 1: A label of nothing.
     pub const GO_2: Self = Self(48);
     /// Has no type: `GO_2` has its name.
     pub const GO2: Self = Self(49);
@@ -61,7 +63,7 @@ impl MavCmd {
     }
 }
 
-static PARAMS: [(u16, &[wire::ParamInfo]); 5] = [
+static PARAMS: [(u16, &[wire::ParamInfo]); 6] = [
     (
         42,
         &[
@@ -103,6 +105,7 @@ static PARAMS: [(u16, &[wire::ParamInfo]); 5] = [
         ],
     ),
     (47, &[wire::ParamInfo::new(6).default(f32::NAN).reserved()]),
+    (48, &[wire::ParamInfo::new(1).label(" ")]),
 ];
 
 static INFO: wire::EnumInfo = wire::EnumInfo::new(
