@@ -108,5 +108,5 @@ fn a_device_that_is_not_there_or_taken_is_told() {
     assert!(matches!(taken, LinkError::InUse { .. }), "{taken:?}");
     let file = tempfile::NamedTempFile::new().unwrap();
     let no_port = Link::connect(&format!("serial:{}:57600", file.path().display()), station()).unwrap_err();
-    assert!(matches!(no_port, LinkError::Unreachable { .. }), "{no_port:?}");
+    assert!(matches!(no_port, LinkError::NoSerialPort { .. }), "{no_port:?}");
 }
