@@ -225,13 +225,13 @@ impl SendHalf {
         end: &mut Option<End<Box<dyn Stream>>>,
         pending: &mut Option<Parcel>,
     ) -> Result<(), LinkError> {
-        let deadline = Instant::now() + self.shared.send_timeout;
+        let mut limit = self.shared.send_timeout;
+        let deadline = Instant::now() + limit;
         while let (Some(open), Some(parcel)) = (end.as_mut(), pending.as_mut()) {
             if parcel.bytes().is_empty() {
                 *pending = None;
                 break;
             }
-            let limit = deadline.saturating_duration_since(Instant::now());
             match open.stream.write_within(parcel.bytes(), limit) {
                 Ok(count) if count > 0 => parcel.advance(count),
                 Err(error) if error.kind() == ErrorKind::Interrupted => {}
@@ -246,6 +246,7 @@ impl SendHalf {
             if limit == Duration::ZERO {
                 break;
             }
+            limit = deadline.saturating_duration_since(Instant::now());
         }
         Ok(())
     }

@@ -8,7 +8,23 @@ use std::time::Duration;
 use crate::link::ends::{Ends, Parts, Shut};
 
 /// Zero would mean to wait for ever.
-pub(super) const SHORTEST: Duration = Duration::from_millis(1);
+const SHORTEST: Duration = Duration::from_millis(1);
+
+/// The timeout that a socket has: the system is told only when it changes.
+#[derive(Debug, Default)]
+pub(super) struct Timeout(Option<Duration>);
+
+impl Timeout {
+    /// Waits so long from now on.
+    pub(super) fn change(&mut self, limit: Duration, tell: impl FnOnce(Option<Duration>) -> Result<()>) -> Result<()> {
+        let limit = Some(limit.max(SHORTEST));
+        if self.0 != limit {
+            tell(limit)?;
+            self.0 = limit;
+        }
+        Ok(())
+    }
+}
 
 /// An open connection or device.
 pub(in crate::link) trait Stream: Shut {
@@ -27,7 +43,7 @@ impl Ends for Box<dyn Stream> {
     type Writer = Self;
 
     fn of_tcp(stream: TcpStream) -> Result<Self> {
-        Ok(Box::new(stream))
+        Ok(Box::new(Tcp::new(stream)))
     }
 
     fn split(self) -> Result<Parts<Self, Self>> {
@@ -35,19 +51,38 @@ impl Ends for Box<dyn Stream> {
     }
 }
 
-impl Stream for TcpStream {
+/// A hand on a TCP connection. All hands share the timeouts, but only one reads, and only one writes.
+struct Tcp {
+    stream: TcpStream,
+    reading: Timeout,
+    writing: Timeout,
+}
+
+impl Tcp {
+    fn new(stream: TcpStream) -> Self {
+        Self { stream, reading: Timeout::default(), writing: Timeout::default() }
+    }
+}
+
+impl Stream for Tcp {
     fn read_within(&mut self, buffer: &mut [u8], limit: Duration) -> Result<usize> {
-        self.set_read_timeout(Some(limit.max(SHORTEST)))?;
-        self.read(buffer)
+        self.reading.change(limit, |limit| self.stream.set_read_timeout(limit))?;
+        self.stream.read(buffer)
     }
 
     fn write_within(&mut self, bytes: &[u8], limit: Duration) -> Result<usize> {
-        self.set_write_timeout(Some(limit.max(SHORTEST)))?;
-        self.write(bytes)
+        self.writing.change(limit, |limit| self.stream.set_write_timeout(limit))?;
+        self.stream.write(bytes)
     }
 
     fn twin(&self) -> Result<Box<dyn Stream>> {
-        Ok(Box::new(self.try_clone()?))
+        Ok(Box::new(Self::new(self.stream.try_clone()?)))
+    }
+}
+
+impl Shut for Tcp {
+    fn shut(&self) {
+        self.stream.shut();
     }
 }
 

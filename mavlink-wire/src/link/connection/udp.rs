@@ -4,28 +4,23 @@ use std::io::ErrorKind;
 use std::net::{SocketAddr, ToSocketAddrs, UdpSocket};
 use std::time::{Duration, Instant};
 
-use super::stream::SHORTEST;
+use super::stream::Timeout;
 use crate::link::{Inbox, LinkError, is_passing};
 
 /// A socket that receives.
 pub(super) struct Receiving {
     socket: UdpSocket,
-    /// The timeout that it has.
-    limit: Option<Duration>,
+    timeout: Timeout,
 }
 
 impl Receiving {
-    pub(super) const fn new(socket: UdpSocket) -> Self {
-        Self { socket, limit: None }
+    pub(super) fn new(socket: UdpSocket) -> Self {
+        Self { socket, timeout: Timeout::default() }
     }
 
     /// Waits so long for a datagram.
     pub(super) fn wait(&mut self, inbox: &mut Inbox<'_>, limit: Duration) -> Result<(), LinkError> {
-        let limit = limit.max(SHORTEST);
-        if self.limit != Some(limit) {
-            self.socket.set_read_timeout(Some(limit)).map_err(LinkError::Io)?;
-            self.limit = Some(limit);
-        }
+        self.timeout.change(limit, |limit| self.socket.set_read_timeout(limit)).map_err(LinkError::Io)?;
         let began = Instant::now();
         match self.socket.recv_from(inbox.space()) {
             Ok((length, from)) => inbox.fill(length, from.into(), began.elapsed()),
