@@ -4,8 +4,8 @@
 //!
 //! | fields | message       |  |
 //! |-------:|---------------|---|
-//! |     13 | [`EscReport`] | What one motor controller reports. |
-//! |      7 | [`EscStatus`] | What the motor controllers of a vehicle report. |
+//! |     13 | [`EscReport`] | What one motor controller (ESC) reports. |
+//! |      7 | [`EscStatus`] | What the motor controllers (ESCs) of a vehicle report: twelve at most, since March 2026. |
 mod esc_report;
 mod esc_status;
 

@@ -4,7 +4,7 @@ use super::super::enums::EscFailures;
 use ::mavlink_wire as wire;
 use wire::generated::{get, put};
 
-/// What one motor controller reports.
+/// What one motor controller (ESC) reports.
 ///
 /// `EscReport`: topic `esc_report`.
 ///
@@ -27,31 +27,31 @@ use wire::generated::{get, put};
 /// |      | 31       | 29    |        | `esc_cmdcount`      | `uint8`   |  |
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EscReport {
-    /// When it was heard last, since the system started. In us.
+    /// Time of its last report, since the system started. In us.
     pub timestamp: u64,
-    /// Errors that it counted.
+    /// Number of errors that it has reported.
     pub esc_errorcount: u32,
     /// Speed of the motor; negative in reverse. In rpm.
     pub esc_rpm: i32,
-    /// Of its supply. In V; NaN means not known.
+    /// Voltage of its supply. In V; NaN means not known.
     pub esc_voltage: f32,
-    /// Into it. In A; NaN means not known.
+    /// Current that it draws. In A; NaN means not known.
     pub esc_current: f32,
-    /// Its own. In degC; NaN means not known.
+    /// Temperature of the controller. In degC; NaN means not known.
     pub esc_temperature: f32,
-    /// That of the motor. In degC.
+    /// Temperature of the motor. In degC.
     pub motor_temperature: i16,
-    /// Depends on the maker.
+    /// State; each maker defines its own values.
     pub esc_state: u8,
-    /// Which output drives it: 101 is motor 1.
+    /// Output function that drives it: 101 is motor 1.
     pub actuator_function: u8,
     /// What is wrong, bit by bit.
     pub failures: EscFailures,
-    /// Of the full power. In %; from 0 to 100.
+    /// Share of full power. In %; from 0 to 100.
     pub esc_power: i8,
-    /// Its node on the CAN bus. Until `v2026_02`.
+    /// Address on the CAN bus. Until `v2026_02`.
     pub esc_address: u8,
-    /// How many commands it got. Until `v2026_02`.
+    /// Number of commands that it has received. Until `v2026_02`.
     pub esc_cmdcount: u8,
 }
 
@@ -60,7 +60,7 @@ impl EscReport {
     pub const ACTUATOR_FUNCTION_MOTOR1: u8 = 101;
     /// `ACTUATOR_FUNCTION_MOTOR_MAX`.
     pub const ACTUATOR_FUNCTION_MOTOR_MAX: u8 = 112;
-    /// How many there are.
+    /// Number of kinds of failure.
     pub const ESC_FAILURE_COUNT: u8 = 10;
     /// `ACTUATOR_FUNCTION_MOTOR2`.
     pub const ACTUATOR_FUNCTION_MOTOR2: u8 = 102;

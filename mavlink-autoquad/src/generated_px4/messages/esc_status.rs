@@ -5,8 +5,7 @@ use super::super::messages::EscReport;
 use ::mavlink_wire as wire;
 use wire::generated::{get, put};
 
-/// What the motor controllers of a vehicle report. Since March 2026: twelve, and flags in the order
-/// of motors.
+/// What the motor controllers (ESCs) of a vehicle report: twelve at most, since March 2026.
 ///
 /// `EscStatus`: topic `esc_status`.
 ///
@@ -23,24 +22,25 @@ use wire::generated::{get, put};
 /// |   16 | 16       | 16    | 16     | `esc`                | `EscReport[12]` |  |
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EscStatus {
-    /// Since the system started. In us.
+    /// Time since the system started. In us.
     pub timestamp: u64,
-    /// How many such messages there were before.
+    /// Number of such messages sent before this one.
     pub counter: u16,
-    /// How many controllers are connected.
+    /// Number of connected controllers.
     pub esc_count: u8,
     /// How they are connected.
     pub esc_connectiontype: EscConnectionType,
-    /// Which of them answer: bit 0 is that of motor 1.
+    /// Controllers that answer: bit k is slot k of esc, as the drivers send it. (PX4's own comment says
+    /// motors.).
     pub esc_online_flags: u16,
-    /// Which of them are armed, and those that do not say.
+    /// Controllers that are armed, or do not say whether they are: bit k is slot k of esc.
     pub esc_armed_flags: u16,
-    /// A slot for each.
+    /// A slot for each controller.
     pub esc: [EscReport; 12],
 }
 
 impl EscStatus {
-    /// How many there can be.
+    /// Most controllers that it can report.
     pub const CONNECTED_ESC_MAX: u8 = 12;
 
     /// A value of which nothing is known.
