@@ -9,8 +9,8 @@ use super::elements::{Broken, Elements};
 use super::{enums, grammar};
 use crate::diag::Diagnostics;
 use crate::source::{FileId, Sources};
-use crate::syntax::Overlay;
 use crate::syntax::overlay::{Additions, Bind, Command, Condition, NamedParam, Note, Refinement};
+use crate::syntax::{Overlay, Text};
 
 use super::tag::Tag;
 
@@ -26,23 +26,7 @@ pub fn read(id: FileId, sources: &Sources, diagnostics: &mut Diagnostics) -> Ove
         messages: Vec::new(),
         commands: Vec::new(),
     };
-    if let Some(source) = sources.get(id) {
-        let mut elements = Elements::new(id, source.text(), diagnostics);
-        match document(&mut elements, &mut overlay) {
-            Ok(()) | Err(Broken) => {}
-        }
-    }
-    overlay
-}
-
-/// The root element, and nothing after it.
-fn document(elements: &mut Elements<'_, '_>, overlay: &mut Overlay) -> Result<(), Broken> {
-    let mut root = elements.root(&grammar::OVERLAY)?;
-    let (version, base) = (root.require("version"), root.require("for"));
-    if elements.close_tag(root) {
-        (overlay.version, overlay.base) = (Some(version), Some(base));
-    }
-    while let Some(tag) = elements.next_child(&grammar::OVERLAY)? {
+    (overlay.version, overlay.base) = document(id, sources, diagnostics, &grammar::OVERLAY, |elements, tag| {
         match tag.name {
             "enums" => {
                 elements.close_tag(tag);
@@ -55,8 +39,36 @@ fn document(elements: &mut Elements<'_, '_>, overlay: &mut Overlay) -> Result<()
             "command" => overlay.commands.extend(read_command(elements, tag)?),
             _ => overlay.messages.extend(read_message(elements, tag)?),
         }
+        Ok(())
+    });
+    overlay
+}
+
+/// Reads the root of an overlay of any kind, its children by `child`, and nothing after it: which version of the grammar it has,
+/// and what it is for.
+pub(super) fn document(
+    id: FileId,
+    sources: &Sources,
+    diagnostics: &mut Diagnostics,
+    root: &'static grammar::Element,
+    mut child: impl for<'t, 'd> FnMut(&mut Elements<'t, 'd>, Tag<'t>) -> Result<(), Broken>,
+) -> (Option<Text>, Option<Text>) {
+    let Some(source) = sources.get(id) else { return (None, None) };
+    let (mut elements, mut attributes) = (Elements::new(id, source.text(), diagnostics), (None, None));
+    let mut document = || {
+        let mut tag = elements.root(root)?;
+        let (version, base) = (tag.require("version"), tag.require("for"));
+        if elements.close_tag(tag) {
+            attributes = (Some(version), Some(base));
+        }
+        while let Some(tag) = elements.next_child(root)? {
+            child(&mut elements, tag)?;
+        }
+        elements.end()
+    };
+    match document() {
+        Ok(()) | Err(Broken) => attributes,
     }
-    elements.end()
 }
 
 fn read_refinement<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>) -> Result<Option<Refinement>, Broken> {

@@ -2,6 +2,7 @@
 
 use super::elements::{Broken, Elements};
 use super::grammar;
+use super::overlay::document;
 use super::tag::Tag;
 use crate::diag::Diagnostics;
 use crate::source::{FileId, Sources};
@@ -10,26 +11,11 @@ use crate::syntax::uorb_overlay::{Field, Message, Overlay};
 /// Reads one overlay of uORB messages, as [`super::read_overlay`] reads one of a dialect.
 pub fn read(id: FileId, sources: &Sources, diagnostics: &mut Diagnostics) -> Overlay {
     let mut overlay = Overlay { id, version: None, base: None, messages: Vec::new() };
-    if let Some(source) = sources.get(id) {
-        let mut elements = Elements::new(id, source.text(), diagnostics);
-        match document(&mut elements, &mut overlay) {
-            Ok(()) | Err(Broken) => {}
-        }
-    }
-    overlay
-}
-
-/// The root element, and nothing after it.
-fn document(elements: &mut Elements<'_, '_>, overlay: &mut Overlay) -> Result<(), Broken> {
-    let mut root = elements.root(&grammar::UORB_OVERLAY)?;
-    let (version, base) = (root.require("version"), root.require("for"));
-    if elements.close_tag(root) {
-        (overlay.version, overlay.base) = (Some(version), Some(base));
-    }
-    while let Some(tag) = elements.next_child(&grammar::UORB_OVERLAY)? {
+    (overlay.version, overlay.base) = document(id, sources, diagnostics, &grammar::UORB_OVERLAY, |elements, tag| {
         overlay.messages.extend(read_message(elements, tag)?);
-    }
-    elements.end()
+        Ok(())
+    });
+    overlay
 }
 
 fn read_message<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>) -> Result<Option<Message>, Broken> {
