@@ -1,5 +1,6 @@
 //! The library's front door: from a path to a resolved dialect, to files, to a build script.
 
+mod provenance;
 #[cfg(feature = "uorb")]
 mod topics;
 mod warnings;
@@ -19,6 +20,7 @@ use crate::roots::{self, Named};
 use crate::select::Selection;
 use crate::source::Sources;
 
+use provenance::provenance;
 #[cfg(feature = "uorb")]
 pub use topics::Topics;
 
@@ -317,26 +319,8 @@ impl Builder {
     }
 }
 
-/// How many sources a header names, at most.
-const NAMED: usize = 24;
-
 /// What is said after warnings that were denied.
 const DENIED: &str = "warnings about the dialect's own file and its overlays are denied";
-
-/// The names of the sources, or how many there are, and one number that changes with any of them (FNV-1a, 64 bits).
-fn provenance(sources: &Sources) -> String {
-    let mut digest = 0xcbf2_9ce4_8422_2325_u64;
-    let mut names = Vec::new();
-    for (id, file) in sources.iter() {
-        let name = sources.name(id);
-        for byte in name.bytes().chain(file.text().bytes()) {
-            digest = (digest ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
-        }
-        names.push(name);
-    }
-    let names = if names.len() > NAMED { format!("{} files", names.len()) } else { names.join(", ") };
-    format!("{names}; sources {digest:016x}")
-}
 
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -3,6 +3,7 @@
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 
+use super::provenance::provenance;
 use super::{Builder, Failure};
 use crate::diag::Diagnostics;
 use crate::emit::{GeneratedFile, emit};
@@ -105,7 +106,7 @@ impl Builder {
     /// [`Failure::Usage`] if the runtime path is not a path.
     pub fn emit_topics(&self, topics: &Topics) -> Result<Vec<GeneratedFile>, Failure> {
         self.check_runtime()?;
-        let mut sources = super::provenance(&topics.sources);
+        let mut sources = provenance(&topics.sources);
         if let Some(selection) = self.selection()? {
             sources.push_str(&format!("\n// only {selection}, and what they need"));
         }
