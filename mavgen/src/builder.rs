@@ -8,6 +8,7 @@ mod warnings;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
+use crate::collect::CollectVec as _;
 use crate::diag::Diagnostics;
 use crate::emit::{GeneratedFile, emit};
 use crate::ir::Fault;
@@ -217,9 +218,7 @@ impl Builder {
         }
         let mut dialects = roots::resolve_all(&all, tree, &sources, &mut diagnostics);
         if let Some(selection) = selection.filter(|_| !dialects.is_empty()) {
-            selection
-                .check(&dialects.iter().map(|named| &named.dialect).collect::<Vec<_>>())
-                .map_err(Failure::Usage)?;
+            selection.check(&dialects.iter().map(|named| &named.dialect).collect_vec()).map_err(Failure::Usage)?;
             dialects.iter_mut().for_each(|named| named.select(&selection));
         }
         let union = roots::link_all(&dialects, &all, tree, &mut diagnostics);
@@ -230,7 +229,7 @@ impl Builder {
             return Err(Failure::Definitions(Box::new(Problems { diagnostics, sources, watched })));
         };
         self.check_denied(&diagnostics, &sources, &watched)?;
-        let others = dialects.map(|named| named.dialect).collect();
+        let others = dialects.map(|named| named.dialect).collect_vec();
         Ok(Resolved { dialect, others, names, union, diagnostics, sources, watched })
     }
 
@@ -330,7 +329,7 @@ impl fmt::Display for Failure {
             Self::Output(error) => error.fmt(f),
             Self::Usage(text) => f.write_str(text),
             Self::Model(faults) => {
-                let faults: Vec<String> = faults.iter().map(Fault::to_string).collect();
+                let faults = faults.iter().map(Fault::to_string).collect_vec();
                 write!(f, "the model is not legal:\n{}", faults.join("\n"))
             }
             Self::Internal(text) => write!(f, "mavgen is wrong: {text}"),

@@ -12,6 +12,7 @@ pub use render::{Style, one_line, render};
 
 use std::collections::HashSet;
 
+use crate::collect::CollectVec as _;
 use crate::order;
 use crate::source::{FileId, Span};
 
@@ -215,7 +216,7 @@ fn count<K: PartialEq>(counts: &mut Vec<(K, usize)>, kind: K) -> usize {
 fn not_listed(more: &[(Severity, usize)]) -> Option<Diagnostic> {
     let counts: Vec<String> = (more.iter().filter(|(_, count)| *count > 0))
         .map(|(severity, count)| format!("{count} more {severity}{}", if *count == 1 { "" } else { "s" }))
-        .collect();
+        .collect_vec();
     let message = format!("not listed: {}", counts.join(", "));
     let note = Diagnostic::without_place(Code::NotListed, message).help("mend some of these first");
     if counts.is_empty() { None } else { Some(note) }

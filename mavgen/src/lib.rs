@@ -51,6 +51,7 @@
 
 mod build_script;
 mod builder;
+mod collect;
 #[cfg(feature = "compare")]
 pub mod compare;
 mod decimal;

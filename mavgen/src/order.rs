@@ -9,7 +9,9 @@ pub(crate) fn sort_by_key<T, K: Ord>(list: &mut [T], key: impl Fn(&T) -> K) {
         (Some(a), Some(b)) => key(a).cmp(&key(b)),
         _ => Ordering::Equal,
     });
-    swaps.into_iter().for_each(|(a, b)| list.swap(a, b));
+    for &(a, b) in &swaps {
+        list.swap(a, b);
+    }
 }
 
 /// Sorts, and leaves one of each.

@@ -10,6 +10,7 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
+use crate::collect::CollectVec as _;
 use crate::emit::GeneratedFile;
 
 use ours::{has_mark, ours};
@@ -141,7 +142,7 @@ pub(crate) fn write_together<'t>(
 
 /// Those of the files that are not there or not as they should be.
 fn changed<'t>(folder: &Path, files: impl IntoIterator<Item = (&'t Path, &'t str)>) -> Vec<(&'t Path, &'t str)> {
-    files.into_iter().filter(|(path, text)| !is_current(&folder.join(path), text)).collect()
+    files.into_iter().filter(|(path, text)| !is_current(&folder.join(path), text)).collect_vec()
 }
 
 /// Compares `folder` with these files; writes nothing.
@@ -152,7 +153,7 @@ pub fn check(folder: &Path, files: &[GeneratedFile]) -> Result<Differences, Outp
     let folder = named(folder);
     let stale = ours(folder)?.stale(files);
     let mut differences =
-        Differences { stale: stale.iter().map(|path| folder.join(path)).collect(), ..Differences::default() };
+        Differences { stale: stale.iter().map(|path| folder.join(path)).collect_vec(), ..Differences::default() };
     for file in files {
         let path = folder.join(&file.path);
         match fs::read(&path) {

@@ -36,6 +36,7 @@ mod width;
 #[cfg(test)]
 mod tests;
 
+use crate::collect::CollectVec as _;
 use crate::diag::Diagnostics;
 use crate::ir::{Dialect, EnumId, File, Partial};
 use crate::order;
@@ -73,7 +74,7 @@ pub(crate) fn passes(loaded: &Loaded, sources: &Sources, diagnostics: &mut Diagn
     let loaded = &*overlay::check_heads(loaded, sources, &mut poisoned, diagnostics);
     let mut enums = Enums::merge(loaded, &poisoned, diagnostics);
     overlay::refine(loaded, &mut enums, diagnostics);
-    let versions: Vec<Version> = loaded.files.iter().map(|file| Version::of(file, diagnostics)).collect();
+    let versions = loaded.files.iter().map(|file| Version::of(file, diagnostics)).collect_vec();
     duplicates::check(loaded, diagnostics);
     reserved::check(loaded, diagnostics);
     let drafts = message::drafts(loaded, &versions, &poisoned, diagnostics);
@@ -96,10 +97,11 @@ pub(crate) fn passes(loaded: &Loaded, sources: &Sources, diagnostics: &mut Diagn
     let commands = overlay::Commands::of(loaded, &enums, diagnostics);
     let said = (&notes, &commands);
     let sized = enums.list.iter().zip(&widths);
-    let models = sized.map(|(merged, &width)| build_enum((loaded, &enums), said, merged, width, diagnostics)).collect();
+    let models =
+        sized.map(|(merged, &width)| build_enum((loaded, &enums), said, merged, width, diagnostics)).collect_vec();
     let links = Links { enums: &enums, widths: &widths, entries: &entries, notes: &notes };
     let whole = drafts.into_iter().zip(added);
-    let mut messages: Vec<_> = whole.map(|(draft, added)| build_message(draft, added, &links, diagnostics)).collect();
+    let mut messages = whole.map(|(draft, added)| build_message(draft, added, &links, diagnostics)).collect_vec();
     order::sort_by_key(&mut messages, |message| message.id);
     let (name, version) = (loaded.name.clone(), versions.first()?.number());
     let dialect = Dialect { name, version, files: files(loaded, sources), enums: models, messages };
@@ -126,7 +128,7 @@ fn widths(
         }
         Width::of(merged, defining_file, uses, &asked, diagnostics)
     })
-    .collect()
+    .collect_vec()
 }
 
 /// The files of the model: those of the dialect, then the overlays.
@@ -138,5 +140,5 @@ fn files(loaded: &Loaded, sources: &Sources) -> Vec<File> {
         includes: Vec::new(),
         overlay: true,
     });
-    files.chain(overlays).collect()
+    files.chain(overlays).collect_vec()
 }

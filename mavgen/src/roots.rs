@@ -3,6 +3,7 @@
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 
+use crate::collect::CollectVec as _;
 use crate::diag::Diagnostics;
 use crate::internal::Internal;
 use crate::ir::{Dialect, Kept};
@@ -96,11 +97,11 @@ pub(crate) fn link_all(
     let parts = dialects.iter().zip(all).map(|(Named { dialect, names }, loaded)| {
         let illegal = |faults| Internal::new(format!("what is resolved without errors is legal: {faults:#?}"));
         let files = loaded.files.iter().map(|file| file.id);
-        let sources = files.chain(loaded.overlays.iter().map(|overlay| overlay.id)).collect();
+        let sources = files.chain(loaded.overlays.iter().map(|overlay| overlay.id)).collect_vec();
         Ok(Part { dialect: dialect.validate().map_err(illegal)?, names: names.clone(), sources })
     });
     let mut found = Diagnostics::default();
-    let union = link::link(tree, parts.collect::<Result<_, Internal>>()?, &mut found)?;
+    let union = link::link(tree, parts.try_collect_vec()?, &mut found)?;
     found.arrange();
     diagnostics.extend(found.iter().cloned());
     Ok(Some(union))
@@ -119,6 +120,9 @@ fn once(found: Vec<Diagnostics>) -> Diagnostics {
 
 /// Every path of several dialects, once.
 pub(crate) fn watched(all: Vec<Loaded>) -> Vec<PathBuf> {
-    let mut seen = HashSet::new();
-    all.into_iter().flat_map(|loaded| loaded.watched).filter(|path| seen.insert(path.clone())).collect()
+    let (mut watched, mut seen) = (Vec::new(), HashSet::new());
+    for loaded in all {
+        watched.extend(loaded.watched.into_iter().filter(|path| seen.insert(path.clone())));
+    }
+    watched
 }

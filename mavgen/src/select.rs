@@ -7,6 +7,7 @@ mod pattern;
 #[cfg(test)]
 mod tests;
 
+use crate::collect::CollectVec as _;
 use crate::diag::nearest;
 use crate::ir::{Dialect, Kept, Message};
 use crate::order;
@@ -25,7 +26,7 @@ impl Selection {
     /// # Errors
     /// With a sentence, if there is none or one of them is empty.
     pub(crate) fn new<'n>(names: impl IntoIterator<Item = &'n str>) -> Result<Self, String> {
-        let mut patterns: Vec<Pattern> = names.into_iter().map(|name| Pattern::new(name.trim())).collect();
+        let mut patterns = names.into_iter().map(|name| Pattern::new(name.trim())).collect_vec();
         if patterns.is_empty() || patterns.iter().any(Pattern::is_empty) {
             return Err(
                 "the list of messages is empty, or has an empty name: give names like HEARTBEAT, or PARAM_*".into()
@@ -41,7 +42,7 @@ impl Selection {
     /// With a sentence that lists those that do not.
     pub(crate) fn check(&self, dialects: &[&Dialect]) -> Result<(), String> {
         let messages = || dialects.iter().flat_map(|dialect| &dialect.messages);
-        let mut files: Vec<&str> = dialects.iter().filter_map(|dialect| Some(&*dialect.files.first()?.name)).collect();
+        let mut files = dialects.iter().filter_map(|dialect| Some(&*dialect.files.first()?.name)).collect_vec();
         // Two states of a dialect are mostly called the same.
         files.dedup();
         self.check_names(|| messages().map(|message| message.name.text.as_str()), &files.join(", "))
@@ -62,7 +63,7 @@ impl Selection {
                 Some(name) => format!("`{}` (did you mean `{name}`?)", pattern.text()),
                 None => format!("`{}`", pattern.text()),
             })
-            .collect();
+            .collect_vec();
         if unmatched.is_empty() {
             return Ok(());
         }

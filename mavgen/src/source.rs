@@ -2,6 +2,7 @@
 //!
 //! Knows nothing of XML: it keeps texts, and turns a byte range into file, line and column.
 
+use crate::collect::CollectVec as _;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
@@ -90,7 +91,7 @@ impl SourceFile {
     pub fn position(&self, offset: u32) -> Position {
         let lines = self.lines.get_or_init(|| {
             let after_breaks = self.text.match_indices('\n').map(|(at, _)| at + 1);
-            std::iter::once(0).chain(after_breaks).collect()
+            std::iter::once(0).chain(after_breaks).collect_vec()
         });
         let offset = (offset as usize).min(self.text.len());
         let line = lines.partition_point(|&start| start <= offset);

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf, absolute};
 
 use super::{Builder, Failure, Problems};
+use crate::collect::CollectVec as _;
 use crate::diag::{Code, Diagnostic, Diagnostics, Severity};
 use crate::provenance;
 use crate::source::{SourceFile, Sources};
@@ -73,7 +74,7 @@ impl Builder {
             Ok(code) => Ok(code),
             Err(error) => Err(Failure::Usage(error.to_string())),
         };
-        self.allowed.iter().map(allowed).collect()
+        self.allowed.iter().map(allowed).try_collect_vec()
     }
 
     /// Fails if there are warnings that are not let pass, with them.

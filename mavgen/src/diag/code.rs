@@ -7,6 +7,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use super::nearest;
+use crate::collect::CollectVec as _;
 
 /// How bad a problem is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -273,7 +274,7 @@ impl FromStr for Code {
 
 impl fmt::Display for UnknownCode {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let codes: Vec<String> = Code::ALL.iter().map(Code::to_string).collect();
+        let codes = Code::ALL.iter().map(Code::to_string).collect_vec();
         write!(f, "there is no diagnostic `{}`; ", self.0)?;
         match nearest(&self.0, codes.iter().map(String::as_str)) {
             Some(meant) => write!(f, "did you mean `{meant}`?"),

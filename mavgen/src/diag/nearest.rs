@@ -8,21 +8,27 @@ const LONGEST: usize = 80;
 /// An edit inserts, removes or replaces a character, or swaps two neighbours; letter case does not count. Of equally near
 /// candidates the first is taken.
 pub fn nearest<'c>(name: &str, candidates: impl IntoIterator<Item = &'c str>) -> Option<&'c str> {
-    if name.len() > LONGEST {
-        return None;
+    let wanted = (name.len() <= LONGEST).then(|| letters(name))?;
+    let mut best = None;
+    for candidate in candidates {
+        best = nearer(&wanted, best, candidate);
     }
-    let wanted: Vec<char> = name.chars().flat_map(char::to_lowercase).collect();
-    let allowed = (wanted.len() / 3).clamp(1, 4);
-    candidates
-        .into_iter()
-        .filter_map(|candidate| {
-            let letters: Vec<char> = candidate.chars().flat_map(char::to_lowercase).collect();
-            let far = wanted.len().abs_diff(letters.len()) > allowed;
-            let distance = if far { usize::MAX } else { edits(&wanted, &letters) };
-            (distance <= allowed).then_some((distance, candidate))
-        })
-        .min_by_key(|&(distance, _)| distance)
-        .map(|(_, candidate)| candidate)
+    best.map(|(_, candidate)| candidate)
+}
+
+/// The better of the best so far and this candidate, each with its distance.
+fn nearer<'c>(wanted: &[char], best: Option<(usize, &'c str)>, candidate: &'c str) -> Option<(usize, &'c str)> {
+    let (letters, allowed) = (letters(candidate), (wanted.len() / 3).clamp(1, 4));
+    if wanted.len().abs_diff(letters.len()) > allowed {
+        return best;
+    }
+    let distance = edits(wanted, &letters);
+    let is_nearer = distance <= allowed && best.is_none_or(|(before, _)| distance < before);
+    if is_nearer { Some((distance, candidate)) } else { best }
+}
+
+fn letters(text: &str) -> Vec<char> {
+    text.chars().flat_map(char::to_lowercase).collect()
 }
 
 /// The optimal string alignment distance.

@@ -3,6 +3,7 @@
 use annotate_snippets::{Annotation, AnnotationKind, Group, Level, Renderer, Snippet, normalize_untrusted_str};
 
 use super::{Diagnostic, Severity};
+use crate::collect::CollectVec as _;
 use crate::source::{FileId, SourceFile, Sources, Span};
 
 /// The width at which long source lines are cut, whatever the terminal: output must not depend on where it is made.
@@ -68,7 +69,7 @@ fn snippets<'s>(diagnostic: &'s Diagnostic, sources: &'s Sources) -> Vec<Snippet
             None => files.push((mark.0.file, vec![mark])),
         }
     }
-    files.iter().filter_map(|(file, marks)| Some(snippet(sources.get(*file)?, marks))).collect()
+    files.iter().filter_map(|(file, marks)| Some(snippet(sources.get(*file)?, marks))).collect_vec()
 }
 
 /// The lines of one file from the first mark to the last.

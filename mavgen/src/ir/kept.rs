@@ -2,6 +2,7 @@
 
 use super::visit::{enums_of_enum, enums_of_enum_mut, enums_of_message, enums_of_message_mut};
 use super::{Dialect, Enum, EnumId, Message};
+use crate::collect::CollectVec as _;
 
 /// What stays of a dialect, by the places in its vectors; in their order.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -18,9 +19,9 @@ impl Kept {
         wants_message: impl Fn(&Message) -> bool,
         wants_enum: impl Fn(&Enum) -> bool,
     ) -> Self {
-        let messages: Vec<bool> = dialect.messages.iter().map(wants_message).collect();
+        let messages = dialect.messages.iter().map(wants_message).collect_vec();
         let wanted = dialect.enums.iter().enumerate().filter(|(_, enum_)| wants_enum(enum_));
-        let mut open: Vec<EnumId> = wanted.map(|(index, _)| EnumId(index)).collect();
+        let mut open = wanted.map(|(index, _)| EnumId(index)).collect_vec();
         for (message, _) in dialect.messages.iter().zip(&messages).filter(|(_, stays)| **stays) {
             enums_of_message(message, &mut |id| open.push(*id));
         }
@@ -58,7 +59,7 @@ impl Dialect {
         kept.cut_enums(&mut self.enums);
         // For each enum, how many of those before it stay: what stays gets that number.
         let before = |count: &mut usize, stays: &bool| Some(std::mem::replace(count, *count + usize::from(*stays)));
-        let numbers: Vec<usize> = kept.enums.iter().scan(0, before).collect();
+        let numbers = kept.enums.iter().scan(0, before).collect_vec();
         // Whatever names an enum had it among its needs, so that it has a new number; what names none goes on naming none.
         let mut renumber = |id: &mut EnumId| *id = numbers.get(id.0).copied().map_or(*id, EnumId);
         self.messages.iter_mut().for_each(|message| enums_of_message_mut(message, &mut renumber));

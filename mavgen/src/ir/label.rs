@@ -5,6 +5,7 @@ use std::fmt;
 use heck::ToSnakeCase;
 
 use super::Name;
+use crate::collect::CollectVec as _;
 
 /// The name of something that an overlay says of bits: a member, a key, a getter.
 ///
@@ -60,7 +61,7 @@ pub(crate) fn param_words(label: &str) -> Option<String> {
 pub(crate) fn unit_words(unit: &str) -> String {
     let spelled = unit.replace('/', " per ").replace('%', " percent ").replace('µ', "u");
     let words = spelled.split(|letter: char| !letter.is_ascii_alphanumeric()).filter(|word| !word.is_empty());
-    words.map(str::to_ascii_lowercase).collect::<Vec<_>>().join("_")
+    words.map(str::to_ascii_lowercase).collect_vec().join("_")
 }
 
 #[cfg(test)]

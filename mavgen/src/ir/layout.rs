@@ -1,5 +1,6 @@
 //! The order of fields on the wire, and the checksum that follows from it.
 
+use crate::collect::CollectVec as _;
 use crate::order::sort_by_key;
 use std::cmp::Reverse;
 
@@ -26,8 +27,8 @@ impl Layout {
     /// The larger elements come first, equal ones in the order of the XML; extension fields follow as the XML has them. Nothing
     /// is padded (MAVLink guide, "Field reordering").
     pub(crate) fn of(fields: impl IntoIterator<Item = (FieldType, bool)>) -> Self {
-        let fields: Vec<(FieldType, bool)> = fields.into_iter().collect();
-        let mut order: Vec<(usize, &(FieldType, bool))> = fields.iter().enumerate().collect();
+        let fields = fields.into_iter().collect_vec();
+        let mut order = fields.iter().enumerate().collect_vec();
         sort_by_key(&mut order, |(_, (ty, extension))| {
             (*extension, Reverse(if *extension { 0 } else { ty.scalar.size() }))
         });
@@ -41,8 +42,8 @@ impl Layout {
             }
         }
         sort_by_key(&mut placed, |(index, _)| *index);
-        let order = order.into_iter().map(|(index, _)| index).collect();
-        Self { order, offsets: placed.into_iter().map(|(_, offset)| offset).collect(), v1, v2, fields }
+        let order = order.into_iter().map(|(index, _)| index).collect_vec();
+        Self { order, offsets: placed.into_iter().map(|(_, offset)| offset).collect_vec(), v1, v2, fields }
     }
 
     /// `CRC_EXTRA` of a message (MAVLink guide, "CRC_EXTRA calculation"): the checksum over its definition, which seeds the

@@ -4,6 +4,7 @@ use std::num::NonZeroU8;
 use std::ops::RangeInclusive;
 
 use super::{Binding, EnumId, FileIndex, Name, Origin, Repr, View};
+use crate::collect::CollectVec as _;
 use crate::order;
 
 /// A message.
@@ -38,7 +39,7 @@ impl Message {
 
     /// The fields in wire order: by offset.
     pub fn wire_order(&self) -> Vec<&Field> {
-        let mut fields: Vec<&Field> = self.fields.iter().collect();
+        let mut fields = self.fields.iter().collect_vec();
         order::sort_by_key(&mut fields, |field| field.offset);
         fields
     }

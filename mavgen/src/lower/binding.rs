@@ -3,6 +3,7 @@
 use super::docs;
 use super::items::Items;
 use super::named::NamedMessage;
+use crate::collect::CollectVec as _;
 use crate::internal::Internal;
 use crate::ir::Binding;
 use crate::rust::{Bind, Docs, Kind, Method, Paragraph, Sig, Ty};
@@ -11,7 +12,7 @@ impl<'d> Items<'d> {
     /// The getters and setters of what overlays bind to the fields of a message.
     pub(super) fn bindings(self, message: NamedMessage<'d>) -> Result<Vec<Method<'d>>, Internal> {
         let methods = message.bindings().map(|binding| self.binding(message, binding));
-        Ok(methods.collect::<Result<Vec<_>, _>>()?.into_iter().flatten().collect())
+        Ok(methods.try_collect_vec()?.into_iter().flatten().collect_vec())
     }
 
     fn binding(

@@ -6,6 +6,7 @@ use super::imports::MODULE;
 use super::items::Items;
 use super::link::Placement;
 use super::named::NamedCommand;
+use crate::collect::CollectVec as _;
 use crate::docs::line;
 use crate::internal::Internal;
 use crate::ir::{self, Carrier, Param};
@@ -24,8 +25,8 @@ impl<'d> Items<'d> {
             deprecated: self.deprecation(&entry.origin),
             id: u16::try_from(entry.value)
                 .map_err(|_| Internal::new(format!("no message carries command {}", entry.value)))?,
-            fields: fields.map(|(param, ident)| self.command_field(command, param, ident)).collect::<Result<_, _>>()?,
-            fixed: fixed.collect(),
+            fields: fields.map(|(param, ident)| self.command_field(command, param, ident)).try_collect_vec()?,
+            fixed: fixed.collect_vec(),
             long: of.long.is_some(),
             int: of.int.is_some(),
         })
@@ -59,7 +60,7 @@ impl<'d> Items<'d> {
         let NamedCommand { entry, model, .. } = command;
         let file = self.file_name(entry.origin.file)?;
         let facts = format!("`{}`, command {} of `{file}`.", entry.name.text, entry.value);
-        let facts = [facts].into_iter().chain(docs::reference(file, &entry.name.text)).collect();
+        let facts = [facts].into_iter().chain(docs::reference(file, &entry.name.text)).collect_vec();
         let mut paragraphs = docs::description(&entry.origin);
         paragraphs.extend([Paragraph::Lines(facts), Paragraph::Lines(docs::command_notes(model))]);
         Ok(Docs(paragraphs))

@@ -1,6 +1,7 @@
 //! Documentation: what the XML says, and what only the generator knows.
 
 use super::items::Items;
+use crate::collect::CollectVec as _;
 use crate::docs::line;
 use crate::ir::{Command, Lifecycle, Limits, Origin, Successor};
 use crate::rust::Paragraph;
@@ -8,7 +9,7 @@ use crate::rust::Paragraph;
 /// The description, and the stage of life.
 pub(crate) fn description(origin: &Origin) -> Vec<Paragraph<'_>> {
     let lifecycle = lifecycle(origin).map(Paragraph::line);
-    [Paragraph::prose(origin.description.as_str())].into_iter().chain(lifecycle).collect()
+    [Paragraph::prose(origin.description.as_str())].into_iter().chain(lifecycle).collect_vec()
 }
 
 /// The stage of life in a sentence: `Superseded since 2015-08, replaced by SET_MESSAGE_INTERVAL. Why.`
@@ -60,7 +61,7 @@ pub(crate) fn quantity(units: Option<&str>, multiplier: Option<&str>, limits: &L
         (None, None) => None,
     };
     let step = limits.increment.map(|step| format!("in steps of {step}"));
-    [unit, range, step].into_iter().flatten().collect()
+    [unit, range, step].into_iter().flatten().collect_vec()
 }
 
 /// Descriptions of params that say that there is nothing to describe.
@@ -79,7 +80,7 @@ pub(crate) fn command_notes(command: &Command) -> Vec<String> {
         _ => None,
     };
     let mission = command.mission_only.then_some("Only for missions: not to be sent as a command.");
-    [place, mission].into_iter().flatten().map(str::to_owned).collect()
+    [place, mission].into_iter().flatten().map(str::to_owned).collect_vec()
 }
 
 /// `in m/s` becomes `In m/s`.

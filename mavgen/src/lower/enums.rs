@@ -3,6 +3,7 @@
 use super::docs;
 use super::items::Items;
 use super::named::NamedEnum;
+use crate::collect::CollectVec as _;
 use crate::internal::Internal;
 use crate::ir::{self, Command, Entry, EnumId, Limits, Param};
 use crate::order;
@@ -23,7 +24,7 @@ impl<'d> Items<'d> {
             deprecated: self.deprecation(&one.origin),
             int: ty.int,
             flags: ty.flags,
-            constants: named.entries().map(|entry| self.constant_item(entry)).collect::<Result<_, _>>()?,
+            constants: named.entries().map(|entry| self.constant_item(entry)).try_collect_vec()?,
             methods: if params.is_empty() { Vec::new() } else { vec![params_method()] },
             params,
             name: &one.name.text,
@@ -35,7 +36,7 @@ impl<'d> Items<'d> {
         let (file, name) = (self.file_name(one.defined_in)?, &one.name.text);
         let kind = if one.bitmask { "flags in a" } else { "numbers of type" };
         let facts = format!("`{name}` of `{file}`: {kind} `{}`.", one.repr.name());
-        let facts = [facts].into_iter().chain(docs::reference(file, name)).collect();
+        let facts = [facts].into_iter().chain(docs::reference(file, name)).collect_vec();
         let mut paragraphs = docs::description(&one.origin);
         paragraphs.extend([Paragraph::Lines(facts), Paragraph::Lines(conflicts)]);
         Ok(Docs(paragraphs))
@@ -62,16 +63,16 @@ impl<'d> Items<'d> {
                 let carries = param.enum_.map(|id| Ok(self.enum_at(id)?.model.name.text.as_str())).transpose()?;
                 Ok(ParamInfo { param, carries })
             });
-            Ok((value, params.collect::<Result<Vec<_>, Internal>>()?))
+            Ok((value, params.try_collect_vec()?))
         });
-        let rows = rows.collect::<Result<Vec<_>, Internal>>()?;
-        Ok(rows.into_iter().filter(|(_, params)| !params.is_empty()).collect())
+        let rows = rows.try_collect_vec()?;
+        Ok(rows.into_iter().filter(|(_, params)| !params.is_empty()).collect_vec())
     }
 
     /// What the command is for, and a list of the parameters that mean something.
     fn command_docs(self, command: &'d Command) -> Result<[Paragraph<'d>; 2], Internal> {
         let used = command.params.iter().filter(|param| !param.reserved);
-        let list = used.map(|param| self.param_item(param)).collect::<Result<_, _>>()?;
+        let list = used.map(|param| self.param_item(param)).try_collect_vec()?;
         Ok([Paragraph::Lines(docs::command_notes(command)), Paragraph::List(list)])
     }
 
@@ -106,7 +107,7 @@ impl<'d> Items<'d> {
         });
         let docs = Docs::line(format!("Any message of the `{name}` dialect."))
             .then(Paragraph::line("New messages are added without a breaking release; match with a `_` arm."));
-        Ok(DialectEnum { ident, docs, variants: variants.collect::<Result<_, Internal>>()? })
+        Ok(DialectEnum { ident, docs, variants: variants.try_collect_vec()? })
     }
 }
 
@@ -117,7 +118,7 @@ fn entries<'d>(named: NamedEnum<'d>) -> Vec<(u64, &'d str)> {
         let (entry, _) = named.entries().find(|(_, known)| known == constant)?;
         Some((entry.value, text.as_str()))
     });
-    let mut entries: Vec<_> = own.chain(renamed).collect();
+    let mut entries = own.chain(renamed).collect_vec();
     order::sort_by_key(&mut entries, |(value, _)| *value);
     entries
 }

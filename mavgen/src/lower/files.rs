@@ -6,6 +6,7 @@ use super::items::Items;
 use super::link::Placement;
 use super::message::alias;
 use super::named::NamedCommand;
+use crate::collect::CollectVec as _;
 use crate::internal::Internal;
 use crate::ir::{EnumId, FileIndex, Origin};
 use crate::rust::{Alias, Content, Docs, File, Mentions, Use};
@@ -39,7 +40,7 @@ impl<'d> Items<'d> {
     /// What the files of a message and of its views have, in a tree of one dialect.
     pub(crate) fn message_contents(self, at: usize) -> Result<Vec<Content<'d>>, Internal> {
         let (message, item) = (self.message_at(at)?, self.message(at, Vec::new())?);
-        let aliases = alias(&item, &message.names.module).into_iter().collect();
+        let aliases = alias(&item, &message.names.module).into_iter().collect_vec();
         let mut contents = vec![Content::Message(Box::new(item))];
         contents.push(Content::Module { children: Vec::new(), exports: Vec::new(), aliases });
         for view in 0..message.model.views.len() {
@@ -52,7 +53,7 @@ impl<'d> Items<'d> {
     pub(crate) fn command_contents(self) -> Result<Vec<Content<'d>>, Internal> {
         let Some(commands) = Commands::of_one(self.dialect) else { return Ok(Vec::new()) };
         let each = self.enum_at(commands.enum_)?.commands();
-        each.map(|command| Ok(Content::Command(Box::new(self.command(command, &commands)?)))).collect()
+        each.map(|command| Ok(Content::Command(Box::new(self.command(command, &commands)?)))).try_collect_vec()
     }
 }
 
@@ -139,7 +140,7 @@ impl<'d> Maker<'_, 'd> {
 
     /// The first line: the files that an item comes from, or those that the folder does.
     pub(super) fn header(&self, files: &[FileIndex]) -> Result<String, Internal> {
-        let names = files.iter().map(|file| self.items.file_name(*file)).collect::<Result<Vec<_>, _>>()?;
+        let names = files.iter().map(|file| self.items.file_name(*file)).try_collect_vec()?;
         let names = if names.is_empty() { self.folder.sources.clone() } else { names.join(", ") };
         Ok(format!("{MARK} from {names}; do not edit."))
     }

@@ -9,8 +9,9 @@
 //!
 //! The modules of a dialect export all that it has. What is declared there is what another dialect has something else for.
 
-use super::link::{Placement, Root, Union};
+use super::link::{Placement, Root, Union, ViewPlacement};
 use super::names::COMMANDS;
+use crate::collect::CollectVec as _;
 use crate::internal::Internal;
 use crate::ir::{Carrier, Dialect, EnumId};
 use crate::order;
@@ -111,9 +112,9 @@ impl<'d> Folder<'d> {
             prefix: String::new(),
             sources: dialect.files.first().map_or_else(String::new, |file| file.name.clone()),
             roots: Vec::new(),
-            messages: (0..dialect.messages.len()).map(Listed::shared).collect(),
-            enums: (0..dialect.enums.len()).map(|at| Listed::shared(EnumId(at))).collect(),
-            views: views.map(Listed::shared).collect(),
+            messages: (0..dialect.messages.len()).map(Listed::shared).collect_vec(),
+            enums: (0..dialect.enums.len()).map(|at| Listed::shared(EnumId(at))).collect_vec(),
+            views: views.map(Listed::shared).collect_vec(),
             commands: Commands::of_one(dialect).map(Listed::shared),
         }
     }
@@ -126,11 +127,11 @@ impl<'d> Folder<'d> {
     /// What several dialects share, then the folder of each.
     pub(super) fn of_several(union: &'d Union) -> Result<Vec<Self>, Internal> {
         let is_shared = |placement: &Placement| *placement == Placement::Shared;
-        let tops = union.roots.iter().map(|root| top_file(union, root)).collect::<Result<Vec<_>, _>>()?;
+        let tops = union.roots.iter().map(|root| top_file(union, root)).try_collect_vec()?;
         let enums = union.enum_placements.iter().enumerate().filter(|(_, placement)| is_shared(placement));
         let messages = union.message_placements.iter().enumerate().filter(|(_, at)| is_shared(&at.placement));
-        let enums: Vec<EnumId> = enums.map(|(at, _)| EnumId(at)).collect();
-        let mut messages: Vec<usize> = messages.map(|(at, _)| at).collect();
+        let enums = enums.map(|(at, _)| EnumId(at)).collect_vec();
+        let mut messages = messages.map(|(at, _)| at).collect_vec();
         order::sort_by_key(&mut messages, |at| union.all.messages.get(*at).map(|message| message.id));
         let commands = Commands::of(&union.all, enums.iter().copied(), messages.iter().copied());
         let commands =
@@ -141,10 +142,10 @@ impl<'d> Folder<'d> {
             file: "mod.rs".to_owned(),
             prefix: String::new(),
             sources: tops.join(", "),
-            roots: union.roots.iter().map(|root| root.module.as_str()).collect(),
-            messages: messages.into_iter().map(Listed::shared).collect(),
-            enums: enums.into_iter().map(Listed::shared).collect(),
-            views: views(union).filter(|(listed, _)| is_shared(&listed.placement)).map(|(listed, _)| listed).collect(),
+            roots: union.roots.iter().map(|root| root.module.as_str()).collect_vec(),
+            messages: messages.into_iter().map(Listed::shared).collect_vec(),
+            enums: enums.into_iter().map(Listed::shared).collect_vec(),
+            views: views(union, |view| is_shared(&view.placement)),
             commands: commands.map(Listed::shared),
         }];
         for (at, root) in union.roots.iter().enumerate() {
@@ -172,9 +173,9 @@ impl<'d> Folder<'d> {
             prefix: format!("{module}/"),
             sources: top_file(union, root)?.to_owned(),
             roots: Vec::new(),
-            messages: messages.collect::<Result<_, Internal>>()?,
-            enums: enums.collect::<Result<_, Internal>>()?,
-            views: views(union).filter(|(_, roots)| roots.contains(&at)).map(|(listed, _)| listed).collect(),
+            messages: messages.try_collect_vec()?,
+            enums: enums.try_collect_vec()?,
+            views: views(union, |view| view.roots.contains(&at)),
             commands: Commands::of_root(union, root).map(|item| Listed {
                 item,
                 placement: if shared == Some(item) { Placement::Shared } else { Placement::Root(at) },
@@ -183,12 +184,14 @@ impl<'d> Folder<'d> {
     }
 }
 
-/// All views, each with the dialects that know it.
-fn views(union: &Union) -> impl Iterator<Item = (Listed<(usize, usize)>, &[usize])> {
-    union.message_placements.iter().enumerate().flat_map(|(message, placements)| {
-        let views = placements.views.iter().enumerate();
-        views.map(move |(view, at)| (Listed { item: (message, view), placement: at.placement }, at.roots.as_slice()))
-    })
+/// The views that are wanted, of all.
+fn views(union: &Union, wanted: impl Fn(&ViewPlacement) -> bool) -> Vec<Listed<(usize, usize)>> {
+    let mut views = Vec::new();
+    for (message, placements) in union.message_placements.iter().enumerate() {
+        let wanted = placements.views.iter().enumerate().filter(|(_, view)| wanted(view));
+        views.extend(wanted.map(|(view, at)| Listed { item: (message, view), placement: at.placement }));
+    }
+    views
 }
 
 fn top_file<'d>(union: &'d Union, root: &Root) -> Result<&'d str, Internal> {

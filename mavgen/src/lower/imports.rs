@@ -5,6 +5,7 @@
 
 use super::items::Items;
 use super::link::Placement;
+use crate::collect::CollectVec as _;
 use crate::internal::Internal;
 use crate::ir::EnumId;
 use crate::order;
@@ -60,7 +61,7 @@ impl<'d> Items<'d> {
         }
         modules.iter_mut().for_each(|(_, names)| order::sort_and_dedup(names));
         order::sort_by_key(&mut modules, |(way, _)| way.clone());
-        Ok(modules.into_iter().map(|(way, names)| Use::Names(way, names)).collect())
+        Ok(modules.into_iter().map(|(way, names)| Use::Names(way, names)).collect_vec())
     }
 
     /// `use super::super::messages::Heartbeat;`, for the file of a view.

@@ -17,6 +17,7 @@ use std::path::Path;
 use super::names::Names;
 use super::namespace::{Claim, Namespace, Scope, What};
 use super::{collision, spelling};
+use crate::collect::CollectVec as _;
 use crate::diag::Diagnostics;
 use crate::internal::Internal;
 use crate::ir::{Dialect, EnumId, FileIndex, Valid};
@@ -27,7 +28,7 @@ use enums::Enums;
 use files::Files;
 use messages::Messages;
 
-pub(crate) use placement::{MessagePlacement, Placement};
+pub(crate) use placement::{MessagePlacement, Placement, ViewPlacement};
 
 /// Several dialects, linked.
 #[derive(Clone, Debug)]
@@ -82,7 +83,7 @@ pub(crate) fn check_modules<'a>(
     diagnostics: &mut Diagnostics,
 ) {
     let dialects = dialects.map(|(name, (file, path))| (name, Span::new(file, 0..0), path.display().to_string()));
-    let dialects: Vec<(&str, Span, String)> = dialects.collect();
+    let dialects = dialects.collect_vec();
     let mut modules = Namespace::of(Scope::Modules);
     for (name, span, path) in &dialects {
         let by = Claim { what: What::Root, text: path, span: Some(*span), age: 0 };
@@ -98,8 +99,11 @@ pub(crate) fn link(tree: &str, parts: Vec<Part<'_>>, diagnostics: &mut Diagnosti
     for (index, Part { dialect, names, sources }) in parts.into_iter().enumerate() {
         let mut dialect = dialect.dialect().clone();
         let file = files.take(&mut dialect, &sources)?;
-        let ids =
-            enums.take((index, &dialect.name), dialect.enums.into_iter().zip(names.enums).collect(), diagnostics)?;
+        let ids = enums.take(
+            (index, &dialect.name),
+            dialect.enums.into_iter().zip(names.enums).collect_vec(),
+            diagnostics,
+        )?;
         let messages = messages.take(index, dialect.messages.into_iter().zip(names.messages), &ids, &enums)?;
         let mut enums: Vec<EnumId> = ids;
         order::sort_by_key(&mut enums, |id| *id);

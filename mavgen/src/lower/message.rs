@@ -3,6 +3,7 @@
 use super::items::Items;
 use super::named::{NamedAccess, NamedField, NamedMessage, spelled};
 use super::{docs, types};
+use crate::collect::CollectVec as _;
 use crate::docs::line;
 use crate::internal::Internal;
 use crate::ir::{self, Invalid, Message, Scalar, Scope, Sentinel, Values};
@@ -19,7 +20,7 @@ impl<'d> Items<'d> {
             alias: docs::alias(&message.model.name.text, message.ty()),
             docs: self.message_docs(message, conflicts)?,
             deprecated: self.deprecation(&message.model.origin),
-            fields: message.fields().map(|field| self.message_field(message, field)).collect::<Result<_, _>>()?,
+            fields: message.fields().map(|field| self.message_field(message, field)).try_collect_vec()?,
             methods,
             seen: seen(message)?,
             frame: frame(message),
@@ -57,7 +58,7 @@ impl<'d> Items<'d> {
         };
         let reach = if *id > 255 { "; MAVLink 2 only" } else { "" };
         let facts = format!("`{}`, message {id} of `{file}`: {length}, CRC_EXTRA {crc_extra}{reach}.", name.text);
-        let facts = [facts].into_iter().chain(docs::reference(file, &name.text)).collect();
+        let facts = [facts].into_iter().chain(docs::reference(file, &name.text)).collect_vec();
         let mut paragraphs = docs::description(&message.origin);
         let given = self.overlay_methods(named)?;
         paragraphs.extend([
@@ -87,7 +88,7 @@ impl<'d> Items<'d> {
             let (field, bound) = (message.field(binding.field)?.ident, self.enum_type(binding.enum_)?);
             Ok(format!("- [`Self::{getter}()`]: `{}`, as {}.", spelled(field), docs::link(bound.ident)))
         });
-        views.chain(bindings).collect()
+        views.chain(bindings).try_collect_vec()
     }
 
     /// The description; then units, range, enum, sentinel, whether MAVLink 1 has it and whether it is a secret.
@@ -125,10 +126,12 @@ pub(super) fn alias<'d>(message: &Struct<'d>, module: &'d str) -> Option<Alias<'
     let told = docs.0.iter().filter(|paragraph| !matches!(paragraph, Paragraph::Table(..)));
     // It stands one module higher than the file that its docs are made for, and so do its links.
     let higher = told.cloned().map(|paragraph| match paragraph {
-        Paragraph::Lines(lines) => Paragraph::Lines(lines.iter().map(|line| line.replace("](super::", "](")).collect()),
+        Paragraph::Lines(lines) => {
+            Paragraph::Lines(lines.iter().map(|line| line.replace("](super::", "](")).collect_vec())
+        }
         other => other,
     });
-    let (docs, deprecated) = (Docs(higher.collect()), deprecated.clone()?);
+    let (docs, deprecated) = (Docs(higher.collect_vec()), deprecated.clone()?);
     Some(Alias { ident, alias: *alias, docs, deprecated, module })
 }
 
@@ -145,7 +148,7 @@ fn seen(message: NamedMessage<'_>) -> Result<Vec<Seen<'_>>, Internal> {
             NamedAccess::Record(record) => Seen { getter: record.getter, gives: under(view.model.condition.is_some()) },
         })
     });
-    bound.chain(views).collect()
+    bound.chain(views).try_collect_vec()
 }
 
 fn frame(message: NamedMessage<'_>) -> Frame<'_> {
@@ -173,7 +176,7 @@ fn wire_table(message: &Message) -> Paragraph<'_> {
         let name = format!("`{}`{extension}", field.name.text);
         [field.offset.to_string(), name, format!("`{}`", xml_type(field)), units].map(Cell::Plain).to_vec()
     };
-    let rows = message.wire_order().into_iter().map(row).collect();
+    let rows = message.wire_order().into_iter().map(row).collect_vec();
     Paragraph::Table(vec!["offset", "field", "type", "units"], rows)
 }
 

@@ -6,6 +6,7 @@ use super::folder::{Commands, Listed};
 use super::imports::MODULE;
 use super::link::Placement;
 use super::named::NamedAccess;
+use crate::collect::CollectVec as _;
 use crate::internal::Internal;
 use crate::order;
 use crate::rust::{Alias, Cell, Child, ChildAccess, Content, Docs, Export, File, Paragraph, Use};
@@ -33,7 +34,7 @@ struct Listing<'d> {
 pub(super) fn root<'d>(maker: &Maker<'_, 'd>) -> Result<File<'d>, Internal> {
     let folder = maker.folder;
     let child = |ident: &str, access, expect| Child { ident: ident.to_owned(), access, expect };
-    let mut children: Vec<Child> = folder.roots.iter().map(|root| child(root, ChildAccess::Public, false)).collect();
+    let mut children = folder.roots.iter().map(|root| child(root, ChildAccess::Public, false)).collect_vec();
     let mut exports = Vec::new();
     if let Some(dialect) = folder.dialect.filter(|_| !folder.messages.is_empty()) {
         let mut expect = false;
@@ -149,7 +150,7 @@ pub(super) fn views<'d>(maker: &Maker<'_, 'd>, files: &mut Vec<File<'d>>) -> Res
             NamedAccess::Once(_) | NamedAccess::Record(_) => vec![view.ty()],
             NamedAccess::Slots(slots) => vec![slots.item, view.ty()],
         };
-        exports.push(plain(Use::Names(from, types.into_iter().map(str::to_owned).collect())));
+        exports.push(plain(Use::Names(from, types.into_iter().map(str::to_owned).collect_vec())));
     }
     let docs = Docs::line("What overlays see in fields: packed bits, and values.");
     module(maker, "views", docs, Content::Module { children, exports, aliases: Vec::new() })

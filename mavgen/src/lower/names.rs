@@ -11,6 +11,7 @@ mod tests;
 use std::collections::HashSet;
 
 use super::spelling;
+use crate::collect::CollectVec as _;
 use crate::diag::Diagnostics;
 #[cfg(any(feature = "compare", doc))]
 use crate::ir::Dialect;
@@ -123,10 +124,10 @@ impl Names {
     /// Names a dialect, also one with errors, and reports what collides.
     pub(crate) fn check(partial: &Partial, diagnostics: &mut Diagnostics) -> Self {
         let Partial { dialect, lost, .. } = partial;
-        let mut messages: Vec<_> = dialect.messages.iter().map(MessageNames::of).collect();
+        let mut messages = dialect.messages.iter().map(MessageNames::of).collect_vec();
         let lost = lost.iter().map(|message| spelling::type_name(&message.name.text));
         let taken: HashSet<String> = messages.iter().map(|message| message.ty.clone()).chain(lost).collect();
-        let mut enums: Vec<_> = dialect.enums.iter().map(|enum_| EnumNames::of(enum_, &taken)).collect();
+        let mut enums = dialect.enums.iter().map(|enum_| EnumNames::of(enum_, &taken)).collect_vec();
         let types = check::types(partial, &messages, &enums, diagnostics);
         let dialect_name = check::dialect(&dialect.name, &types, diagnostics);
         check::fields(partial, &messages, diagnostics);
@@ -158,10 +159,10 @@ impl MessageNames {
         Self {
             ty: spelling::type_name(&message.name.text),
             module: spelling::item_module_name(&message.name.text),
-            fields: message.fields.iter().map(|field| spelling::field_name(&field.name.text)).collect(),
+            fields: message.fields.iter().map(|field| spelling::field_name(&field.name.text)).collect_vec(),
             accessors: Vec::new(),
-            bindings: message.bindings.iter().map(|binding| spelling::label(&binding.name)).collect(),
-            views: message.views.iter().map(ViewNames::of).collect(),
+            bindings: message.bindings.iter().map(|binding| spelling::label(&binding.name)).collect_vec(),
+            views: message.views.iter().map(ViewNames::of).collect_vec(),
         }
     }
 }
@@ -181,15 +182,15 @@ impl ViewNames {
                     item: spelling::type_name(&item.text),
                     getter: spelling::field_name(&item.text),
                     items: spelling::label(items),
-                    keys: keys.iter().map(|key| spelling::label(&key.name)).collect(),
+                    keys: keys.iter().map(|key| spelling::label(&key.name)).collect_vec(),
                 },
                 Access::Record(Record { getter, values }) => AccessNames::Record {
                     getter: spelling::label(getter),
-                    values: values.iter().map(|value| spelling::label(&value.name)).collect(),
+                    values: values.iter().map(|value| spelling::label(&value.name)).collect_vec(),
                 },
             },
             switch,
-            members: view.members.iter().map(|member| spelling::label(&member.name)).collect(),
+            members: view.members.iter().map(|member| spelling::label(&member.name)).collect_vec(),
         }
     }
 }
@@ -199,11 +200,11 @@ impl EnumNames {
         let ty = spelling::type_name(&enum_.name.text);
         let entries = enum_.entries.iter().map(|entry| entry.name.text.as_str());
         let own = enum_.entries.iter().filter(|entry| entry.origin.file == enum_.defined_in);
-        let own: Vec<&str> = own.map(|entry| entry.name.text.as_str()).collect();
+        let own = own.map(|entry| entry.name.text.as_str()).collect_vec();
         Self {
             ty: if messages.contains(&ty) { spelling::suffixed(&ty, "Enum") } else { ty },
             module: spelling::item_module_name(&enum_.name.text),
-            constants: spelling::constant_names(&enum_.name.text, &own, &entries.collect::<Vec<_>>()),
+            constants: spelling::constant_names(&enum_.name.text, &own, &entries.collect_vec()),
             renamed: Vec::new(),
             commands: vec![None; enum_.entries.len()],
         }

@@ -21,6 +21,7 @@
 use std::collections::HashMap;
 
 use super::spelling;
+use crate::collect::CollectVec as _;
 use crate::order;
 use crate::source::Span;
 
@@ -180,7 +181,7 @@ impl<'a> Namespace<'a> {
     #[must_use]
     pub(super) fn claim_by_age(&mut self, mut claims: Vec<(String, Claim<'a>)>) -> Vec<Collision<'a>> {
         order::sort_by_key(&mut claims, |(_, claim)| claim.age);
-        claims.into_iter().filter_map(|(name, claim)| self.claim(name, claim)).collect()
+        claims.into_iter().filter_map(|(name, claim)| self.claim(name, claim)).collect_vec()
     }
 }
 

@@ -4,6 +4,7 @@
 
 use heck::{ToShoutySnakeCase, ToSnakeCase, ToUpperCamelCase};
 
+use crate::collect::CollectVec as _;
 use crate::ir::{Label, param_words};
 
 /// The word that no identifier can be, raw or not, and names of the prelude that the generated code itself needs.
@@ -137,7 +138,7 @@ fn module_name(xml: &str) -> String {
 /// name, so that adding entries renames nothing. Where a digit or nothing would be left, one more segment stays.
 pub(crate) fn constant_names(enum_name: &str, owner_entries: &[&str], entries: &[&str]) -> Vec<String> {
     let prefix = prefix_of(enum_name, owner_entries);
-    entries.iter().map(|entry| constant_name(&prefix, entry)).collect()
+    entries.iter().map(|entry| constant_name(&prefix, entry)).collect_vec()
 }
 
 /// What all of `entries` start with, underscore included; may be empty.

@@ -10,6 +10,7 @@ use super::docs;
 use super::items::Items;
 use super::named::{NamedAccess, NamedMessage, NamedView};
 use super::spelling;
+use crate::collect::CollectVec as _;
 use crate::docs::line;
 use crate::internal::Internal;
 use crate::ir::{Meaning, Member, Presence, SwitchOn};
@@ -45,7 +46,7 @@ impl<'d> Items<'d> {
         for member in view.members() {
             methods.extend(self.member_methods(view, member)?);
         }
-        let (docs, debug) = (self.view_docs(message, view)?, view.members().map(debugged).collect());
+        let (docs, debug) = (self.view_docs(message, view)?, view.members().map(debugged).collect_vec());
         Ok(Packed { ident: view.ty(), docs, storage, switch, methods, debug })
     }
 
@@ -53,7 +54,7 @@ impl<'d> Items<'d> {
     fn view_docs(self, message: NamedMessage<'d>, view: NamedView<'d>) -> Result<Docs<'d>, Internal> {
         let file = self.file_name(view.model.origin.file)?;
         let fields = source::word_fields(message, view)?;
-        let fields: Vec<String> = fields.iter().map(|field| format!("`{}`", field.model.name.text)).collect();
+        let fields: Vec<String> = fields.iter().map(|field| format!("`{}`", field.model.name.text)).collect_vec();
         let facts = format!(
             "`{}` of `{file}`: {} bits in {} of {}, the least significant first.",
             view.model.name.text,
@@ -61,7 +62,7 @@ impl<'d> Items<'d> {
             fields.join(", "),
             docs::link(message.ty())
         );
-        let rows = view.members().map(|member| self.row(view, member)).collect::<Result<_, _>>()?;
+        let rows = view.members().map(|member| self.row(view, member)).try_collect_vec()?;
         let table = Paragraph::Table(vec!["bits", "name", "meaning", "only if"], rows);
         Ok(Docs(vec![Paragraph::prose(view.model.origin.description.as_str()), Paragraph::line(facts), table]))
     }
@@ -111,7 +112,7 @@ fn only_if(view: NamedView<'_>, member: &Member) -> String {
         (start, end) if start == end => start.to_string(),
         (start, end) => format!("{start}..={end}"),
     });
-    format!("`{}` {}", spelling::label(&switch.name), ranges.collect::<Vec<_>>().join(", "))
+    format!("`{}` {}", spelling::label(&switch.name), ranges.collect_vec().join(", "))
 }
 
 /// What the overlay says of the view, or where it comes from: of the method that gives it.

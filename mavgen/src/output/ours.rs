@@ -6,6 +6,7 @@ use std::io::{BufRead, BufReader, ErrorKind, Read};
 use std::path::{Path, PathBuf};
 
 use super::OutputError;
+use crate::collect::CollectVec as _;
 use crate::emit::GeneratedFile;
 use crate::lower::{MARK, ROOT_MARK};
 use crate::order;
@@ -24,7 +25,7 @@ impl Ours {
     /// Those that are not among `files`, by path.
     pub(super) fn stale(&self, files: &[GeneratedFile]) -> Vec<PathBuf> {
         let wanted: HashSet<PathBuf> = files.iter().map(|file| PathBuf::from(&file.path)).collect();
-        self.0.iter().filter(|path| !wanted.contains(*path)).cloned().collect()
+        self.0.iter().filter(|path| !wanted.contains(*path)).cloned().collect_vec()
     }
 }
 
@@ -68,6 +69,6 @@ pub(super) fn has_mark(path: &Path) -> bool {
 /// Whether a file is the root module of a generated tree: its second line says what the tree was made of.
 fn is_root(path: &Path) -> bool {
     let Ok(file) = File::open(path) else { return false };
-    let head: Vec<String> = BufReader::new(file.take(1024)).lines().take(2).map_while(Result::ok).collect();
+    let head = BufReader::new(file.take(1024)).lines().take(2).map_while(Result::ok).collect_vec();
     matches!(&*head, [first, second] if first.starts_with(MARK) && second.starts_with(ROOT_MARK))
 }

@@ -10,6 +10,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, SystemTime};
 
 use super::OutputError;
+use crate::collect::CollectVec as _;
 
 /// The first letters of the folder in the output folder that holds what is new, until it is in place. The rest is a number of
 /// the process and one of the run in it: runs side by side, which tests and build scripts are, do not see each other.
@@ -137,8 +138,7 @@ impl<'f> Staged<'f> {
     /// Makes the folder that a file lies in, and those above it.
     fn make_parent(&mut self, file: &Path) -> Result<(), OutputError> {
         let above = file.ancestors().skip(1);
-        let missing: Vec<&Path> =
-            above.take_while(|folder| !folder.as_os_str().is_empty() && !folder.is_dir()).collect();
+        let missing = above.take_while(|folder| !folder.as_os_str().is_empty() && !folder.is_dir()).collect_vec();
         for folder in missing.into_iter().rev() {
             let made = fs::create_dir(folder);
             let made = if folder.is_dir() { unless(io::ErrorKind::AlreadyExists, made) } else { made };

@@ -11,6 +11,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::bytes::{self, NoText};
+use crate::collect::CollectVec as _;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::FileIndex;
 use crate::source::{Sources, Span};
@@ -116,7 +117,7 @@ fn load_top(
     }
     circle::report(&loader.edges, &loader.names(), loader.diagnostics);
     loader.loaded.name = top.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-    loader.loaded.includes = loader.edges.iter().map(|edges| targets(edges)).collect();
+    loader.loaded.includes = loader.edges.iter().map(|edges| targets(edges)).collect_vec();
     loader.loaded
 }
 
@@ -137,7 +138,7 @@ struct Found {
 }
 
 fn targets(edges: &[Edge]) -> Vec<FileIndex> {
-    edges.iter().map(|edge| edge.to).collect()
+    edges.iter().map(|edge| edge.to).collect_vec()
 }
 
 struct Loader<'a> {
@@ -314,6 +315,6 @@ impl Loader<'_> {
     }
 
     fn names(&self) -> Vec<String> {
-        (0..self.loaded.files.len()).map(|index| self.name(FileIndex(index))).collect()
+        (0..self.loaded.files.len()).map(|index| self.name(FileIndex(index))).collect_vec()
     }
 }

@@ -8,6 +8,7 @@ use super::characters::{self, expand, is_name, wrong_blank};
 use super::fault::Fault;
 use super::grammar::Element;
 use super::schema;
+use crate::collect::CollectVec as _;
 use crate::diag::{Code, Diagnostic, Diagnostics, nearest};
 use crate::source::{FileId, Span, Spanned};
 use crate::syntax::Text;
@@ -136,7 +137,7 @@ pub(super) fn check_declaration((file, text): (FileId, &str), range: Range<usize
     let inner = text.get(range.start + 2..range.end.saturating_sub(2)).unwrap_or_default();
     let source = Source { file, text, name: "xml", inner, start: range.start + 2 };
     let attributes = source.attributes(&mut Diagnostics::default())?;
-    let names: Vec<&str> = attributes.iter().map(|attribute| attribute.name).collect();
+    let names = attributes.iter().map(|attribute| attribute.name).collect_vec();
     match names[..] {
         ["version"] | ["version", "encoding" | "standalone"] | ["version", "encoding", "standalone"] => Ok(()),
         _ => {

@@ -5,6 +5,7 @@ use std::collections::{HashMap, HashSet};
 use super::enums::{Merged, ValuedEntry};
 use super::uses::Use;
 use super::width::Width;
+use crate::collect::CollectVec as _;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{FileIndex, Repr};
 use crate::order;
@@ -90,7 +91,7 @@ fn looks_like_bitmask(merged: &Merged<'_>) -> bool {
 
 /// The first use with each integer, those of older files first.
 fn kinds<'u, 'a>(loaded: &Loaded, uses: &'u [Use<'a>]) -> Vec<&'u Use<'a>> {
-    let mut uses: Vec<&Use<'a>> = uses.iter().collect();
+    let mut uses = uses.iter().collect_vec();
     order::sort_by_key(&mut uses, |one| loaded.age(one.file));
     let mut seen = HashSet::new();
     uses.retain(|one| seen.insert(one.repr));
@@ -124,9 +125,9 @@ fn check_widths(
 fn beyond(merged: &Merged<'_>, width: Width, repr: Repr) -> Option<String> {
     let fitting = merged.entries.partition_point(|entry| entry.value <= u128::from(repr.highest()));
     let beyond = merged.entries.get(fitting..).unwrap_or_default();
-    let beyond: Vec<_> = beyond.iter().filter(|entry| !width.is_widened_by(entry)).collect();
+    let beyond = beyond.iter().filter(|entry| !width.is_widened_by(entry)).collect_vec();
     let name = |entry: &ValuedEntry<'_>| format!("{} = {}", entry.syntax.name.value, entry.value);
-    let mut named: Vec<String> = beyond.iter().take(NAMED_VALUES).map(|entry| name(entry)).collect();
+    let mut named = beyond.iter().take(NAMED_VALUES).map(|entry| name(entry)).collect_vec();
     if beyond.len() > NAMED_VALUES {
         named.push(format!("{} more", beyond.len() - NAMED_VALUES));
     }
@@ -146,7 +147,7 @@ pub(super) fn check_entry_names(loaded: &Loaded, enums: &[Merged<'_>], diagnosti
     let mut seen: HashMap<&str, (usize, Span)> = HashMap::new();
     let entries =
         enums.iter().enumerate().flat_map(|(index, merged)| merged.entries.iter().map(move |entry| (index, entry)));
-    let mut entries: Vec<_> = entries.collect();
+    let mut entries = entries.collect_vec();
     order::sort_by_key(&mut entries, |(_, entry)| loaded.age(entry.file));
     for (index, entry) in entries {
         let name = &entry.syntax.name;

@@ -2,6 +2,7 @@
 
 use super::enums::Merged;
 use super::uses::Use;
+use crate::collect::CollectVec as _;
 use crate::ir::FileIndex;
 use crate::read::Loaded;
 
@@ -45,7 +46,7 @@ fn reached_from(file: FileIndex, direct: &[Vec<FileIndex>]) -> Vec<bool> {
 ///
 /// A dialect that adds entries to an enum of the file it includes is thereby never the one.
 pub(super) fn of(merged: &Merged<'_>, uses: &[Use<'_>], includes: &mut Includes<'_>) -> FileIndex {
-    let mut files: Vec<FileIndex> = merged.blocks.iter().map(|block| block.file).collect();
+    let mut files = merged.blocks.iter().map(|block| block.file).collect_vec();
     files.dedup();
     if files.len() < 2 {
         return merged.file;

@@ -3,42 +3,41 @@
 use std::collections::HashSet;
 
 use super::spelling;
+use crate::collect::CollectVec as _;
 use crate::ir::{Dialect, FileIndex, LostMessage, LostView};
 use crate::read::Loaded;
 use crate::source::Span;
-use crate::syntax::Text;
-use crate::syntax::overlay::View;
 
 /// The messages that are not in the model.
 pub(super) fn messages(loaded: &Loaded, dialect: &Dialect) -> Vec<LostMessage> {
     let resolved: HashSet<Span> = dialect.messages.iter().map(|message| message.origin.span).collect();
-    let files = loaded.files.iter().enumerate();
-    let all = files.flat_map(|(index, file)| file.messages.iter().map(move |message| (FileIndex(index), message)));
-    let lost = all.filter(|(_, message)| !resolved.contains(&message.span));
-    lost.map(|(file, message)| LostMessage {
-        name: spelling::name(&message.name),
-        file,
-        fields: message.fields.iter().map(|field| spelling::name(&field.name)).collect(),
-    })
-    .collect()
+    let mut all = Vec::new();
+    for (index, file) in loaded.files.iter().enumerate() {
+        for message in file.messages.iter().filter(|message| !resolved.contains(&message.span)) {
+            let fields = message.fields.iter().map(|field| spelling::name(&field.name)).collect_vec();
+            all.push(LostMessage { name: spelling::name(&message.name), file: FileIndex(index), fields });
+        }
+    }
+    all
 }
 
 /// The views that are not in the model, and the slots of such.
 pub(super) fn views(loaded: &Loaded, dialect: &Dialect) -> Vec<LostView> {
-    let views = dialect.messages.iter().flat_map(|message| &message.views);
-    let resolved: HashSet<Span> = views.map(|view| view.origin.span).collect();
+    let mut resolved: HashSet<Span> = HashSet::new();
+    for message in &dialect.messages {
+        resolved.extend(message.views.iter().map(|view| view.origin.span));
+    }
     let mut lost = Vec::new();
     for (index, overlay) in loaded.overlays.iter().enumerate() {
         let file = FileIndex(loaded.files.len() + index);
-        let views = overlay.messages.iter().flat_map(|message| &message.views);
-        let names = views.filter(|view| !resolved.contains(&view.span)).flat_map(types);
-        lost.extend(names.map(|name| LostView { name: spelling::name(name), file }));
+        for message in &overlay.messages {
+            for view in message.views.iter().filter(|view| !resolved.contains(&view.span)) {
+                lost.push(LostView { name: spelling::name(&view.name), file });
+                // Where there are slots, the type of one.
+                let item = view.item.as_ref().filter(|_| view.items.is_some());
+                lost.extend(item.map(|name| LostView { name: spelling::name(name), file }));
+            }
+        }
     }
     lost
-}
-
-/// The names that a view gives to types: its own and, where there are slots, that of a slot.
-fn types(view: &View) -> impl Iterator<Item = &Text> {
-    let item = view.item.as_ref().filter(|_| view.items.is_some());
-    std::iter::once(&view.name).chain(item)
 }

@@ -8,6 +8,7 @@ use super::origin::Described;
 use super::poisoned::Poisoned;
 use super::version::Version;
 use super::{field_type, number};
+use crate::collect::CollectVec as _;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{FieldType, FileIndex, Layout, Origin, Scalar};
 use crate::order;
@@ -78,10 +79,15 @@ pub(super) struct Lost<'a> {
 /// The fields of the messages that are no drafts, those whose type is one.
 pub(super) fn lost<'a>(loaded: &'a Loaded, drafts: &[Draft<'_>]) -> Vec<Lost<'a>> {
     let drafted: HashSet<*const Message> = drafts.iter().map(|draft| ptr::from_ref(draft.syntax)).collect();
-    let messages = loaded.files.iter().flat_map(|file| &file.messages);
-    let lost = messages.filter(|&message| !drafted.contains(&ptr::from_ref(message)));
-    let fields = lost.flat_map(|message| &message.fields);
-    fields.filter_map(|syntax| Some(Lost { ty: field_type::named(&syntax.ty)?, syntax })).collect()
+    let mut lost = Vec::new();
+    for file in &loaded.files {
+        for message in file.messages.iter().filter(|&message| !drafted.contains(&ptr::from_ref(message))) {
+            for syntax in &message.fields {
+                lost.extend(field_type::named(&syntax.ty).map(|ty| Lost { ty, syntax }));
+            }
+        }
+    }
+    lost
 }
 
 fn resolve<'a>(
@@ -100,7 +106,7 @@ fn resolve<'a>(
             let around = Surroundings { extension: position >= base, ..around };
             field::resolve(field, around, diagnostics)
         })
-        .collect();
+        .collect_vec();
     check_fields(syntax, diagnostics);
     let described = Described {
         file: around.file,
@@ -207,7 +213,7 @@ fn wire(syntax: &Message, fields: &[DraftField<'_>], diagnostics: &mut Diagnosti
         diagnostics.push(problem.label(sum(fields, v2)));
     }
     let offsets = layout.offsets.iter().map(|&offset| u8::try_from(offset).ok());
-    let names: Vec<&str> = fields.iter().map(|field| field.syntax.name.value.as_str()).collect();
+    let names = fields.iter().map(|field| field.syntax.name.value.as_str()).collect_vec();
     Some(Wire {
         offsets: offsets.collect::<Option<_>>()?,
         len_v1: u8::try_from(v1).ok()?,
@@ -228,8 +234,8 @@ fn sum(fields: &[DraftField<'_>], total: usize) -> String {
         }
     }
     order::sort_by_key(&mut elements, |&(_, _, size)| std::cmp::Reverse(size));
-    let counts: Vec<String> = elements.iter().map(|(name, count, _)| format!("{count} × {name}")).collect();
-    let bytes: Vec<String> = elements.iter().map(|(_, count, size)| (count * size).to_string()).collect();
+    let counts: Vec<String> = elements.iter().map(|(name, count, _)| format!("{count} × {name}")).collect_vec();
+    let bytes = elements.iter().map(|(_, count, size)| (count * size).to_string()).collect_vec();
     if bytes.len() < 2 {
         return format!("{} = {total} bytes", counts.concat());
     }

@@ -90,9 +90,9 @@ impl<'s, 'a: 's> MessageScope<'s, 'a> {
         u64::try_from(entry.value).ok()
     }
 
-    /// The names of the entries of an enum.
-    pub(super) fn entry_names(&self, enum_: EnumId) -> impl Iterator<Item = &'a str> {
-        let list = self.enums.list.get(enum_.0).map(|merged| merged.entries.as_slice());
-        list.unwrap_or_default().iter().map(|entry| entry.syntax.name.value.as_str())
+    /// The names of the entries of an enum, if there is one.
+    pub(super) fn entry_names(&self, enum_: Option<EnumId>) -> impl Iterator<Item = &'a str> {
+        let merged = enum_.and_then(|enum_| self.enums.list.get(enum_.0));
+        merged.map_or(&[][..], |merged| &merged.entries).iter().map(|entry| entry.syntax.name.value.as_str())
     }
 }

@@ -6,6 +6,7 @@ use super::enums::Enums;
 use super::message::Draft;
 use super::poisoned::Poisoned;
 use super::suggest::suggest;
+use crate::collect::CollectVec as _;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{FileIndex, Origin};
 use crate::read::Loaded;
@@ -143,12 +144,12 @@ impl<'a> Known<'_, 'a> {
         match subject {
             Subject::Message(..) => {
                 let message = self.drafts.iter().find(|draft| draft.syntax.name.value == name.value)?.syntax;
-                Some((message.span, message.fields.iter().map(|field| field.name.value.as_str()).collect()))
+                Some((message.span, message.fields.iter().map(|field| field.name.value.as_str()).collect_vec()))
             }
             Subject::Enum(..) => {
                 let merged = self.enums.list.get(self.enums.id(&name.value)?.0)?;
                 let entries = merged.entries.iter().map(|entry| entry.syntax.name.value.as_str());
-                Some((merged.span, entries.collect()))
+                Some((merged.span, entries.collect_vec()))
             }
         }
     }
@@ -185,8 +186,8 @@ impl<'a> Known<'_, 'a> {
     /// The names that a whole could have.
     fn wholes(&self, subject: Subject<&Text>) -> Vec<&'a str> {
         match subject {
-            Subject::Message(..) => self.drafts.iter().map(|draft| draft.syntax.name.value.as_str()).collect(),
-            Subject::Enum(..) => self.enums.names().collect(),
+            Subject::Message(..) => self.drafts.iter().map(|draft| draft.syntax.name.value.as_str()).collect_vec(),
+            Subject::Enum(..) => self.enums.names().collect_vec(),
         }
     }
 }

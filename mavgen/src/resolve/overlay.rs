@@ -14,6 +14,7 @@ use super::message_scope::{EnumUse, MessageScope};
 use super::poisoned::Poisoned;
 use super::suggest::suggest;
 use super::view;
+use crate::collect::CollectVec as _;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{Binding, FileIndex, View};
 use crate::read::Loaded;
@@ -44,7 +45,7 @@ pub(super) fn resolve<'a>(
 ) -> (Vec<Added>, Vec<EnumUse<'a>>) {
     let mut messages = Messages::of(loaded, drafts);
     let mut enum_uses = Vec::new();
-    let mut all: Vec<Added> = drafts.iter().map(|_| Added::default()).collect();
+    let mut all = drafts.iter().map(|_| Added::default()).collect_vec();
     for (index, overlay) in loaded.overlays.iter().enumerate() {
         let file = FileIndex(loaded.files.len() + index);
         for additions in &overlay.messages {

@@ -7,19 +7,18 @@ use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::syntax::Text;
 
 /// The values of `SI_Unit` in pymavlink's `mavschema.xsd`, which its option `--strict-units` enforces.
-const KNOWN: [&str; 8] = [
-    "s ds cs ms us ns Hz MHz",
-    "km dam m m^2 m/s m/s/s m/s*5 dm dm/s cm cm^2 cm/s mm mm/s mm/h",
-    "rad rad/s mrad/s deg deg/2 ddeg/s deg/s cdeg cdeg/s degE5 degE7 rpm",
-    "V cV mV A cA mA mAh Ah mT gauss mgauss hJ W",
-    "K degC cdegC mG g kg Pa hPa kPa mbar",
-    "% d% c% dB dBm",
-    "KiB KiB/s MiB MiB/s bytes bytes/s bits/s pix dpix",
-    "g/min cm^3/min L/h cm^3 l L",
-];
+const KNOWN: &str = "\
+    s ds cs ms us ns Hz MHz \
+    km dam m m^2 m/s m/s/s m/s*5 dm dm/s cm cm^2 cm/s mm mm/s mm/h \
+    rad rad/s mrad/s deg deg/2 ddeg/s deg/s cdeg cdeg/s degE5 degE7 rpm \
+    V cV mV A cA mA mAh Ah mT gauss mgauss hJ W \
+    K degC cdegC mG g kg Pa hPa kPa mbar \
+    % d% c% dB dBm \
+    KiB KiB/s MiB MiB/s bytes bytes/s bits/s pix dpix \
+    g/min cm^3/min L/h cm^3 l L";
 
 fn known() -> impl Iterator<Item = &'static str> {
-    KNOWN.iter().flat_map(|units| units.split(' '))
+    KNOWN.split(' ')
 }
 
 /// Reports a unit that the schema does not have; no text is no unit.

@@ -3,6 +3,7 @@
 use super::enums::Enums;
 use super::message::{Draft, Lost};
 use super::suggest::suggest;
+use crate::collect::CollectVec as _;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{EnumId, FileIndex, Repr};
 use crate::read::Loaded;
@@ -48,7 +49,7 @@ pub(super) fn check_lost(lost: &[Lost<'_>], enums: &Enums<'_>, diagnostics: &mut
 
 /// The uses of every enum, in the order of the enums.
 pub(super) fn collect<'a>(drafts: &[Draft<'a>], enums: &Enums<'a>, diagnostics: &mut Diagnostics) -> Vec<Vec<Use<'a>>> {
-    let mut uses: Vec<Vec<Use<'a>>> = enums.list.iter().map(|_| Vec::new()).collect();
+    let mut uses = enums.list.iter().map(|_| Vec::new()).collect_vec();
     for draft in drafts {
         for field in &draft.fields {
             let syntax = field.syntax;

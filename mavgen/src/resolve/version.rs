@@ -42,9 +42,10 @@ impl Version {
 
 /// A message that has the version as a field should come after it.
 fn check_place(version: &syntax::Version, file: &syntax::File, diagnostics: &mut Diagnostics) {
-    let before = file.messages.iter().take(version.messages_before);
-    let mut fields = before.flat_map(|message| message.fields.iter().map(move |field| (message, field)));
-    let Some((message, field)) = fields.find(|(_, field)| field.ty.value == field_type::VERSION) else { return };
+    let mut before = file.messages.iter().take(version.messages_before);
+    let is_version = |field: &&syntax::Field| field.ty.value == field_type::VERSION;
+    let found = before.find_map(|message| Some((message, message.fields.iter().find(is_version)?)));
+    let Some((message, field)) = found else { return };
     let name = &message.name.value;
     let text = format!("`<version>` comes too late for message `{name}`, whose version is {DEFAULT}");
     let problem = Diagnostic::new(Code::LateVersion, version.text.span, text);

@@ -56,25 +56,30 @@ pub(super) fn resolve<'a>(
 }
 
 /// Every `<bits>` of a view.
-pub(super) fn all_bits(element: &overlay::View) -> impl Iterator<Item = &overlay::Bits> {
-    let pieces = element.parts.iter().flat_map(|part| {
-        let (piece, switch) = match part {
-            Part::Piece(piece) => (Some(piece), None),
-            Part::Switch(switch) => (None, Some(switch)),
-        };
-        let cases = switch.into_iter().flat_map(|switch| &switch.cases);
-        piece.into_iter().chain(cases.flat_map(|case| &case.pieces))
-    });
-    pieces.filter_map(|piece| match piece {
-        Piece::Bits(bits) => Some(&**bits),
+pub(super) fn all_bits(element: &overlay::View) -> Vec<&overlay::Bits> {
+    let mut all = Vec::new();
+    for part in &element.parts {
+        match part {
+            Part::Piece(piece) => all.extend(bits(piece)),
+            Part::Switch(switch) => {
+                switch.cases.iter().for_each(|case| all.extend(case.pieces.iter().filter_map(bits)))
+            }
+        }
+    }
+    all
+}
+
+fn bits(piece: &Piece) -> Option<&overlay::Bits> {
+    match piece {
+        Piece::Bits(bits) => Some(bits),
         Piece::Reserved(_) => None,
-    })
+    }
 }
 
 /// A view has something to say, and its names are names.
 fn check_members(scope: &MessageScope<'_, '_>, element: &overlay::View, diagnostics: &mut Diagnostics) {
     spelling::check(&element.name, "a view", diagnostics);
-    if scope.whole && all_bits(element).next().is_none() && element.values.is_empty() {
+    if scope.whole && all_bits(element).is_empty() && element.values.is_empty() {
         let message = format!("view `{}` has no members", element.name.value);
         let problem = Diagnostic::new(Code::EmptyView, element.name.span, message);
         diagnostics.push(problem.help(match element.words {
@@ -87,7 +92,7 @@ fn check_members(scope: &MessageScope<'_, '_>, element: &overlay::View, diagnost
         let problem = problem.related(words.span, "the words");
         diagnostics.push(problem.help("write another view for the values"));
     }
-    all_bits(element).for_each(|bits| spelling::check(&bits.name, "bits", diagnostics));
+    all_bits(element).iter().for_each(|bits| spelling::check(&bits.name, "bits", diagnostics));
     element.keys.iter().for_each(|key| spelling::check(&key.name, "a key", diagnostics));
     element.values.iter().for_each(|value| spelling::check(&value.name, "a value", diagnostics));
     for (name, what) in [(&element.item, "an item"), (&element.items, "an iterator")] {

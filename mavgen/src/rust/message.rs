@@ -1,6 +1,7 @@
 //! A message: its struct, and the frame that carries it.
 
 use super::{Docs, Element, EnumType, Method, Shape};
+use crate::collect::CollectVec as _;
 use crate::ir;
 use crate::order;
 
@@ -24,7 +25,7 @@ pub(crate) struct Struct<'d> {
 impl<'d> Struct<'d> {
     /// The fields by offset.
     pub(crate) fn wire_order(&self) -> Vec<&Field<'d>> {
-        let mut fields: Vec<&Field<'d>> = self.fields.iter().collect();
+        let mut fields = self.fields.iter().collect_vec();
         order::sort_by_key(&mut fields, |field| field.wire.offset);
         fields
     }

@@ -1,6 +1,7 @@
 //! Messages, their fields and what the wire makes of them.
 
 use super::{Faults, Item, views};
+use crate::collect::CollectVec as _;
 use crate::ir::{Binding, Field, FieldType, Invalid, Layout, Message, Scalar, Scope, Sentinel, Values};
 
 /// pymavlink's limit on the fields of a message.
@@ -42,7 +43,7 @@ fn check_wire(item: &Item, message: &Message, faults: &mut Faults<'_>) {
     faults.unless(right, item, "its lengths are not the sum of its fields");
     let offsets = message.fields.iter().map(|field| usize::from(field.offset));
     faults.unless(offsets.eq(layout.offsets.iter().copied()), item, "a field does not lie where the wire has it");
-    let names: Vec<&str> = message.fields.iter().map(|field| field.name.text.as_str()).collect();
+    let names = message.fields.iter().map(|field| field.name.text.as_str()).collect_vec();
     let crc_extra = layout.crc_extra(&message.name.text, &names);
     faults.unless(message.crc_extra == crc_extra, item, "its `crc_extra` is another");
 }

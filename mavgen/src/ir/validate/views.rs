@@ -3,6 +3,7 @@
 use std::num::NonZeroU8;
 
 use super::{Faults, Item, members};
+use crate::collect::CollectVec as _;
 use crate::ir::{
     Access, Condition, Field, FieldIndex, Key, Message, Place, Record, Scalar, Slots, Switch, SwitchOn, View,
     ViewSentinel, Word,
@@ -131,7 +132,7 @@ fn check_record(
     let Record { getter, values } = record;
     faults.check_name(item, &getter.name);
     faults.unless(!values.is_empty(), item, "it has no values");
-    let mut taken: Vec<FieldIndex> = condition.iter().map(|condition| condition.field).collect();
+    let mut taken = condition.iter().map(|condition| condition.field).collect_vec();
     for value in values {
         check_key(item, message, value, None, faults);
         faults.unless(!taken.contains(&value.place.field), item, "a value is twice in it, or asked by its condition");

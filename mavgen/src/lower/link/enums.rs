@@ -7,10 +7,11 @@
 use std::collections::HashMap;
 
 use super::Class;
+use crate::collect::CollectVec as _;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::internal::Internal;
 use crate::ir::{Entry, Enum, EnumId, Lifecycle, Name, Origin, Repr, enums_of_enum_mut};
-use crate::lower::names::{CommandNames, EnumNames, drop_rivals};
+use crate::lower::names::{EnumNames, drop_rivals};
 use crate::order;
 
 /// What has to be equal for two enums to be one type: the name, in the definitions and in Rust, the width, and whether the
@@ -53,7 +54,7 @@ impl Enums {
             let kind = (enum_.name.text.clone(), names.ty.clone(), enum_.repr, enum_.bitmask);
             let known = self.by_kind.entry(kind).or_default();
             let classes = known.iter().filter_map(|id| Some((*id, self.list.get(id.0)?)));
-            let conflicts = classes.map(|(id, class)| (id, class.conflict(enum_, names))).collect::<Vec<_>>();
+            let conflicts = classes.map(|(id, class)| (id, class.conflict(enum_, names))).collect_vec();
             let agrees = conflicts.iter().find(|(_, conflict)| conflict.is_none());
             ids.push(agrees.map_or(EnumId(next), |(id, _)| *id));
             if agrees.is_none() {
@@ -115,8 +116,12 @@ impl Class<Enum, EnumNames> {
     /// Adds the entries of the same enum in another dialect. An entry that is there already stays as it is.
     fn add(&mut self, root: usize, other: Enum, names: EnumNames) {
         let (places, known) = (self.places(), self.item.entries.len());
-        let at: Vec<Option<usize>> =
-            other.entries.iter().zip(&names.constants).map(|(entry, constant)| places.of(entry, constant)).collect();
+        let at = other
+            .entries
+            .iter()
+            .zip(&names.constants)
+            .map(|(entry, constant)| places.of(entry, constant))
+            .collect_vec();
         let named = other.entries.into_iter().zip(names.constants).zip(names.commands);
         for (((entry, constant), command), at) in named.zip(at) {
             match at.and_then(|at| self.item.entries.get_mut(at)) {
@@ -143,7 +148,7 @@ impl Class<Enum, EnumNames> {
     fn sort(&mut self) {
         let (entries, EnumNames { constants, commands, .. }) = (&mut self.item.entries, &mut self.names);
         let named = std::mem::take(entries).into_iter().zip(std::mem::take(constants)).zip(std::mem::take(commands));
-        let mut named: Vec<((Entry, String), Option<CommandNames>)> = named.collect();
+        let mut named = named.collect_vec();
         order::sort_by_key(&mut named, |((entry, _), _)| entry.value);
         let pairs: Vec<(Entry, String)>;
         (pairs, *commands) = named.into_iter().unzip();

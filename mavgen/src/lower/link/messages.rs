@@ -4,9 +4,10 @@ use std::collections::{HashMap, HashSet};
 
 use super::enums::{Enums, Links, join};
 use super::{Class, definition};
+use crate::collect::CollectVec as _;
 use crate::internal::Internal;
 use crate::ir::{Binding, EnumId, Meaning, Message, View, enums_of_message_mut};
-use crate::lower::names::{MessageNames, ViewNames, binding_methods, view_methods};
+use crate::lower::names::{MessageNames, binding_methods, view_methods};
 
 /// The messages so far.
 #[derive(Default)]
@@ -36,7 +37,7 @@ impl Messages {
             links.check(&message.name)?;
             Ok(self.take_one(root, message, names, enums))
         };
-        messages.map(&mut take).collect()
+        messages.map(&mut take).try_collect_vec()
     }
 
     fn take_one(&mut self, root: usize, message: Message, names: MessageNames, enums: &Enums) -> usize {
@@ -51,7 +52,7 @@ impl Messages {
         }
         let place = self.list.len();
         places.push(place);
-        let views = message.views.iter().map(|_| vec![root]).collect();
+        let views = message.views.iter().map(|_| vec![root]).collect_vec();
         self.list.push(Class { item: Joined { message, views }, names, roots: vec![root] });
         place
     }
@@ -92,20 +93,22 @@ fn additions_agree(
     (b, b_names): (&Message, &MessageNames),
     enums: &Enums,
 ) -> bool {
-    let mut methods: HashSet<String> = a_names.views.iter().flat_map(view_methods).collect();
-    methods.extend(a_names.bindings.iter().flat_map(|name| binding_methods(name)));
-    let new_view = |(view, names): (&View, &'_ ViewNames)| -> Vec<String> {
-        if a.views.iter().any(|known| same_view(known, view)) { Vec::new() } else { view_methods(names) }
-    };
-    let new_binding = |(binding, name): (&Binding, &String)| {
-        let known = a.bindings.iter().any(|known| same_binding(known, binding));
-        if known { Vec::new() } else { binding_methods(name).to_vec() }
-    };
-    let views = b.views.iter().zip(&b_names.views).flat_map(new_view);
-    let mut added = views.chain(b.bindings.iter().zip(&b_names.bindings).flat_map(new_binding));
+    let (mut methods, mut added) = (HashSet::new(), Vec::new());
+    a_names.views.iter().for_each(|names| methods.extend(view_methods(names)));
+    a_names.bindings.iter().for_each(|name| methods.extend(binding_methods(name)));
+    for (view, names) in b.views.iter().zip(&b_names.views) {
+        if !a.views.iter().any(|known| same_view(known, view)) {
+            added.extend(view_methods(names));
+        }
+    }
+    for (binding, name) in b.bindings.iter().zip(&b_names.bindings) {
+        if !a.bindings.iter().any(|known| same_binding(known, binding)) {
+            added.extend(binding_methods(name));
+        }
+    }
     let mut named: HashMap<&str, EnumId> = HashMap::new();
     let mut ids = imported(a).chain(imported(b)).filter_map(|id| Some((id, enums.ty(id)?)));
-    ids.all(|(id, ty)| *named.entry(ty).or_insert(id) == id) && !added.any(|name| methods.contains(&name))
+    ids.all(|(id, ty)| *named.entry(ty).or_insert(id) == id) && !added.iter().any(|name| methods.contains(name))
 }
 
 /// The enums that the file of a message names.
@@ -121,8 +124,9 @@ fn same_binding(a: &Binding, b: &Binding) -> bool {
 
 /// Whether two views of one message are the same element of an overlay, with the same enums.
 fn same_view(a: &View, b: &View) -> bool {
-    let enums =
-        |view: &View| -> Vec<EnumId> { view.members.iter().filter_map(|member| enum_of(&member.meaning)).collect() };
+    let enums = |view: &View| -> Vec<EnumId> {
+        view.members.iter().filter_map(|member| enum_of(&member.meaning)).collect_vec()
+    };
     a.origin.span == b.origin.span && a.condition == b.condition && enums(a) == enums(b)
 }
 

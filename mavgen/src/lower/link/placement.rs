@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use super::Class;
 use super::messages::Joined;
+use crate::collect::CollectVec as _;
 use crate::ir::Enum;
 use crate::lower::names::{AccessNames, EnumNames, MessageNames, ViewNames};
 
@@ -39,7 +40,7 @@ pub(super) fn of_enums(enums: &[Class<Enum, EnumNames>]) -> Vec<Placement> {
     let claims: Vec<_> = enums
         .iter()
         .map(|class| Claim { file: &class.names.module, types: vec![&class.names.ty], roots: &class.roots })
-        .collect();
+        .collect_vec();
     placements(&claims)
 }
 
@@ -48,20 +49,19 @@ pub(super) fn of_messages(messages: &[Class<Joined, MessageNames>]) -> Vec<Messa
     let claims: Vec<_> = messages
         .iter()
         .map(|class| Claim { file: &class.names.module, types: vec![&class.names.ty], roots: &class.roots })
-        .collect();
-    let views: Vec<(&ViewNames, &Vec<usize>)> =
-        messages.iter().flat_map(|class| class.names.views.iter().zip(&class.item.views)).collect();
-    let view_claims: Vec<_> = views.iter().map(|(names, roots)| Claim::of_view(names, roots)).collect();
+        .collect_vec();
+    let views = messages.iter().flat_map(|class| class.names.views.iter().zip(&class.item.views)).collect_vec();
+    let view_claims = views.iter().map(|(names, roots)| Claim::of_view(names, roots)).collect_vec();
     let mut view_placements = placements(&view_claims)
         .into_iter()
         .zip(views)
         .map(|(placement, (_, roots))| ViewPlacement { placement, roots: roots.clone() });
     let each = placements(&claims).into_iter().zip(messages);
     each.map(|(placement, class)| {
-        let views = view_placements.by_ref().take(class.item.message.views.len()).collect();
+        let views = view_placements.by_ref().take(class.item.message.views.len()).collect_vec();
         MessagePlacement { placement, views }
     })
-    .collect()
+    .collect_vec()
 }
 
 /// The names that a declaration takes in its folder.
@@ -96,5 +96,5 @@ fn placements(claims: &[Claim<'_>]) -> Vec<Placement> {
         Some(&root) if !alone(claim) => Placement::Root(root),
         _ => Placement::Shared,
     };
-    claims.iter().map(placement).collect()
+    claims.iter().map(placement).collect_vec()
 }

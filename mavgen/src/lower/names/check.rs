@@ -1,6 +1,7 @@
 //! That no two types, fields or constants become one in Rust.
 
 use super::{EnumNames, MessageNames};
+use crate::collect::CollectVec as _;
 use crate::diag::Diagnostics;
 use crate::ir::{Access, Dialect, FileIndex, Name, Partial};
 use crate::lower::names::AccessNames;
@@ -81,7 +82,7 @@ fn claim(what: What, name: &Name) -> Claim<'_> {
 }
 
 fn apart<'a>(scope: Scope, claims: impl Iterator<Item = (String, Claim<'a>)>, diagnostics: &mut Diagnostics) {
-    report(&Namespace::of(scope).claim_by_age(claims.collect()), diagnostics);
+    report(&Namespace::of(scope).claim_by_age(claims.collect_vec()), diagnostics);
 }
 
 fn report(collisions: &[Collision<'_>], diagnostics: &mut Diagnostics) {

@@ -5,6 +5,7 @@
 use std::collections::HashSet;
 
 use super::{COMMANDS, CommandNames, EnumNames};
+use crate::collect::CollectVec as _;
 use crate::diag::Diagnostics;
 use crate::ir::{Command, Dialect, Entry, Param};
 use crate::lower::namespace::{Claim, Namespace, Scope, What};
@@ -14,7 +15,7 @@ use crate::rust::{FRAME, INT, LONG};
 /// Names the commands of a dialect.
 pub(super) fn name(dialect: &Dialect, enums: &mut [EnumNames], diagnostics: &mut Diagnostics) {
     let Some(at) = dialect.enums.iter().position(|one| one.name.text == COMMANDS) else { return };
-    let types: Vec<String> = enums.iter().map(|names| names.ty.clone()).collect();
+    let types = enums.iter().map(|names| names.ty.clone()).collect_vec();
     let (Some(model), Some(names)) = (dialect.enums.get(at), enums.get_mut(at)) else { return };
     let rivals = |command: &Command| -> HashSet<&str> {
         let enums = command.params.iter().filter_map(|param| types.get(param.enum_?.0)).map(String::as_str);
@@ -26,7 +27,7 @@ pub(super) fn name(dialect: &Dialect, enums: &mut [EnumNames], diagnostics: &mut
             let command = entry.command.as_ref().filter(|_| u16::try_from(entry.value).is_ok())?;
             Some(of(constant, command, &rivals(command), diagnostics))
         })
-        .collect();
+        .collect_vec();
     apart(dialect, &model.entries, &mut commands, diagnostics);
     names.commands = commands;
 }
@@ -43,7 +44,7 @@ fn of(constant: &str, command: &Command, rivals: &HashSet<&str>, diagnostics: &m
 
 /// Takes their type from those that others have already: the older one keeps it.
 fn apart(dialect: &Dialect, entries: &[Entry], commands: &mut [Option<CommandNames>], diagnostics: &mut Diagnostics) {
-    let mut order: Vec<usize> = (0..entries.len()).collect();
+    let mut order = (0..entries.len()).collect_vec();
     crate::order::sort_by_key(&mut order, |at| entries.get(*at).map(|entry| dialect.age(entry.origin.file)));
     let mut types = Namespace::of(Scope::Commands);
     for at in order {

@@ -1,6 +1,7 @@
 //! Methods: those that a message has for its fields and by overlays, those of a view, and the fields of a slot or a record.
 
 use super::{AccessNames, MessageNames, ViewNames};
+use crate::collect::CollectVec as _;
 use crate::diag::Diagnostics;
 use crate::ir::{
     self, Access, Field, FieldIndex, Label, Meaning, Member, Message, Name, Record, Scalar, Slots, Values, View,
@@ -51,7 +52,7 @@ fn accessor_names(field: &Field, name: &str) -> Vec<String> {
     let each = field.invalid.as_ref().is_some_and(|invalid| invalid.scope != ir::Scope::Whole);
     let several = field.ty.array.is_some() && each && !matches!(field.values, Some(Values::Converted(_)));
     let iterator = several.then(|| iterator(name));
-    [name.to_owned(), setter(name)].into_iter().chain(iterator).collect()
+    [name.to_owned(), setter(name)].into_iter().chain(iterator).collect_vec()
 }
 
 /// The iterator over the elements of a field.
@@ -76,7 +77,7 @@ fn slot_methods(names: &ViewNames) -> Vec<String> {
         AccessNames::Record { getter, .. } => vec![getter.clone(), setter(getter), with(getter)],
         AccessNames::Slots { getter, .. } => {
             let prefixed = ["set_", "push_", "store_"].map(|prefix| format!("{prefix}{getter}"));
-            prefixed.into_iter().chain([getter.clone()]).collect()
+            prefixed.into_iter().chain([getter.clone()]).collect_vec()
         }
     }
 }
@@ -123,7 +124,7 @@ fn member_methods(member: &Member, name: &str) -> Vec<String> {
     let raw = spelling::beside(name, "raw");
     let exact = scaled.exact.as_ref().map(|exact| spelling::beside(name, &exact.suffix()));
     let setters = [setter(name), setter(&raw), with];
-    [name.to_owned(), raw].into_iter().chain(exact).chain(setters).collect()
+    [name.to_owned(), raw].into_iter().chain(exact).chain(setters).collect_vec()
 }
 
 /// The getter of a scaled number is no `const fn`: with the name of an operator, clippy takes it for one.

@@ -4,6 +4,7 @@ use super::super::docs;
 use super::super::items::Items;
 use super::super::named::{NamedMessage, NamedRecord, NamedView};
 use super::{Given, summary};
+use crate::collect::CollectVec as _;
 use crate::internal::Internal;
 use crate::rust::{Docs, Kind, Method, Paragraph, Record, RecordType, Sig, Ty};
 
@@ -16,14 +17,14 @@ impl<'d> Items<'d> {
     ) -> Result<Given<'d>, Internal> {
         let values = named.values().map(|(value, ident)| self.key(message, value, ident));
         let when = view.model.condition.as_ref().map(|condition| self.holds(message, condition)).transpose()?;
-        let record = Record { ident: view.ty(), values: values.collect::<Result<_, _>>()?, when };
+        let record = Record { ident: view.ty(), values: values.try_collect_vec()?, when };
         let (ty, getter, condition) = (Ty::Named(view.ty()), named.getter, self.condition(message, view)?);
         let unless = condition.iter().map(|asked| format!("`None` unless {asked}."));
         let method = |ident, sig, docs, kind| Method { ident, sig, docs, inline: true, kind };
         let get = method(
             getter.to_owned(),
             Sig::getter(ty.clone().optional(record.when.is_some())),
-            Docs(vec![summary(view), Paragraph::Lines(unless.collect())]),
+            Docs(vec![summary(view), Paragraph::Lines(unless.collect_vec())]),
             Kind::RecordGet(record.clone()),
         );
         let set = method(
@@ -56,7 +57,7 @@ impl<'d> Items<'d> {
             (self.file_name(view.model.origin.file)?, &view.model.name.text, docs::link(message.ty()));
         let facts = format!("`{name}` of `{file}`: values of {ty}.");
         let docs = Docs(vec![Paragraph::prose(&view.model.origin.description), Paragraph::line(facts)]);
-        Ok(RecordType { ident: view.ty(), docs, fields: fields.collect::<Result<_, _>>()? })
+        Ok(RecordType { ident: view.ty(), docs, fields: fields.try_collect_vec()? })
     }
 
     /// `` `Index` is 4 ``

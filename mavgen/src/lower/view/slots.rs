@@ -4,6 +4,7 @@ use super::super::items::Items;
 use super::super::named::{NamedMessage, NamedSlots, NamedView};
 use super::source::{element, place};
 use super::{Given, summary};
+use crate::collect::CollectVec as _;
 use crate::docs::line;
 use crate::internal::Internal;
 use crate::ir::{self, SwitchOn, ViewSentinel};
@@ -33,7 +34,7 @@ impl<'d> Items<'d> {
         slots: NamedSlots<'d>,
     ) -> Result<RecordType<'d>, Internal> {
         let fields = slots.keys().map(|(key, ident)| self.key_field(message, key, ident));
-        let mut fields = fields.collect::<Result<Vec<_>, Internal>>()?;
+        let mut fields = fields.try_collect_vec()?;
         let optional = view.model.condition.is_some() || !view.model.invalid.is_empty();
         fields.push(RecordField {
             ident: "status",
@@ -58,7 +59,7 @@ impl<'d> Items<'d> {
             source: self.source(message, view)?,
             count: count.transpose()?,
             elements: elements(message, view, slots)?,
-            keys: keys.collect::<Result<_, Internal>>()?,
+            keys: keys.try_collect_vec()?,
             sentinel: self.sentinel(message, view)?,
         })
     }
@@ -116,10 +117,10 @@ fn elements<'d>(
         SwitchOn::Bits { .. } => None,
     });
     let places = slots.model.keys.iter().map(|key| key.place).chain(words).chain(sentinels).chain(switch);
-    let mut fields: Vec<_> = places.filter(|place| place.element).map(|place| place.field).collect();
+    let mut fields = places.filter(|place| place.element).map(|place| place.field).collect_vec();
     order::sort_by_key(&mut fields, |field| field.0);
     fields.dedup();
-    fields.into_iter().map(|field| message.field(field).map(element)).collect()
+    fields.into_iter().map(|field| message.field(field).map(element)).try_collect_vec()
 }
 
 /// The description, the unit, and what `None` means.

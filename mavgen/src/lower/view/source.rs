@@ -3,6 +3,7 @@
 use super::super::items::Items;
 use super::super::named::{NamedField, NamedMessage, NamedView};
 use super::super::types::shape;
+use crate::collect::CollectVec as _;
 use crate::internal::Internal;
 use crate::ir::{self, Condition, FieldIndex, SwitchOn, ViewSentinel};
 use crate::rust::{Int, Place, Shape, SlotElement, Source, Switch, Test, Word};
@@ -54,7 +55,7 @@ impl<'d> Items<'d> {
                 Ok(Test::IsNot(place(message, at)?, literal))
             }
         });
-        condition.chain(sentinels).collect()
+        condition.chain(sentinels).try_collect_vec()
     }
 
     /// `self.autopilot == MavAutopilot::AUTOQUAD`
@@ -70,7 +71,7 @@ impl<'d> Items<'d> {
 
 /// The fields that a view is read from.
 pub(super) fn word_fields<'d>(message: NamedMessage<'d>, view: NamedView<'d>) -> Result<Vec<NamedField<'d>>, Internal> {
-    view.model.words.iter().map(|word| message.field(word_field(*word))).collect()
+    view.model.words.iter().map(|word| message.field(word_field(*word))).try_collect_vec()
 }
 
 fn word_field(word: ir::Word) -> FieldIndex {
@@ -82,7 +83,7 @@ fn word_field(word: ir::Word) -> FieldIndex {
 
 fn elements_of(field: NamedField<'_>) -> Vec<Place<'_>> {
     let count = field.model.ty.array.map_or(1, std::num::NonZeroU8::get);
-    (0..count).map(|index| Place::At(field.ident, index)).collect()
+    (0..count).map(|index| Place::At(field.ident, index)).collect_vec()
 }
 
 pub(super) fn place<'d>(message: NamedMessage<'d>, at: ir::Place) -> Result<Place<'d>, Internal> {

@@ -1,6 +1,7 @@
 //! Files that include each other in a circle.
 
 use super::Edge;
+use crate::collect::CollectVec as _;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::FileIndex;
 
@@ -27,7 +28,7 @@ pub(super) fn report(edges: &[Vec<Edge>], names: &[String], diagnostics: &mut Di
         match way.iter().position(|stop| stop.file == edge.to) {
             Some(start) => {
                 let circle = way.iter().skip(start).filter_map(|stop| stop.taken(edges));
-                diagnostics.push(describe(&circle.collect::<Vec<_>>(), edge, names));
+                diagnostics.push(describe(&circle.collect_vec(), edge, names));
             }
             None => way.push(Stop { file: edge.to, next: 0 }),
         }

@@ -4,6 +4,7 @@ use std::collections::HashSet;
 use std::path::PathBuf;
 
 use super::{Loaded, bytes, paths};
+use crate::collect::CollectVec as _;
 use crate::diag::{Code, Diagnostic, Diagnostics, nearest};
 use crate::source::Sources;
 use crate::syntax::{Overlay, Text};
@@ -32,7 +33,7 @@ fn give(overlay: Overlay, dialects: &mut [Loaded], sources: &Sources, diagnostic
         return;
     }
     let Some(base) = &overlay.base else { return };
-    let names: Vec<Vec<String>> = dialects.iter().map(|dialect| names(dialect, sources)).collect();
+    let names = dialects.iter().map(|dialect| names(dialect, sources)).collect_vec();
     let mut homeless = true;
     for (dialect, names) in dialects.iter_mut().zip(&names) {
         if names.contains(&base.value) {
@@ -47,7 +48,7 @@ fn give(overlay: Overlay, dialects: &mut [Loaded], sources: &Sources, diagnostic
 
 /// The names of the files of a dialect.
 fn names(dialect: &Loaded, sources: &Sources) -> Vec<String> {
-    dialect.files.iter().filter_map(|file| sources.get(file.id)).map(|source| source.name()).collect()
+    dialect.files.iter().filter_map(|file| sources.get(file.id)).map(|source| source.name()).collect_vec()
 }
 
 fn foreign(base: &Text, names: &[Vec<String>]) -> Diagnostic {
@@ -56,7 +57,7 @@ fn foreign(base: &Text, names: &[Vec<String>]) -> Diagnostic {
     match nearest(&base.value, names.iter().flatten().map(String::as_str)) {
         Some(name) => problem.help(format!("did you mean `{name}`?")),
         None => {
-            let tops: Vec<&str> = names.iter().filter_map(|names| names.first()).map(String::as_str).collect();
+            let tops = names.iter().filter_map(|names| names.first()).map(String::as_str).collect_vec();
             problem.help(format!("the dialects are `{}`, and the files that they include", tops.join("`, `")))
         }
     }

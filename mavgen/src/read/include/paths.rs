@@ -2,6 +2,7 @@
 
 use std::path::{Component, Path, PathBuf};
 
+use crate::collect::CollectVec as _;
 use crate::diag::nearest;
 use crate::order;
 
@@ -44,10 +45,10 @@ pub(super) fn similar(places: &[PathBuf]) -> Option<String> {
         let wanted = place.file_name()?.to_string_lossy();
         let folder = place.parent().filter(|folder| !folder.as_os_str().is_empty());
         let entries = std::fs::read_dir(folder.unwrap_or(Path::new("."))).ok()?;
-        let mut names: Vec<String> = entries
+        let mut names = entries
             .filter_map(|entry| Some(entry.ok()?.file_name().to_string_lossy().into_owned()))
             .filter(|name| name.ends_with(".xml"))
-            .collect();
+            .collect_vec();
         order::sort_and_dedup(&mut names);
         if names.iter().any(|name| *name == wanted) {
             // It is there, and something else is wrong with it.

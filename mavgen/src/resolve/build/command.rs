@@ -5,6 +5,7 @@ use super::super::enums::{Enums, ValuedEntry};
 use super::super::origin::Described;
 use super::super::suggest::suggest;
 use super::super::{limits, number, text, units};
+use crate::collect::CollectVec as _;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{Command, EnumId, FileIndex, Param};
 use crate::order;
@@ -48,7 +49,7 @@ pub(super) fn resolve(
         }
     }
     order::sort_by_key(&mut params, |(_, param)| param.index);
-    let params = params.into_iter().map(|(_, param)| param).collect();
+    let params = params.into_iter().map(|(_, param)| param).collect_vec();
     Some(Command { params, has_location, is_destination, mission_only })
 }
 

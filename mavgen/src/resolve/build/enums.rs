@@ -7,6 +7,7 @@ use super::super::overlay::Commands;
 use super::super::width::Width;
 use super::super::{lifecycle, spelling};
 use super::command;
+use crate::collect::CollectVec as _;
 use crate::diag::Diagnostics;
 use crate::ir::{Entry, Enum, FileIndex, Lifecycle, Origin};
 use crate::read::Loaded;
@@ -23,7 +24,7 @@ pub(in crate::resolve) fn build(
     // An entry whose value is beyond 64 bits has been refused.
     let entries = merged.entries.iter().filter_map(|entry| Some((entry, u64::try_from(entry.value).ok()?)));
     let name = merged.name.value.as_str();
-    let entries = entries.map(|entry| build_entry(name, entry, enums, said, diagnostics)).collect();
+    let entries = entries.map(|entry| build_entry(name, entry, enums, said, diagnostics)).collect_vec();
     let (named_in, oldest) = merged.oldest(loaded);
     let mut origin = origin(merged, defining_file, diagnostics);
     if merged.refined.in_use {

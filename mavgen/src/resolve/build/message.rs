@@ -8,6 +8,7 @@ use super::super::notes::{Notes, Subject};
 use super::super::overlay::Added;
 use super::super::width::Width;
 use super::super::{spelling, text, uses};
+use crate::collect::CollectVec as _;
 use crate::diag::Diagnostics;
 use crate::ir::{Field, Message, Values};
 
@@ -34,7 +35,7 @@ pub(in crate::resolve) fn build(
     let mut origin = draft.origin;
     links.notes.add_to(&mut origin, Subject::Message(name, None));
     let fields = draft.fields.into_iter().zip(draft.wire.offsets);
-    let fields = fields.map(|(field, offset)| build_field(name, field, offset, links, diagnostics)).collect();
+    let fields = fields.map(|(field, offset)| build_field(name, field, offset, links, diagnostics)).collect_vec();
     Message {
         id: draft.id,
         name: spelling::name(&draft.syntax.name),

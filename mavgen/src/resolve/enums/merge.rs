@@ -6,6 +6,7 @@ use std::collections::hash_map;
 
 use super::super::poisoned::Poisoned;
 use super::block::{Block, ValuedEntry};
+use crate::collect::CollectVec as _;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{EnumId, FileIndex};
 use crate::order;
@@ -197,7 +198,7 @@ fn check(merged: &Merged<'_>, diagnostics: &mut Diagnostics) {
     let exact = merged.is_exact();
     let mut names = HashMap::new();
     let mut values = HashMap::new();
-    let mut entries: Vec<_> = merged.entries.iter().collect();
+    let mut entries = merged.entries.iter().collect_vec();
     order::sort_by_key(&mut entries, |entry| Reverse(entry.file));
     for entry in entries {
         let same_name = names.insert(entry.syntax.name.value.as_str(), entry);

@@ -41,8 +41,8 @@ fn number_of(
         Some(number) => diagnostics.push(too_large(scope, text, number, found)),
         None if !scope.entries.complete => {}
         None => {
-            let names = enum_.into_iter().flat_map(|enum_| scope.entry_names(enum_));
-            let problem = suggest(not_a_value(scope, text, found), &text.value, names, diagnostics);
+            let problem = not_a_value(scope, text, found);
+            let problem = suggest(problem, &text.value, scope.entry_names(enum_), diagnostics);
             diagnostics.push(problem);
         }
     }

@@ -2,6 +2,7 @@
 
 use super::super::enums::{Enums, Merged, ValuedEntry};
 use super::super::width::Width;
+use crate::collect::CollectVec as _;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{EnumId, Repr};
 use crate::source::Span;
@@ -79,10 +80,10 @@ fn too_narrow(enum_use: &EnumUse<'_>, merged: &Merged<'_>, width: Width, (bits, 
 /// The documented values that the bits cannot have.
 fn beyond(enum_use: &EnumUse<'_>, merged: &Merged<'_>, (bits, place): (u8, Span)) -> Option<Diagnostic> {
     let largest = u128::from(mask(bits));
-    let beyond: Vec<&ValuedEntry<'_>> = merged.entries.iter().filter(|entry| entry.value > largest).collect();
+    let beyond = merged.entries.iter().filter(|entry| entry.value > largest).collect_vec();
     let first = beyond.first()?;
     let name = |entry: &&ValuedEntry<'_>| format!("{} = {}", entry.syntax.name.value, entry.value);
-    let mut named: Vec<String> = beyond.iter().take(NAMED_VALUES).map(name).collect();
+    let mut named = beyond.iter().take(NAMED_VALUES).map(name).collect_vec();
     if beyond.len() > NAMED_VALUES {
         named.push(format!("{} more", beyond.len() - NAMED_VALUES));
     }

@@ -1,5 +1,6 @@
 //! Lists in attributes, each part with its own place.
 
+use crate::collect::CollectVec as _;
 use crate::source::Span;
 use crate::syntax::Text;
 
@@ -14,7 +15,7 @@ pub(in crate::resolve) fn parts(text: &Text) -> Vec<Text> {
         let span = if exact { Span::new(text.span.file, at..at + part.len()) } else { text.span };
         Text::new(part.to_owned(), span)
     };
-    text.value.split_whitespace().map(part).collect()
+    text.value.split_whitespace().map(part).collect_vec()
 }
 
 #[cfg(test)]

@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use super::super::enums::{Enums, Merged};
 use super::super::suggest::suggest;
 use super::super::{boolean, number, spelling, units};
+use crate::collect::CollectVec as _;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{self, EnumId, FileIndex, Limits, Origin, Param, param_words};
 use crate::read::Loaded;
@@ -63,13 +64,13 @@ impl<'a> Commands<'a> {
 
 /// Reports a command that does not exist.
 fn check(name: &Text, known: Option<&Merged<'_>>, complete: bool, diagnostics: &mut Diagnostics) {
-    let entries = || known.into_iter().flat_map(|merged| &merged.entries).map(|entry| entry.syntax.name.value.as_str());
-    if !complete || entries().any(|entry| entry == name.value) {
+    let entries = known.map_or(&[][..], |merged| &merged.entries).iter().map(|entry| entry.syntax.name.value.as_str());
+    if !complete || entries.clone().any(|entry| entry == name.value) {
         return;
     }
     let message = format!("`{COMMANDS}` has no command `{}`", name.value);
     let problem = Diagnostic::new(Code::OverlayCommand, name.span, message).label("no such command");
-    let problem = suggest(problem, &name.value, entries(), diagnostics);
+    let problem = suggest(problem, &name.value, entries, diagnostics);
     diagnostics.push(problem);
 }
 
@@ -144,8 +145,7 @@ fn unsaid(index: u8, file: FileIndex, element: &NamedParam) -> Param {
 
 /// Reports the labels of overlays that make no name of their own, and drops them. What the definitions call their params is theirs.
 fn check_labels(command: &mut ir::Command, named: &HashMap<u8, &Text>, diagnostics: &mut Diagnostics) {
-    let problems: Vec<Option<Diagnostic>> =
-        (0..command.params.len()).map(|at| label_problem(&command.params, at, named)).collect();
+    let problems = (0..command.params.len()).map(|at| label_problem(&command.params, at, named)).collect_vec();
     for (param, problem) in command.params.iter_mut().zip(problems) {
         if let Some(problem) = problem {
             diagnostics.push(problem);

@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 
 use super::super::poisoned::Poisoned;
+use crate::collect::CollectVec as _;
 use crate::diag::{Code, Diagnostic, Diagnostics, nearest};
 use crate::read::Loaded;
 use crate::source::Sources;
@@ -19,7 +20,7 @@ pub(in crate::resolve) fn check<'l>(
     diagnostics: &mut Diagnostics,
 ) -> Cow<'l, Loaded> {
     let files = loaded.files.iter().filter_map(|file| sources.get(file.id));
-    let names: Vec<String> = files.map(|source| source.name()).collect();
+    let names = files.map(|source| source.name()).collect_vec();
     let is_foreign = |overlay: &Overlay| overlay.base.as_ref().is_some_and(|base| !names.contains(&base.value));
     for overlay in &loaded.overlays {
         if let Some(version) = overlay.version.as_ref().filter(|version| version.value.trim() != VERSION) {

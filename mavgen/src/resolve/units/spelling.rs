@@ -5,6 +5,7 @@
 //! taken for another, because `l/min` is not nearly `g/min`.
 
 use super::known;
+use crate::collect::CollectVec as _;
 use crate::diag::nearest;
 use crate::order;
 
@@ -92,7 +93,7 @@ pub(super) fn meant(text: &str) -> Option<&'static str> {
 
 /// Whether all that differs is a word that is long enough to be misspelled.
 fn is_slip(text: &str, unit: &str) -> bool {
-    let parts = |text: &'_ str| text.split(['/', '*']).map(str::to_ascii_lowercase).collect::<Vec<_>>();
+    let parts = |text: &'_ str| text.split(['/', '*']).map(str::to_ascii_lowercase).collect_vec();
     let (wrong, right) = (parts(text), parts(unit));
     let is_long = |(wrong, right): (&String, &String)| wrong == right || right.len() >= SHORTEST_SLIP;
     wrong.len() == right.len() && wrong.iter().zip(&right).all(is_long)

@@ -4,6 +4,7 @@ use std::ops::RangeInclusive;
 
 use super::ranges::joined;
 use super::switch::Branch;
+use crate::collect::CollectVec as _;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{Member, Presence};
 use crate::source::Span;
@@ -39,7 +40,7 @@ pub(super) fn members(branches: Vec<Branch<'_>>, most: u64, diagnostics: &mut Di
             }
         }
     }
-    merged.into_iter().map(|merged| present(merged, most)).collect()
+    merged.into_iter().map(|merged| present(merged, most)).collect_vec()
 }
 
 fn present(merged: Merged<'_>, most: u64) -> Member {

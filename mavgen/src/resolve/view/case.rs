@@ -105,8 +105,8 @@ fn refused(
         }
         Refusal::Unknown(value) => {
             let problem = problem(format!("`{value}` is not a value of {}", selector.title)).help(HELP);
-            let names = selector.enum_.into_iter().flat_map(|enum_| scope.entry_names(enum_));
-            suggest(problem.related(selector.span, "what the switch looks at"), &value, names, before)
+            let problem = problem.related(selector.span, "what the switch looks at");
+            suggest(problem, &value, scope.entry_names(selector.enum_), before)
         }
     }
 }

@@ -6,6 +6,7 @@ use super::piece::PlacedBits;
 use super::ranges;
 use super::switch::Branch;
 use super::words::Words;
+use crate::collect::CollectVec as _;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::syntax::overlay::View;
 
@@ -18,8 +19,7 @@ pub(super) fn check(
     diagnostics: &mut Diagnostics,
 ) {
     let shared = overlaps(common, &[], diagnostics);
-    let covered: Vec<u128> =
-        branches.iter().map(|branch| shared | overlaps(&branch.pieces, common, diagnostics)).collect();
+    let covered = branches.iter().map(|branch| shared | overlaps(&branch.pieces, common, diagnostics)).collect_vec();
     if !complete {
         return;
     }

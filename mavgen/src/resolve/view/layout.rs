@@ -5,6 +5,7 @@ use super::selector::{self, Selector};
 use super::switch::{self, Branch};
 use super::words::Words;
 use super::{all_bits, branches, coverage};
+use crate::collect::CollectVec as _;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{Member, Switch};
 use crate::resolve::boolean;
@@ -39,7 +40,7 @@ pub(super) fn resolve<'a>(
         }
     }
     let whole = common.iter().all(Option::is_some);
-    let pieces = |pieces: Vec<Option<PlacedBits<'a>>>| pieces.into_iter().flatten().collect::<Vec<_>>();
+    let pieces = |pieces: Vec<Option<PlacedBits<'a>>>| pieces.into_iter().flatten().collect_vec();
     let after = pieces(common.split_off(before_switch));
     let (mut common, count) = (pieces(common), after.len());
     common.extend(after);
@@ -51,7 +52,7 @@ pub(super) fn resolve<'a>(
     if let Some(branches) = branches.as_ref().filter(|_| whole) {
         // An empty view was spoken of, and what was lost in reading or in a second switch may have covered the rest.
         let lost = !scope.whole || switches(element).count() > 1;
-        let complete = !partial && !lost && all_bits(element).next().is_some();
+        let complete = !partial && !lost && !all_bits(element).is_empty();
         coverage::check(element, words, (&common, branches), complete, diagnostics);
     }
     joined(common, count, selector, branches.unwrap_or_default(), diagnostics)

@@ -1,11 +1,12 @@
 //! Sets of numbers as ranges: sorted, and apart.
 
+use crate::collect::CollectVec as _;
 use crate::order;
 use std::ops::RangeInclusive;
 
 /// Joins ranges that overlap or touch.
 pub(super) fn joined(ranges: impl IntoIterator<Item = RangeInclusive<u64>>) -> Vec<RangeInclusive<u64>> {
-    join(ranges.into_iter().collect())
+    join(ranges.into_iter().collect_vec())
 }
 
 fn join(mut sorted: Vec<RangeInclusive<u64>>) -> Vec<RangeInclusive<u64>> {
@@ -44,7 +45,7 @@ pub(super) fn list(ranges: &[RangeInclusive<u64>]) -> String {
         (start, end) if start == end => start.to_string(),
         (start, end) => format!("{start} to {end}"),
     };
-    ranges.iter().map(one).collect::<Vec<_>>().join(", ")
+    ranges.iter().map(one).collect_vec().join(", ")
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 use super::beside::beside;
 use super::words::Words;
+use crate::collect::CollectVec as _;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{Condition, Place, Scalar, Sentinel, ViewSentinel};
 use crate::resolve::invalid::{self, Refusal};
@@ -39,7 +40,7 @@ pub(super) fn sentinels(
         let problem = Diagnostic::new(Code::Sentinel, span, message).related(first, label);
         diagnostics.push(problem.help("leave it out, or correct it"));
     }
-    found.into_iter().map(|(sentinel, _)| sentinel).collect()
+    found.into_iter().map(|(sentinel, _)| sentinel).collect_vec()
 }
 
 fn sentinel(

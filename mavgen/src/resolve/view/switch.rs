@@ -8,6 +8,7 @@ use super::ranges;
 use super::ranges::{complement, joined, list};
 use super::selector::Selector;
 use super::words::Words;
+use crate::collect::CollectVec as _;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::resolve::message_scope::{EnumUse, MessageScope};
 use crate::source::Span;
@@ -45,9 +46,9 @@ pub(super) fn branches<'a>(
             _ => rest.clone().unwrap_or_default(),
         };
         let pieces = case.pieces.iter().map(|piece| piece::resolve(scope, piece, words, enum_uses, diagnostics));
-        let pieces: Vec<Option<PlacedBits<'a>>> = pieces.collect();
+        let pieces = pieces.collect_vec();
         whole &= pieces.iter().all(Option::is_some);
-        branches.push(Branch { ranges, pieces: pieces.into_iter().flatten().collect(), span: case.span });
+        branches.push(Branch { ranges, pieces: pieces.into_iter().flatten().collect_vec(), span: case.span });
     }
     Some(branches).filter(|_| whole)
 }

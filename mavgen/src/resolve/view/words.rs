@@ -3,6 +3,7 @@
 use std::num::NonZeroU8;
 
 use super::place::{self, Index};
+use crate::collect::CollectVec as _;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{Place, Word};
 use crate::resolve::message_scope::{Found, MessageScope, parts};
@@ -48,12 +49,12 @@ pub(super) fn resolve(scope: &MessageScope<'_, '_>, text: &Text, diagnostics: &m
         diagnostics.push(Diagnostic::new(Code::Words, text.span, "a view of no words").help("name a field"));
         return None;
     }
-    let read: Vec<Option<Read<'_>>> = parts.into_iter().map(|part| one(scope, part, diagnostics)).collect();
+    let read = parts.into_iter().map(|part| one(scope, part, diagnostics)).collect_vec();
     let read = read.into_iter().collect::<Option<Vec<Read<'_>>>>()?;
     check_once(&read, diagnostics)?;
     let shape = shape(&read, diagnostics)?;
     let width = width(scope, text, &read, diagnostics)?;
-    Some(Words { list: read.iter().map(|read| read.word).collect(), width, shape, span: text.span })
+    Some(Words { list: read.iter().map(|read| read.word).collect_vec(), width, shape, span: text.span })
 }
 
 fn one<'s>(scope: &MessageScope<'s, '_>, text: Text, diagnostics: &mut Diagnostics) -> Option<Read<'s>> {
@@ -117,7 +118,7 @@ fn width(scope: &MessageScope<'_, '_>, text: &Text, read: &[Read<'_>], diagnosti
     if bits <= MOST_BITS {
         return u8::try_from(bits).ok();
     }
-    let terms: Vec<String> = read.iter().map(|read| read.bits.to_string()).collect();
+    let terms = read.iter().map(|read| read.bits.to_string()).collect_vec();
     let sum = if terms.len() > 1 { format!("{} = {bits}", terms.join(" + ")) } else { bits.to_string() };
     let message = format!("the words are {sum} bits wide; {MOST_BITS} are allowed");
     let mut problem = Diagnostic::new(Code::WordsTooWide, text.span, message);
