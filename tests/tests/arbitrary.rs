@@ -38,6 +38,7 @@ fn every_message_of_a_dialect_comes_up() {
         seen.insert(message.info().id);
     }
     assert_eq!(seen.len(), Autoquad::TABLE.len());
+    assert_eq!(Autoquad::size_hint(0), (0, Some(size_of::<usize>() + 255)), "the choice and its payload");
 }
 
 #[test]

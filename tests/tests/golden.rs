@@ -238,7 +238,7 @@ fn view_floats() {
 
 #[test]
 fn view_scaled() {
-    use view_scaled::Battery;
+    use view_scaled::{Battery, Gauge};
 
     let mut battery = Battery { word: 1234 | 100 << 12 | 0b11110 << 21 | 0b111_010 << 26 };
     let state = battery.state();
@@ -250,6 +250,10 @@ fn view_scaled() {
     assert_eq!((changed.set_temperature(-6.875), changed.temperature_raw()), (Ok(()), 101), "half is rounded up");
     battery.set_state(changed);
     assert_eq!(battery.state().temperature(), -6.75);
+
+    let reading = Gauge { word: 4095 | 0xfffff << 12 | 9 << 32 | 2 << 40 | 7 << 48 }.reading();
+    assert_eq!((reading.narrow(), reading.wide(), reading.above()), (4095.0, 1_048_575.0, 44.5));
+    assert_eq!((reading.below(), reading.falling()), (-3.5, -2.0));
 }
 
 /// A value that is set makes its condition hold, and leaves other fields alone.

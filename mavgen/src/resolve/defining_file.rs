@@ -48,9 +48,6 @@ fn reached_from(file: FileIndex, direct: &[Vec<FileIndex>]) -> Vec<bool> {
 pub(super) fn of(merged: &Merged<'_>, uses: &[Use<'_>], includes: &mut Includes<'_>) -> FileIndex {
     let mut files = merged.blocks.iter().map(|block| block.file).collect_vec();
     files.dedup();
-    if files.len() < 2 {
-        return merged.file;
-    }
     let mut best = (0, false, merged.file);
     for &file in &files {
         let includers = files.iter().filter(|&&other| other != file && includes.reaches(other, file)).count();

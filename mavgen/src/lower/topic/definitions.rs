@@ -1,5 +1,7 @@
 //! The definitions of a topic: their facts, and where each has the fields.
 
+use std::collections::BTreeSet;
+
 use super::{Named, Topics, docs};
 use crate::internal::Internal;
 use crate::rust::{Definition, Element, Held, Int, Move, Plain, Row, SameDefinition, TopicType};
@@ -169,10 +171,12 @@ fn add_nested(message: &model::Message, package: &Package, formats: &mut Vec<Str
 
 /// Whether the length of a body tells which definition it is of, also if it is rounded up to four bytes.
 pub(super) fn differ_in_length(definitions: &[Definition<'_>]) -> bool {
-    let lengths: Vec<u32> = definitions.iter().map(|one| one.cdr_len).collect();
-    let meets = |a: &u32, b: &u32| a.next_multiple_of(4) == b.next_multiple_of(4) || a.next_multiple_of(4) == *b;
-    let mut pairs = lengths.iter().enumerate().flat_map(|(at, a)| lengths.iter().skip(at + 1).map(move |b| (a, b)));
-    !pairs.any(|(a, b)| meets(a, b) || meets(b, a))
+    differ(definitions.iter().map(|one| one.cdr_len))
+}
+
+fn differ(mut lengths: impl Iterator<Item = u32>) -> bool {
+    let mut rounded = BTreeSet::new();
+    lengths.all(|len| rounded.insert(len.next_multiple_of(4)))
 }
 
 /// The type of a scalar.
@@ -209,5 +213,24 @@ pub(super) fn element(ty: TopicType<'_>) -> Option<Element<'_>> {
         TopicType::Plain(Plain::F64) => Some(Element::F64),
         TopicType::Enum(one) => Some(Element::Enum(one)),
         TopicType::Plain(Plain::Bool | Plain::Char) | TopicType::Message { .. } => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn lengths_are_compared_as_they_are_rounded_up() {
+        for (lengths, expected) in [
+            (&[] as &[u32], true),
+            (&[12], true),
+            (&[12, 13, 20], true),
+            (&[12, 12], false),
+            (&[13, 16], false),
+            (&[16, 13], false),
+            (&[13, 14], false),
+            (&[4, 20, 17], false),
+        ] {
+            assert_eq!(super::differ(lengths.iter().copied()), expected, "{lengths:?}");
+        }
     }
 }

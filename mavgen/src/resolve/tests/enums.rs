@@ -109,6 +109,14 @@ fn ties_go_to_the_user() {
     assert_eq!(own(&x, &(y.clone() + &used)), 2);
 }
 
+/// Of three files that define an enum, the one that both others include.
+#[test]
+fn the_most_included_file_owns_an_enum() {
+    for files in [&[&["T=1"] as &[&str], &["M=2"], &["B=3"]] as &[&[&str]], &[&["T=1"], &["B=3"]], &[&["B=3"]]] {
+        assert_eq!(merged(files).find_enum("E").defined_in.0, files.len() - 1, "{files:?}");
+    }
+}
+
 #[test]
 fn widths() {
     for (entries, fields, expected) in [

@@ -151,10 +151,6 @@ impl<'de> Visitor<'de> for Keep<'_> {
         self.early.push(tag::NOTHING, &[])
     }
 
-    fn visit_none<E: Error>(self) -> Result<(), E> {
-        self.visit_unit()
-    }
-
     fn visit_seq<A: SeqAccess<'de>>(mut self, mut seq: A) -> Result<(), A::Error> {
         self.early.push(tag::LIST, &[])?;
         while seq.next_element_seed(self.inner()?)?.is_some() {}

@@ -113,8 +113,4 @@ impl Visitor<'_> for FloatVisitor {
     fn visit_unit<E: Error>(self) -> Result<u64, E> {
         Ok(self.unknown())
     }
-
-    fn visit_none<E: Error>(self) -> Result<u64, E> {
-        Ok(self.unknown())
-    }
 }

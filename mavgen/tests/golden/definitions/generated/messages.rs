@@ -4,13 +4,16 @@
 //!
 //! | fields | message        |  |
 //! |-------:|----------------|---|
+//! |      3 | [`Inlet`]      | What flows in. |
 //! |      1 | [`Quiet`]      | What has not changed. |
 //! |      5 | [`Sensor`]     |  |
 //! |      9 | [`TankStatus`] | What is in a tank. |
+mod inlet;
 mod quiet;
 mod sensor;
 mod tank_status;
 
+pub use inlet::Inlet;
 pub use quiet::Quiet;
 pub use sensor::Sensor;
 pub use tank_status::TankStatus;

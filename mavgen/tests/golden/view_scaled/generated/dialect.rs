@@ -15,6 +15,8 @@ use ::mavlink_wire as wire;
 pub enum Main {
     /// `BATTERY`, message 313.
     Battery(Battery),
+    /// `GAUGE`, message 314.
+    Gauge(Gauge),
 }
 
-wire::dialect!(Main { Battery });
+wire::dialect!(Main { Battery, Gauge });

@@ -5,6 +5,9 @@
 //! |  id | message |
 //! |----:|---|
 //! | 313 | [`Battery`] |
+//! | 314 | [`Gauge`] |
 mod battery;
+mod gauge;
 
 pub use battery::Battery;
+pub use gauge::Gauge;

@@ -2,5 +2,7 @@
 
 //! What overlays see in fields: packed bits, and values.
 mod battery_bits;
+mod gauge_bits;
 
 pub use battery_bits::BatteryBits;
+pub use gauge_bits::GaugeBits;
