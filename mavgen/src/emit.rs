@@ -52,6 +52,10 @@ fn generate(file: &File<'_>) -> Result<GeneratedFile, Internal> {
 fn content(content: &Content<'_>) -> Result<TokenStream, Internal> {
     Ok(match content {
         Content::Module { children, exports, aliases } => modules::module(children, exports, aliases)?,
+        Content::Commands(module, carriers) => {
+            let (module, carriers) = (self::content(module)?, command::carriers(carriers)?);
+            quote!(#module #carriers)
+        }
         Content::Message(message) => message::message(message),
         #[cfg(feature = "uorb")]
         Content::Topic(topic) => topic::topic(topic),

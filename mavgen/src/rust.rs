@@ -17,7 +17,7 @@ mod ty;
 mod view;
 
 pub(crate) use accessor::{Convert, Extent, Sentinel, Unknown};
-pub(crate) use command::{Command, CommandField, FRAME, Fixed, INT, LONG, ParamTy};
+pub(crate) use command::{CARRIERS, Carriers, Command, CommandField, Fixed, ParamTy};
 pub(crate) use docs::{Cell, Docs, ListItem, Paragraph};
 pub(crate) use enums::{Constant, DialectEnum, Enum, ParamInfo, Variant};
 pub(crate) use mentions::Mentions;

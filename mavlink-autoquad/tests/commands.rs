@@ -7,28 +7,12 @@ use std::fmt::Debug;
 
 use mavlink_autoquad::autoquad::commands::*;
 use mavlink_autoquad::autoquad::{CommandInt, CommandLong, MavCmd, MavFrame};
-use mavlink_autoquad::wire::{AsInt, AsLong, Command, CommandError, Encode, Enum, MAX_PAYLOAD, Message, Version};
+use mavlink_autoquad::wire::{Command, CommandError, Encode, Enum, MAX_PAYLOAD, Message, Version};
 
 /// What all commands are.
-trait Carried:
-    AsLong<Long = CommandLong>
-    + AsInt<Int = CommandInt, Frame = MavFrame>
-    + for<'m> TryFrom<&'m CommandLong, Error = CommandError>
-    + for<'m> TryFrom<&'m CommandInt, Error = CommandError>
-    + Default
-    + Debug
-{
-}
+trait Carried: Command<Carriers = Carriers> + Default + Debug {}
 
-impl<C> Carried for C where
-    C: AsLong<Long = CommandLong>
-        + AsInt<Int = CommandInt, Frame = MavFrame>
-        + for<'m> TryFrom<&'m CommandLong, Error = CommandError>
-        + for<'m> TryFrom<&'m CommandInt, Error = CommandError>
-        + Default
-        + Debug
-{
-}
+impl<C: Command<Carriers = Carriers> + Default + Debug> Carried for C {}
 
 /// A command and what pymavlink packs for it.
 struct Case {
@@ -64,14 +48,14 @@ fn packed<C: Carried>(command: C, long: &str, frame: MavFrame, int: &str) {
     assert_eq!(payload(&by_long), long, "{command:?}");
     let by_int = command.int(frame, 7, 8).unwrap();
     assert_eq!(payload(&by_int), int, "{command:?} in {frame}");
-    assert_eq!(shown(&C::try_from(&by_int).unwrap()), shown(&command), "in {frame}: exact");
-    let back = C::try_from(&by_long).unwrap();
+    assert_eq!(shown(&C::from_int(&by_int).unwrap()), shown(&command), "in {frame}: exact");
+    let back = C::from_long(&by_long).unwrap();
     assert_eq!(payload(&back.long(7, 8).unwrap()), long, "{back:?}: each float is kept");
 
     let other = MavCmd(by_long.command.0 ^ 0x8000);
     let refused = Some(CommandError::OtherCommand { expected: C::ID, found: other.0 });
-    assert_eq!(C::try_from(&CommandLong { command: other, ..by_long }).err(), refused);
-    assert_eq!(C::try_from(&CommandInt { command: other, ..by_int }).err(), refused);
+    assert_eq!(C::from_long(&CommandLong { command: other, ..by_long }).err(), refused);
+    assert_eq!(C::from_int(&CommandInt { command: other, ..by_int }).err(), refused);
 }
 
 #[test]
@@ -121,14 +105,14 @@ fn came<C: Carried>(numbers: &mut Numbers) -> usize {
     let (x, y, frame) = (numbers.integer(), numbers.integer(), MavFrame((numbers.next() % 24) as u8));
     let int = CommandInt { command, frame, param1, param2, param3, param4, x, y, z: param7, ..CommandInt::DEFAULT };
     let mut read = 0;
-    if let Ok(first) = C::try_from(&long) {
-        let again = C::try_from(&first.long(0, 0).unwrap()).unwrap();
+    if let Ok(first) = C::from_long(&long) {
+        let again = C::from_long(&first.long(0, 0).unwrap()).unwrap();
         assert_eq!(shown(&again), shown(&first), "{long:?}");
         read += 1;
     }
-    if let Ok(first) = C::try_from(&int) {
+    if let Ok(first) = C::from_int(&int) {
         let sent = first.int(frame, 0, 0).unwrap();
-        let again = C::try_from(&sent).unwrap();
+        let again = C::from_int(&sent).unwrap();
         assert_eq!(shown(&again), shown(&first), "{int:?}");
         // What is sent of a param without a field does not hang on what came.
         let fixed = C::DEFAULT.int(MavFrame::GLOBAL, 0, 0).unwrap();
@@ -153,7 +137,7 @@ fn a_place_by_long_is_the_nearest_float() {
     for _ in 0..20_000 {
         let x = (numbers.next() % 3_600_000_001) as i64 - 1_800_000_000;
         let int = CommandInt { command: MavCmd(NavWaypoint::ID), x: x as i32, ..CommandInt::DEFAULT };
-        let float = NavWaypoint::try_from(&int).unwrap().long(0, 0).unwrap().param5;
+        let float = NavWaypoint::from_int(&int).unwrap().long(0, 0).unwrap().param5;
         // Both in units of 1e-7 degrees times 2^-60: exact in 128 bits.
         let distance =
             |float: f32| ((f64::from(float) * 2f64.powi(60)) as i128 * 10_000_000 - (i128::from(x) << 60)).abs();

@@ -2,7 +2,6 @@
 //!
 //! A dialect is made for one version of this crate: these names change with mavgen, without notice.
 
-pub use crate::message::command::{from_int, from_long};
 pub use crate::message::dialect::{decode_variant, decode_variant_into};
 pub use crate::message::enums::{debug_entry, fmt_entry, parse};
 pub use crate::message::flags::{fmt_flags, parse_flags};

@@ -59,8 +59,8 @@
 //! One [`Sender`] per link numbers the frames and writes each into a buffer of yours. Prefer `..Message::DEFAULT` to naming
 //! every field, because definitions grow.
 //!
-//! A command of `MAV_CMD` is a type with its params as fields ([`Command`]): [`AsLong::long`] makes the `COMMAND_LONG` that carries
-//! it, [`AsInt::int`] the `COMMAND_INT`.
+//! A command of `MAV_CMD` is a type with its params as fields ([`Command`]): [`Command::long`] makes the `COMMAND_LONG` that carries
+//! it, [`Command::int`] the `COMMAND_INT`.
 //!
 //! # Forwarding
 //!
@@ -164,8 +164,8 @@ pub use glue::interop;
 pub use glue::serde;
 pub use log::tlog;
 pub use message::{
-    AsInt, AsLong, Chars, Command, CommandError, Dialect, Encode, Enum, EnumInfo, FieldInfo, Invalid, Kind, Message,
-    MessageInfo, ParamError, ParamInfo, Params, Payload, Repr, Sentinel, Targeted, flags,
+    CarriesInt, CarriesLong, Chars, Command, CommandError, Dialect, Encode, Enum, EnumInfo, FieldInfo, Invalid, Kind,
+    Message, MessageInfo, ParamError, ParamInfo, Params, Payload, Repr, Sentinel, Targeted, flags,
 };
 pub use parser::{Arrival, Losses, Parser, Received, Statistics, Table};
 pub use routes::{LinkNumbers, Links, Routes};

@@ -13,7 +13,7 @@ pub(crate) mod scale;
 pub(crate) mod wire;
 
 pub use chars::Chars;
-pub use command::{AsInt, AsLong, Command, CommandError, ParamError, Params};
+pub use command::{CarriesInt, CarriesLong, Command, CommandError, ParamError, Params};
 pub use dialect::Dialect;
 pub use enums::{Enum, Repr};
 pub use field::{FieldInfo, Invalid, Kind, Sentinel};

@@ -10,4 +10,4 @@
 
 #[cfg(feature = "uorb")]
 pub use crate::uorb::{Topic, TopicByLength};
-pub use crate::{AsInt, AsLong, Command, Dialect, Encode, Enum, Message, Targeted};
+pub use crate::{Command, Dialect, Encode, Enum, Message, Targeted};

@@ -1,7 +1,7 @@
 //! What the goldens of mavgen do: one test for each construct, with bytes and numbers worked out by hand.
 
 use mavlink_conformance::golden::*;
-use mavlink_wire::{AsInt, AsLong, Chars, Command, Dialect, Encode, MAX_PAYLOAD, Message, Targeted, Version};
+use mavlink_wire::{Chars, Command, Dialect, Encode, MAX_PAYLOAD, Message, Targeted, Version};
 
 /// The payload of a message, without the zeros that MAVLink 2 cuts.
 fn payload(message: &impl Encode) -> Vec<u8> {
@@ -98,7 +98,7 @@ fn commands() {
 #[test]
 #[expect(deprecated, reason = "one of them is deprecated")]
 fn commands_are_typed() {
-    use mav_cmd::commands::{Commands, GoTo, LongCommand, SprayModeCommand, Stop};
+    use mav_cmd::commands::{CarriersCommand, Commands, GoTo, SprayModeCommand, Stop};
     use mav_cmd::{CommandInt, CommandLong, MavCmd, MavFrame, SprayMode, SprayParts};
 
     let go = GoTo { r#type: SprayParts::RIGHT, latitude: 47.397_742_1, longitude: -8.5, ..GoTo::DEFAULT };
@@ -110,22 +110,26 @@ fn commands_are_typed() {
     assert_eq!(CommandLong { param7: 0.0, ..long }, expected);
     let int = go.int(MavFrame::GLOBAL, 1, 2).unwrap();
     assert_eq!((int.x, int.y, int.frame, int.param1), (473_977_421, -85_000_000, MavFrame::GLOBAL, 65_536.0));
-    assert_eq!(GoTo::try_from(&int).unwrap().latitude.to_bits(), go.latitude.to_bits());
+    assert_eq!(GoTo::from_int(&int).unwrap().latitude.to_bits(), go.latitude.to_bits());
     let local = GoTo { latitude: 1.5, longitude: f64::NAN, ..go }.int(MavFrame::LOCAL_NED, 0, 0).unwrap();
     assert_eq!((local.x, local.y), (15_000, i32::MAX), "metres; not known");
 
     let number = SprayModeCommand { _4th: SprayMode(3), number: 7.0, ..SprayModeCommand::DEFAULT };
     let int = number.int(MavFrame::MISSION, 0, 0).unwrap();
     assert_eq!((int.param1, int.x, int.y, int.z.is_nan()), (3.0, 65_536, 7, true), "no place, so no scale");
-    assert_eq!(SprayModeCommand::try_from(&int), Ok(number));
-    let place = LongCommand { latitude_x: 473_977_421.0, longitude_y: -1.0 };
-    assert_eq!(LongCommand::try_from(&place.int(MavFrame::GLOBAL, 0, 0).unwrap()), Ok(place), "degE7 is the integer");
+    assert_eq!(SprayModeCommand::from_int(&int), Ok(number));
+    let place = CarriersCommand { latitude_x: 473_977_421.0, longitude_y: -1.0 };
+    assert_eq!(
+        CarriersCommand::from_int(&place.int(MavFrame::GLOBAL, 0, 0).unwrap()),
+        Ok(place),
+        "degE7 is the integer"
+    );
     assert!(Commands.long(0, 0).unwrap().param6.is_nan());
     assert_eq!(
         Commands.int(MavFrame::GLOBAL, 0, 0).unwrap(),
         CommandInt { command: MavCmd::COMMANDS, y: i32::MAX, ..CommandInt::DEFAULT }
     );
-    assert_eq!(Stop::try_from(&Stop.long(0, 0).unwrap()), Ok(Stop));
+    assert_eq!(Stop::from_long(&Stop.long(0, 0).unwrap()), Ok(Stop));
 }
 
 #[test]
@@ -148,14 +152,14 @@ fn commands_that_cannot_be_carried() {
     assert_eq!(number(1e39).long(1, 1).err(), param(6, ParamError::OutOfRange));
 
     let came = |param1, x| {
-        SprayModeCommand::try_from(&CommandInt { command: MavCmd::SPRAY_MODE, param1, x, ..CommandInt::DEFAULT })
+        SprayModeCommand::from_int(&CommandInt { command: MavCmd::SPRAY_MODE, param1, x, ..CommandInt::DEFAULT })
     };
     assert_eq!(came(255.0, 0).map(|command| command._4th), Ok(SprayMode(255)), "no entry, and kept");
     assert_eq!(came(256.0, 0).err(), param(1, ParamError::OutOfRange));
     assert_eq!(came(f32::NAN, 0).err(), param(1, ParamError::NotWhole));
     assert_eq!(came(0.0, -1).err(), param(5, ParamError::OutOfRange));
     let other = CommandError::OtherCommand { expected: 43, found: 44 };
-    assert_eq!(Stop::try_from(&GoTo::DEFAULT.long(1, 1).unwrap()), Err(other));
+    assert_eq!(Stop::from_long(&GoTo::DEFAULT.long(1, 1).unwrap()), Err(other));
 }
 
 #[test]

@@ -6,7 +6,7 @@ use std::error::Error;
 use std::io::{self, Write};
 
 use mavlink_autoquad::autoquad::commands::NavTakeoff;
-use mavlink_autoquad::wire::{AsLong, Command};
+use mavlink_autoquad::wire::Command;
 use mavlink_services::Station;
 use mavlink_services::common::{MavCmd, MavMissionType};
 use mavlink_services::mission::MissionItem;

@@ -89,7 +89,7 @@ fn add(surface: &mut Surface, content: &Content<'_>) {
             surface.insert(format!("commands::{}", command.ident), of_command(command));
         }
         // What these export are the types of the others.
-        Content::Module { .. } | Content::Dialect(_) => {}
+        Content::Module { .. } | Content::Commands(..) | Content::Dialect(_) => {}
         #[cfg(feature = "uorb")]
         Content::Topic(_) => {}
     }

@@ -10,6 +10,8 @@
 //! }
 //!
 //! impl wire::Command for NavTakeoff {
+//!     type Carriers = super::Carriers;
+//!
 //!     const ID: u16 = 22;
 //!     const DEFAULT: Self = Self { pitch: 0.0, latitude: f64::NAN };
 //!
@@ -20,29 +22,43 @@
 //!     }
 //! }
 //!
-//! wire::command!(NavTakeoff, long super::Long, int super::Int, super::Frame);
+//! wire::command!(NavTakeoff);
 //! ```
 
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::modules::path;
 use super::token::{decimal, double, ident, integer, single};
 use super::ty::value_of;
 use super::{doc, ty};
-use crate::rust::{Command, CommandField, FRAME, Fixed, INT, LONG, ParamTy};
+use crate::internal::Internal;
+use crate::rust::{CARRIERS, Carriers, Command, CommandField, Fixed, ParamTy};
 
 /// The items of a command's file.
 pub(super) fn command(command: &Command<'_>) -> TokenStream {
-    let Command { ident: name, long, int, .. } = command;
-    let (declaration, body) = (declaration(command), body(command));
-    let [name, by_long, by_int, frame] = [name, LONG, INT, FRAME].map(ident);
-    let long = long.then(|| quote!(, long super::#by_long));
-    let int = int.then(|| quote!(, int super::#by_int, super::#frame));
+    let (declaration, body, name) = (declaration(command), body(command), ident(command.ident));
     quote! {
         #declaration
         #body
-        wire::command!(#name #long #int);
+        wire::command!(#name);
     }
+}
+
+/// The type that says which messages carry the commands of a module.
+pub(super) fn carriers(Carriers { long, int }: &Carriers) -> Result<TokenStream, Internal> {
+    let name = ident(CARRIERS);
+    let long = long.as_deref().map(path).transpose()?;
+    let long = long.map(|long| quote!(impl wire::CarriesLong for #name { type Long = #long; }));
+    let int = int.as_ref().map(|(int, frame)| Ok::<_, Internal>((path(int)?, path(frame)?))).transpose()?;
+    let int = int.map(|(int, frame)| quote!(impl wire::CarriesInt for #name { type Int = #int; type Frame = #frame; }));
+    Ok(quote! {
+        /// The messages that carry the commands.
+        #[derive(Clone, Copy, Debug)]
+        pub enum #name {}
+        #long
+        #int
+    })
 }
 
 fn declaration(command: &Command<'_>) -> TokenStream {
@@ -64,12 +80,13 @@ fn declaration(command: &Command<'_>) -> TokenStream {
 /// The implementation of `wire::Command`.
 fn body(command: &Command<'_>) -> TokenStream {
     let Command { ident: name, id, fields, fixed, .. } = command;
-    let (name, id) = (ident(name), decimal(*id));
+    let (name, id, carriers) = (ident(name), decimal(*id), ident(CARRIERS));
     let defaults = fields.iter().map(default);
     let each = fields.iter().map(param).chain(fixed.iter().map(self::fixed));
     let params = ident(if fields.is_empty() && fixed.is_empty() { "_p" } else { "p" });
     quote! {
         impl wire::Command for #name {
+            type Carriers = super::#carriers;
             const ID: u16 = #id;
             const DEFAULT: Self = Self { #(#defaults),* };
             #[inline]

@@ -50,10 +50,6 @@ fn used(of: &Use) -> Result<TokenStream, Internal> {
                 _ => quote!(#module::{#(#names),*}),
             }
         }
-        Use::Renamed(item, name) => {
-            let (item, name) = (path(item)?, ident(name));
-            quote!(#item as #name)
-        }
         Use::All(module) => {
             let module = path(module)?;
             quote!(#module::*)
@@ -67,7 +63,7 @@ fn used(of: &Use) -> Result<TokenStream, Internal> {
 }
 
 /// A path as tokens.
-fn path(text: &str) -> Result<TokenStream, Internal> {
+pub(super) fn path(text: &str) -> Result<TokenStream, Internal> {
     text.parse().map_err(|error| Internal::new(format!("`{text}` is no path: {error}")))
 }
 

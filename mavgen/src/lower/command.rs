@@ -10,11 +10,11 @@ use crate::collect::CollectVec as _;
 use crate::docs::line;
 use crate::internal::Internal;
 use crate::ir::{self, Carrier, Param};
-use crate::rust::{Alias, Command, CommandField, Docs, EnumType, FRAME, Fixed, INT, LONG, Paragraph, ParamTy, Ty, Use};
+use crate::rust::{Alias, Carriers, Command, CommandField, Docs, EnumType, Fixed, Paragraph, ParamTy, Ty};
 
 impl<'d> Items<'d> {
     /// The items of a command.
-    pub(super) fn command(self, command: NamedCommand<'d>, of: &Commands) -> Result<Command<'d>, Internal> {
+    pub(super) fn command(self, command: NamedCommand<'d>) -> Result<Command<'d>, Internal> {
         let NamedCommand { entry, names, .. } = command;
         let fields = command.params().filter_map(|(param, field)| Some((param, field?)));
         let fixed = command.params().filter(|(_, field)| field.is_none()).filter_map(|(param, _)| fixed(param));
@@ -27,8 +27,6 @@ impl<'d> Items<'d> {
                 .map_err(|_| Internal::new(format!("no message carries command {}", entry.value)))?,
             fields: fields.map(|(param, ident)| self.command_field(command, param, ident)).try_collect_vec()?,
             fixed: fixed.collect_vec(),
-            long: of.long.is_some(),
-            int: of.int.is_some(),
         })
     }
 
@@ -83,8 +81,8 @@ impl<'d> Items<'d> {
         Ok(self.element(frame.ok_or_else(|| Internal::new("COMMAND_INT has no frame"))?)?.ty())
     }
 
-    /// The messages that carry commands, and the type of a frame, under the names that all files of commands use.
-    pub(super) fn use_carriers(self, of: &Commands) -> Result<Vec<Use>, Internal> {
+    /// The messages that carry commands, and the type of a frame.
+    pub(super) fn carriers(self, of: &Commands) -> Result<Carriers, Internal> {
         let way = |at: usize| {
             let placement = match self.union {
                 Some(union) => union.message_placements.get(at).map(|at| at.placement),
@@ -93,17 +91,14 @@ impl<'d> Items<'d> {
             let placement = placement.ok_or_else(|| Internal::new(format!("message {at} is declared nowhere")))?;
             Ok::<_, Internal>(format!("{}messages::{}", self.way(MODULE, placement)?, self.message_at(at)?.ty()))
         };
-        let mut uses = Vec::new();
-        uses.extend(of.long.map(|at| Ok::<_, Internal>(Use::Renamed(way(at)?, LONG))).transpose()?);
-        if let Some(at) = of.int {
-            let frame = match self.frame(at)? {
-                Ty::Enum(one) => self.way(MODULE, self.enum_home(one.id)?)? + "enums::" + one.ident,
-                Ty::Int(int) => format!("core::primitive::{}", int.name()),
-                other => return Err(Internal::new(format!("a frame is no {other:?}"))),
-            };
-            uses.extend([Use::Renamed(way(at)?, INT), Use::Renamed(frame, FRAME)]);
-        }
-        Ok(uses)
+        let frame = |at: usize| match self.frame(at)? {
+            Ty::Enum(one) => Ok(self.way(MODULE, self.enum_home(one.id)?)? + "enums::" + one.ident),
+            Ty::Int(int) => Ok(int.name().to_owned()),
+            other => Err(Internal::new(format!("a frame is no {other:?}"))),
+        };
+        let long = of.long.map(way).transpose()?;
+        let int = of.int.map(|at| Ok::<_, Internal>((way(at)?, frame(at)?))).transpose()?;
+        Ok(Carriers { long, int })
     }
 }
 

@@ -1,7 +1,7 @@
 //! The files of items: where each belongs, what it imports, and what stands over it.
 
 use super::command;
-use super::folder::{Commands, Folder};
+use super::folder::Folder;
 use super::items::Items;
 use super::link::Placement;
 use super::message::alias;
@@ -51,9 +51,9 @@ impl<'d> Items<'d> {
 
     /// What the files of the commands have, in a tree of one dialect.
     pub(crate) fn command_contents(self) -> Result<Vec<Content<'d>>, Internal> {
-        let Some(commands) = Commands::of_one(self.dialect) else { return Ok(Vec::new()) };
+        let Some(commands) = super::folder::Commands::of_one(self.dialect) else { return Ok(Vec::new()) };
         let each = self.enum_at(commands.enum_)?.commands();
-        each.map(|command| Ok(Content::Command(Box::new(self.command(command, &commands)?)))).try_collect_vec()
+        each.map(|command| Ok(Content::Command(Box::new(self.command(command)?)))).try_collect_vec()
     }
 }
 
@@ -118,8 +118,8 @@ impl<'d> Maker<'_, 'd> {
         Ok(Made { file, expect: self.items.is_deprecated(&one.model.origin), alias: None })
     }
 
-    pub(super) fn command(&self, command: NamedCommand<'d>, of: &Commands) -> Result<Made<'d>, Internal> {
-        let item = self.items.command(command, of)?;
+    pub(super) fn command(&self, command: NamedCommand<'d>) -> Result<Made<'d>, Internal> {
+        let item = self.items.command(command)?;
         let (named, alias) = (Mentions::of_command(&item), command::alias(&item, &command.names.module));
         let mut uses = self.items.use_enums(&named)?;
         uses.push(self.runtime());
@@ -130,7 +130,7 @@ impl<'d> Maker<'_, 'd> {
             uses,
             content: Content::Command(Box::new(item)),
         };
-        Ok(Made { file, expect: named.is_any_deprecated() || self.items.names_deprecated(of)?, alias })
+        Ok(Made { file, expect: named.is_any_deprecated(), alias })
     }
 
     /// A path below the folder.

@@ -167,7 +167,7 @@ pub(super) fn commands<'d>(
         let (origin, ident) = (&command.entry.origin, command.names.ty.as_str());
         let (id, link) = (command.entry.value.to_string(), docs::link(ident));
         rows.push(vec![Cell::Plain(id), Cell::Plain(link), Cell::FirstSentence(&origin.description)]);
-        let made = maker.command(command, &commands)?;
+        let made = maker.command(command)?;
         files.push(made.file);
         listings.push(Listing {
             name: &command.entry.name.text,
@@ -181,8 +181,9 @@ pub(super) fn commands<'d>(
     }
     let title = "The commands of the dialect, one type each, with the parameters that have a name.";
     let contents = Paragraph::Table(vec!["command", "type", ""], rows);
-    let file = module(maker, "commands", Docs::line(title).then(contents), declare(maker, "commands", listings)?)?;
-    Ok(File { uses: maker.items.use_carriers(&commands)?, ..file })
+    let content = Content::Commands(Box::new(declare(maker, "commands", listings)?), maker.items.carriers(&commands)?);
+    let file = module(maker, "commands", Docs::line(title).then(contents), content)?;
+    Ok(File { uses: vec![maker.runtime()], ..file })
 }
 
 fn module<'d>(maker: &Maker<'_, 'd>, name: &str, docs: Docs<'d>, content: Content<'d>) -> Result<File<'d>, Internal> {

@@ -17,20 +17,19 @@ pub(crate) struct Command<'d> {
     pub(crate) fields: Vec<CommandField<'d>>,
     /// What is sent of params without a field, where that is not zero.
     pub(crate) fixed: Vec<Fixed>,
-    /// Whether the dialect has `COMMAND_LONG`, which the module of the commands calls [`LONG`].
-    pub(crate) long: bool,
-    /// Whether the dialect has `COMMAND_INT`, which the module of the commands calls [`INT`].
-    pub(crate) int: bool,
 }
 
-/// What the module of the commands calls `COMMAND_LONG`.
-pub(crate) const LONG: &str = "Long";
+/// The type that says which messages carry the commands of a module.
+pub(crate) const CARRIERS: &str = "Carriers";
 
-/// What the module of the commands calls `COMMAND_INT`.
-pub(crate) const INT: &str = "Int";
-
-/// What the module of the commands calls the frame of `COMMAND_INT`.
-pub(crate) const FRAME: &str = "Frame";
+/// The messages that carry commands, as paths from the module of the commands.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Carriers {
+    /// `COMMAND_LONG`.
+    pub(crate) long: Option<String>,
+    /// `COMMAND_INT`, and the type of its frame.
+    pub(crate) int: Option<(String, String)>,
+}
 
 /// A public field of a command.
 #[derive(Clone, Debug)]

@@ -1,6 +1,6 @@
 //! The files of a tree, and how each names what stands in another.
 
-use super::{Command, DialectEnum, Docs, Enum, Struct, View};
+use super::{Carriers, Command, DialectEnum, Docs, Enum, Struct, View};
 
 /// A generated file.
 #[derive(Clone, Debug)]
@@ -29,6 +29,8 @@ pub(crate) enum Content<'d> {
     View(Box<View<'d>>),
     /// An enum or a set of flags.
     Enum(Box<Enum<'d>>),
+    /// The module of the commands, and what carries them.
+    Commands(Box<Content<'d>>, Carriers),
     /// A typed command.
     Command(Box<Command<'d>>),
     /// The enum over all messages of a dialect.
@@ -40,8 +42,6 @@ pub(crate) enum Content<'d> {
 pub(crate) enum Use {
     /// These names of a module.
     Names(String, Vec<String>),
-    /// This item, under another name.
-    Renamed(String, &'static str),
     /// Everything in a module.
     All(String),
     /// The runtime, as `wire`.

@@ -178,9 +178,7 @@
 //! |   43001 | [`GuidedChangeAltitude`]           | Guided mode: change the altitude. |
 //! |   43002 | [`GuidedChangeHeading`]            | Guided mode: change the heading. |
 //! |   43003 | [`ExternalPositionEstimate`]       | Give the vehicle its position from outside, while it has none of its own. |
-use super::messages::CommandLong as Long;
-use super::messages::CommandInt as Int;
-use super::enums::MavFrame as Frame;
+use ::mavlink_wire as wire;
 
 mod actuator_test;
 mod airframe_configuration;
@@ -553,3 +551,17 @@ pub type DoSetParameter = do_set_parameter::DoSetParameter;
 #[doc(alias = "MAV_CMD_REQUEST_PROTOCOL_VERSION")]
 #[deprecated(note = "since 2025-11, replaced by `MAV_CMD_REQUEST_MESSAGE`")]
 pub type RequestProtocolVersion = request_protocol_version::RequestProtocolVersion;
+
+/// The messages that carry the commands.
+#[derive(Clone, Copy, Debug)]
+pub enum Carriers {}
+
+impl wire::CarriesLong for Carriers {
+    type Long = super::messages::CommandLong;
+}
+
+impl wire::CarriesInt for Carriers {
+    type Int = super::messages::CommandInt;
+
+    type Frame = super::enums::MavFrame;
+}

@@ -12,9 +12,13 @@ use crate::{ComponentId, Message, SystemId};
 
 /// A command of a dialect: an entry of `MAV_CMD`, with its params as fields.
 ///
-/// [`AsLong::long`] and [`AsInt::int`] make messages of it. `TryFrom` of a reference to either message reads it, and fails for
-/// another command. Params without a field are sent with their default, and ignored on receipt.
+/// [`long`](Self::long) and [`int`](Self::int) make messages of it; [`from_long`](Self::from_long) and
+/// [`from_int`](Self::from_int) read it, and fail for another command. Params without a field are sent with their default, and
+/// ignored on receipt.
 pub trait Command: Copy + 'static {
+    /// The messages of the dialect that carry it.
+    type Carriers;
+
     /// Its number in `MAV_CMD`.
     const ID: u16;
 
@@ -24,15 +28,9 @@ pub trait Command: Copy + 'static {
     /// Maps fields to params: writes the fields to a message that is being made, and reads them from a received one.
     #[doc(hidden)]
     fn params(&mut self, params: &mut Params);
-}
-
-/// A command of a dialect that has `COMMAND_LONG`: seven floats.
-pub trait AsLong: Command {
-    /// The dialect's `COMMAND_LONG`.
-    type Long: Message;
 
     /// The command for this system and component; zero means all. Each param is sent as the nearest float, so that latitude and
-    /// longitude are off by up to a metre. [`AsInt::int`] sends them exactly.
+    /// longitude are off by up to a metre. [`int`](Self::int) sends them exactly.
     ///
     /// # Errors
     /// [`CommandError::Param`] if a float cannot represent the value of an enum, or a number is greater than any float.
@@ -41,20 +39,14 @@ pub trait AsLong: Command {
         &self,
         system_id: impl Into<SystemId>,
         component_id: impl Into<ComponentId>,
-    ) -> Result<Self::Long, CommandError> {
-        const { assert!(Self::Long::INFO.id == 76 && Self::Long::INFO.crc_extra == 152, "this is COMMAND_LONG") }
+    ) -> Result<<Self::Carriers as CarriesLong>::Long, CommandError>
+    where
+        Self::Carriers: CarriesLong,
+    {
+        const { is_long::<<Self::Carriers as CarriesLong>::Long>() }
         let params = Params::long((system_id.into(), component_id.into()));
-        Ok(Self::Long::decode(&params.made_of(self)?))
+        Ok(Message::decode(&params.made_of(self)?))
     }
-}
-
-/// A command of a dialect that has `COMMAND_INT`: params 5 and 6 are integers, so that coordinates are exact.
-pub trait AsInt: Command {
-    /// The dialect's `COMMAND_INT`.
-    type Int: Message;
-
-    /// The dialect's `MAV_FRAME`.
-    type Frame: Into<u8>;
 
     /// The command for this system and component; zero means all. The frame says how coordinates are sent: latitude and longitude
     /// in 1e-7 degrees, or in local frames x and y in 1e-4 metres. A command without coordinates ignores the frame.
@@ -66,28 +58,69 @@ pub trait AsInt: Command {
     #[inline]
     fn int(
         &self,
-        frame: Self::Frame,
+        frame: <Self::Carriers as CarriesInt>::Frame,
         system_id: impl Into<SystemId>,
         component_id: impl Into<ComponentId>,
-    ) -> Result<Self::Int, CommandError> {
-        const { assert!(Self::Int::INFO.id == 75 && Self::Int::INFO.crc_extra == 158, "this is COMMAND_INT") }
+    ) -> Result<<Self::Carriers as CarriesInt>::Int, CommandError>
+    where
+        Self::Carriers: CarriesInt,
+    {
+        const { is_int::<<Self::Carriers as CarriesInt>::Int>() }
         let params = Params::int((system_id.into(), component_id.into()), frame.into());
-        Ok(Self::Int::decode(&params.made_of(self)?))
+        Ok(Message::decode(&params.made_of(self)?))
+    }
+
+    /// Reads the command from a `COMMAND_LONG`.
+    ///
+    /// # Errors
+    /// - [`CommandError::OtherCommand`] if the message carries another command.
+    /// - [`CommandError::Param`] if a param is no value of its enum.
+    #[inline]
+    fn from_long(message: &<Self::Carriers as CarriesLong>::Long) -> Result<Self, CommandError>
+    where
+        Self::Carriers: CarriesLong,
+    {
+        const { is_long::<<Self::Carriers as CarriesLong>::Long>() }
+        Params::of_long(&payload(message)).read()
+    }
+
+    /// Reads the command from a `COMMAND_INT`.
+    ///
+    /// # Errors
+    /// - [`CommandError::OtherCommand`] if the message carries another command.
+    /// - [`CommandError::Param`] if a param is no value of its enum.
+    /// - [`CommandError::Frame`] if coordinates have no meaning in the frame of the message.
+    #[inline]
+    fn from_int(message: &<Self::Carriers as CarriesInt>::Int) -> Result<Self, CommandError>
+    where
+        Self::Carriers: CarriesInt,
+    {
+        const { is_int::<<Self::Carriers as CarriesInt>::Int>() }
+        Params::of_int(&payload(message)).read()
     }
 }
 
-/// Reads a command from a `COMMAND_LONG`.
-#[doc(hidden)]
-#[inline]
-pub fn from_long<C: Command, M: Message>(message: &M) -> Result<C, CommandError> {
-    Params::of_long(&payload(message)).read()
+/// The carriers of a dialect that has `COMMAND_LONG`: seven floats.
+pub trait CarriesLong {
+    /// The dialect's `COMMAND_LONG`.
+    type Long: Message;
 }
 
-/// Reads a command from a `COMMAND_INT`.
-#[doc(hidden)]
-#[inline]
-pub fn from_int<C: Command, M: Message>(message: &M) -> Result<C, CommandError> {
-    Params::of_int(&payload(message)).read()
+/// The carriers of a dialect that has `COMMAND_INT`: params 5 and 6 are integers, so that coordinates are exact.
+pub trait CarriesInt {
+    /// The dialect's `COMMAND_INT`.
+    type Int: Message;
+
+    /// The dialect's `MAV_FRAME`.
+    type Frame: Into<u8>;
+}
+
+const fn is_long<M: Message>() {
+    assert!(M::INFO.id == 76 && M::INFO.crc_extra == 152, "this is COMMAND_LONG");
+}
+
+const fn is_int<M: Message>() {
+    assert!(M::INFO.id == 75 && M::INFO.crc_extra == 158, "this is COMMAND_INT");
 }
 
 fn payload<M: Message>(message: &M) -> [u8; crate::MAX_PAYLOAD] {
@@ -96,48 +129,15 @@ fn payload<M: Message>(message: &M) -> [u8; crate::MAX_PAYLOAD] {
     payload
 }
 
-/// Implements the rest of a command: `Default`, and the conversions to the dialect's messages that carry it.
-///
-/// `command!(NavTakeoff, long CommandLong, int CommandInt, MavFrame)`; a dialect has both messages, or one.
+/// Completes a command: `Default`.
 #[macro_export]
 macro_rules! command {
-    ($name:ident $(, long $long:ty)? $(, int $int:ty, $frame:ty)?) => {
+    ($name:ident) => {
         impl ::core::default::Default for $name {
             #[inline]
             fn default() -> Self {
                 <Self as $crate::Command>::DEFAULT
             }
         }
-
-        $(
-            impl $crate::AsLong for $name {
-                type Long = $long;
-            }
-
-            impl ::core::convert::TryFrom<&$long> for $name {
-                type Error = $crate::CommandError;
-
-                #[inline]
-                fn try_from(message: &$long) -> ::core::result::Result<Self, $crate::CommandError> {
-                    $crate::generated::from_long(message)
-                }
-            }
-        )?
-
-        $(
-            impl $crate::AsInt for $name {
-                type Int = $int;
-                type Frame = $frame;
-            }
-
-            impl ::core::convert::TryFrom<&$int> for $name {
-                type Error = $crate::CommandError;
-
-                #[inline]
-                fn try_from(message: &$int) -> ::core::result::Result<Self, $crate::CommandError> {
-                    $crate::generated::from_int(message)
-                }
-            }
-        )?
     };
 }

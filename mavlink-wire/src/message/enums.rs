@@ -8,7 +8,7 @@ use super::wire::Wire;
 use crate::{EnumInfo, Kind, UnknownName};
 
 /// An enum or a flags type of a dialect, for code that works on any of them.
-pub trait Enum: Wire + Eq + 'static {
+pub trait Enum: Copy + Eq + From<<Self as Enum>::Repr> + Into<<Self as Enum>::Repr> + 'static {
     /// Its name and entries.
     const INFO: &'static EnumInfo;
 
@@ -16,10 +16,16 @@ pub trait Enum: Wire + Eq + 'static {
     type Repr: Repr;
 
     /// The value with this number, whether an entry names it or not.
-    fn from_repr(repr: Self::Repr) -> Self;
+    #[inline]
+    fn from_repr(repr: Self::Repr) -> Self {
+        repr.into()
+    }
 
     /// The number.
-    fn repr(self) -> Self::Repr;
+    #[inline]
+    fn repr(self) -> Self::Repr {
+        self.into()
+    }
 }
 
 /// An integer that can carry an enum: `u8` to `u64`, `i8` to `i64`.
@@ -173,30 +179,6 @@ macro_rules! open_enum {
         impl $crate::Enum for $name {
             const INFO: &'static $crate::EnumInfo = &$info;
             type Repr = $repr;
-
-            #[inline]
-            fn from_repr(repr: $repr) -> Self {
-                Self(repr)
-            }
-
-            #[inline]
-            fn repr(self) -> $repr {
-                self.0
-            }
-        }
-
-        impl $crate::generated::Wire for $name {
-            const SIZE: usize = <$repr as $crate::generated::Wire>::SIZE;
-
-            #[inline(always)]
-            fn read(bytes: &[u8], offset: usize) -> Self {
-                Self($crate::generated::Wire::read(bytes, offset))
-            }
-
-            #[inline(always)]
-            fn write(self, bytes: &mut [u8], offset: usize) {
-                $crate::generated::Wire::write(self.0, bytes, offset)
-            }
         }
 
         impl ::core::fmt::Debug for $name {

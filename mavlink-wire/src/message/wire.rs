@@ -6,6 +6,8 @@
 //! Inlined without `always`: that would copy these functions into every use of an unoptimised build, too, at 15 % of the
 //! compile time of a dialect and 17 % of its memory.
 
+use crate::Enum;
+
 /// A value that a payload can carry. Floats keep every bit, also of signalling NaNs.
 pub trait Wire: Copy {
     /// Bytes in the payload.
@@ -78,6 +80,20 @@ macro_rules! number {
 }
 
 number!(u8 i8 u16 i16 u32 i32 u64 i64 f32 f64);
+
+impl<E: Enum> Wire for E {
+    const SIZE: usize = E::Repr::SIZE;
+
+    #[inline]
+    fn read(bytes: &[u8], offset: usize) -> Self {
+        Self::from_repr(E::Repr::read(bytes, offset))
+    }
+
+    #[inline]
+    fn write(self, bytes: &mut [u8], offset: usize) {
+        self.repr().write(bytes, offset);
+    }
+}
 
 impl<T: Wire, const N: usize> Wire for [T; N] {
     const SIZE: usize = N * T::SIZE;

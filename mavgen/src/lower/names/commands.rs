@@ -10,7 +10,7 @@ use crate::diag::Diagnostics;
 use crate::ir::{Command, Dialect, Entry, Param};
 use crate::lower::namespace::{Claim, Namespace, Scope, What};
 use crate::lower::{collision, spelling};
-use crate::rust::{FRAME, INT, LONG};
+use crate::rust::CARRIERS;
 
 /// Names the commands of a dialect.
 pub(super) fn name(dialect: &Dialect, enums: &mut [EnumNames], diagnostics: &mut Diagnostics) {
@@ -19,7 +19,7 @@ pub(super) fn name(dialect: &Dialect, enums: &mut [EnumNames], diagnostics: &mut
     let (Some(model), Some(names)) = (dialect.enums.get(at), enums.get_mut(at)) else { return };
     let rivals = |command: &Command| -> HashSet<&str> {
         let enums = command.params.iter().filter_map(|param| types.get(param.enum_?.0)).map(String::as_str);
-        enums.chain([LONG, INT, FRAME]).collect()
+        enums.chain([CARRIERS]).collect()
     };
     let each = model.entries.iter().zip(&names.constants);
     let mut commands: Vec<_> = each

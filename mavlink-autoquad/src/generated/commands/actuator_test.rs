@@ -19,6 +19,8 @@ pub struct ActuatorTest {
 }
 
 impl wire::Command for ActuatorTest {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 310;
 
     const DEFAULT: Self = Self {
@@ -35,4 +37,4 @@ impl wire::Command for ActuatorTest {
     }
 }
 
-wire::command!(ActuatorTest, long super::Long, int super::Int, super::Frame);
+wire::command!(ActuatorTest);

@@ -16,6 +16,8 @@ pub struct AirframeConfiguration {
 }
 
 impl wire::Command for AirframeConfiguration {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 2520;
 
     const DEFAULT: Self = Self {
@@ -33,4 +35,4 @@ impl wire::Command for AirframeConfiguration {
     }
 }
 
-wire::command!(AirframeConfiguration, long super::Long, int super::Int, super::Frame);
+wire::command!(AirframeConfiguration);

@@ -27,6 +27,8 @@ pub struct AqNavLegOrbit {
 }
 
 impl wire::Command for AqNavLegOrbit {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 1;
 
     const DEFAULT: Self = Self {
@@ -51,4 +53,4 @@ impl wire::Command for AqNavLegOrbit {
     }
 }
 
-wire::command!(AqNavLegOrbit, long super::Long, int super::Int, super::Frame);
+wire::command!(AqNavLegOrbit);

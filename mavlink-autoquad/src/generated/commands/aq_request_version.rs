@@ -10,6 +10,8 @@ use ::mavlink_wire as wire;
 pub struct AqRequestVersion;
 
 impl wire::Command for AqRequestVersion {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 4;
     const DEFAULT: Self = Self {};
 
@@ -17,4 +19,4 @@ impl wire::Command for AqRequestVersion {
     fn params(&mut self, _p: &mut wire::Params) {}
 }
 
-wire::command!(AqRequestVersion, long super::Long, int super::Int, super::Frame);
+wire::command!(AqRequestVersion);

@@ -18,6 +18,8 @@ pub struct AqTelemetry {
 }
 
 impl wire::Command for AqTelemetry {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 2;
 
     const DEFAULT: Self = Self {
@@ -34,4 +36,4 @@ impl wire::Command for AqTelemetry {
     }
 }
 
-wire::command!(AqTelemetry, long super::Long, int super::Int, super::Frame);
+wire::command!(AqTelemetry);

@@ -14,6 +14,8 @@ pub struct ArmAuthorizationRequest {
 }
 
 impl wire::Command for ArmAuthorizationRequest {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 3001;
     const DEFAULT: Self = Self { system_id: 0.0 };
 
@@ -23,4 +25,4 @@ impl wire::Command for ArmAuthorizationRequest {
     }
 }
 
-wire::command!(ArmAuthorizationRequest, long super::Long, int super::Int, super::Frame);
+wire::command!(ArmAuthorizationRequest);

@@ -15,6 +15,8 @@ pub struct CameraStopTracking {
 }
 
 impl wire::Command for CameraStopTracking {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 2010;
     const DEFAULT: Self = Self { target_camera_id: 0.0 };
 
@@ -24,4 +26,4 @@ impl wire::Command for CameraStopTracking {
     }
 }
 
-wire::command!(CameraStopTracking, long super::Long, int super::Int, super::Frame);
+wire::command!(CameraStopTracking);

@@ -21,6 +21,8 @@ pub struct CameraTrackPoint {
 }
 
 impl wire::Command for CameraTrackPoint {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 2004;
 
     const DEFAULT: Self = Self {
@@ -39,4 +41,4 @@ impl wire::Command for CameraTrackPoint {
     }
 }
 
-wire::command!(CameraTrackPoint, long super::Long, int super::Int, super::Frame);
+wire::command!(CameraTrackPoint);

@@ -23,6 +23,8 @@ pub struct CameraTrackRectangle {
 }
 
 impl wire::Command for CameraTrackRectangle {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 2005;
 
     const DEFAULT: Self = Self {
@@ -43,4 +45,4 @@ impl wire::Command for CameraTrackRectangle {
     }
 }
 
-wire::command!(CameraTrackRectangle, long super::Long, int super::Int, super::Frame);
+wire::command!(CameraTrackRectangle);

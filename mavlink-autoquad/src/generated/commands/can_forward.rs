@@ -14,6 +14,8 @@ pub struct CanForward {
 }
 
 impl wire::Command for CanForward {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 32000;
     const DEFAULT: Self = Self { bus: 0.0 };
 
@@ -23,4 +25,4 @@ impl wire::Command for CanForward {
     }
 }
 
-wire::command!(CanForward, long super::Long, int super::Int, super::Frame);
+wire::command!(CanForward);

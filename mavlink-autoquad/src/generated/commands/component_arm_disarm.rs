@@ -18,6 +18,8 @@ pub struct ComponentArmDisarm {
 }
 
 impl wire::Command for ComponentArmDisarm {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 400;
 
     const DEFAULT: Self = Self {
@@ -32,4 +34,4 @@ impl wire::Command for ComponentArmDisarm {
     }
 }
 
-wire::command!(ComponentArmDisarm, long super::Long, int super::Int, super::Frame);
+wire::command!(ComponentArmDisarm);

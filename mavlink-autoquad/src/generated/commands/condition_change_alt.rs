@@ -16,6 +16,8 @@ pub struct ConditionChangeAlt {
 }
 
 impl wire::Command for ConditionChangeAlt {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 113;
     const DEFAULT: Self = Self { rate: 0.0, altitude: 0.0 };
 
@@ -26,4 +28,4 @@ impl wire::Command for ConditionChangeAlt {
     }
 }
 
-wire::command!(ConditionChangeAlt, long super::Long, int super::Int, super::Frame);
+wire::command!(ConditionChangeAlt);

@@ -14,6 +14,8 @@ pub struct ConditionDelay {
 }
 
 impl wire::Command for ConditionDelay {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 112;
     const DEFAULT: Self = Self { delay: 0.0 };
 
@@ -23,4 +25,4 @@ impl wire::Command for ConditionDelay {
     }
 }
 
-wire::command!(ConditionDelay, long super::Long, int super::Int, super::Frame);
+wire::command!(ConditionDelay);

@@ -14,6 +14,8 @@ pub struct ConditionDistance {
 }
 
 impl wire::Command for ConditionDistance {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 114;
     const DEFAULT: Self = Self { distance: 0.0 };
 
@@ -23,4 +25,4 @@ impl wire::Command for ConditionDistance {
     }
 }
 
-wire::command!(ConditionDistance, long super::Long, int super::Int, super::Frame);
+wire::command!(ConditionDistance);

@@ -27,6 +27,8 @@ pub struct ConditionGate {
 }
 
 impl wire::Command for ConditionGate {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 4501;
 
     const DEFAULT: Self = Self {
@@ -47,4 +49,4 @@ impl wire::Command for ConditionGate {
     }
 }
 
-wire::command!(ConditionGate, long super::Long, int super::Int, super::Frame);
+wire::command!(ConditionGate);

@@ -11,6 +11,8 @@ use ::mavlink_wire as wire;
 pub struct ConditionLast;
 
 impl wire::Command for ConditionLast {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 159;
     const DEFAULT: Self = Self {};
 
@@ -18,4 +20,4 @@ impl wire::Command for ConditionLast {
     fn params(&mut self, _p: &mut wire::Params) {}
 }
 
-wire::command!(ConditionLast, long super::Long, int super::Int, super::Frame);
+wire::command!(ConditionLast);

@@ -22,6 +22,8 @@ pub struct ConditionYaw {
 }
 
 impl wire::Command for ConditionYaw {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 115;
 
     const DEFAULT: Self = Self {
@@ -40,4 +42,4 @@ impl wire::Command for ConditionYaw {
     }
 }
 
-wire::command!(ConditionYaw, long super::Long, int super::Int, super::Frame);
+wire::command!(ConditionYaw);

@@ -17,6 +17,8 @@ pub struct ConfigureActuator {
 }
 
 impl wire::Command for ConfigureActuator {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 311;
 
     const DEFAULT: Self = Self {
@@ -31,4 +33,4 @@ impl wire::Command for ConfigureActuator {
     }
 }
 
-wire::command!(ConfigureActuator, long super::Long, int super::Int, super::Frame);
+wire::command!(ConfigureActuator);

@@ -15,6 +15,8 @@ pub struct ControlHighLatency {
 }
 
 impl wire::Command for ControlHighLatency {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 2600;
 
     const DEFAULT: Self = Self {
@@ -27,4 +29,4 @@ impl wire::Command for ControlHighLatency {
     }
 }
 
-wire::command!(ControlHighLatency, long super::Long, int super::Int, super::Frame);
+wire::command!(ControlHighLatency);

@@ -11,6 +11,8 @@ use ::mavlink_wire as wire;
 pub struct DoAdsbOutIdent;
 
 impl wire::Command for DoAdsbOutIdent {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 10001;
     const DEFAULT: Self = Self {};
 
@@ -18,4 +20,4 @@ impl wire::Command for DoAdsbOutIdent {
     fn params(&mut self, _p: &mut wire::Params) {}
 }
 
-wire::command!(DoAdsbOutIdent, long super::Long, int super::Int, super::Frame);
+wire::command!(DoAdsbOutIdent);

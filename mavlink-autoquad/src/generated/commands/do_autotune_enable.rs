@@ -17,6 +17,8 @@ pub struct DoAutotuneEnable {
 }
 
 impl wire::Command for DoAutotuneEnable {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 212;
 
     const DEFAULT: Self = Self {
@@ -31,4 +33,4 @@ impl wire::Command for DoAutotuneEnable {
     }
 }
 
-wire::command!(DoAutotuneEnable, long super::Long, int super::Int, super::Frame);
+wire::command!(DoAutotuneEnable);

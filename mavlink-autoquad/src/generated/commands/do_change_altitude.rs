@@ -17,6 +17,8 @@ pub struct DoChangeAltitude {
 }
 
 impl wire::Command for DoChangeAltitude {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 186;
 
     const DEFAULT: Self = Self {
@@ -31,4 +33,4 @@ impl wire::Command for DoChangeAltitude {
     }
 }
 
-wire::command!(DoChangeAltitude, long super::Long, int super::Int, super::Frame);
+wire::command!(DoChangeAltitude);

@@ -19,6 +19,8 @@ pub struct DoChangeSpeed {
 }
 
 impl wire::Command for DoChangeSpeed {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 178;
 
     const DEFAULT: Self = Self {
@@ -35,4 +37,4 @@ impl wire::Command for DoChangeSpeed {
     }
 }
 
-wire::command!(DoChangeSpeed, long super::Long, int super::Int, super::Frame);
+wire::command!(DoChangeSpeed);

@@ -20,6 +20,8 @@ pub struct DoControlVideo {
 }
 
 impl wire::Command for DoControlVideo {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 200;
 
     const DEFAULT: Self = Self {
@@ -38,4 +40,4 @@ impl wire::Command for DoControlVideo {
     }
 }
 
-wire::command!(DoControlVideo, long super::Long, int super::Int, super::Frame);
+wire::command!(DoControlVideo);

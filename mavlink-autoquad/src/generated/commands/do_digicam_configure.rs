@@ -28,6 +28,8 @@ pub struct DoDigicamConfigure {
 }
 
 impl wire::Command for DoDigicamConfigure {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 202;
 
     const DEFAULT: Self = Self {
@@ -52,4 +54,4 @@ impl wire::Command for DoDigicamConfigure {
     }
 }
 
-wire::command!(DoDigicamConfigure, long super::Long, int super::Int, super::Frame);
+wire::command!(DoDigicamConfigure);

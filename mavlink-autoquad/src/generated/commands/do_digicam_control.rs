@@ -26,6 +26,8 @@ pub struct DoDigicamControl {
 }
 
 impl wire::Command for DoDigicamControl {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 203;
 
     const DEFAULT: Self = Self {
@@ -50,4 +52,4 @@ impl wire::Command for DoDigicamControl {
     }
 }
 
-wire::command!(DoDigicamControl, long super::Long, int super::Int, super::Frame);
+wire::command!(DoDigicamControl);

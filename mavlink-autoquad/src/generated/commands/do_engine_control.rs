@@ -22,6 +22,8 @@ pub struct DoEngineControl {
 }
 
 impl wire::Command for DoEngineControl {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 223;
 
     const DEFAULT: Self = Self {
@@ -40,4 +42,4 @@ impl wire::Command for DoEngineControl {
     }
 }
 
-wire::command!(DoEngineControl, long super::Long, int super::Int, super::Frame);
+wire::command!(DoEngineControl);

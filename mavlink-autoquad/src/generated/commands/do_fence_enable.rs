@@ -17,6 +17,8 @@ pub struct DoFenceEnable {
 }
 
 impl wire::Command for DoFenceEnable {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 207;
 
     const DEFAULT: Self = Self {
@@ -31,4 +33,4 @@ impl wire::Command for DoFenceEnable {
     }
 }
 
-wire::command!(DoFenceEnable, long super::Long, int super::Int, super::Frame);
+wire::command!(DoFenceEnable);

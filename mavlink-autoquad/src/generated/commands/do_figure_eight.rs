@@ -26,6 +26,8 @@ pub struct DoFigureEight {
 }
 
 impl wire::Command for DoFigureEight {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 35;
 
     const DEFAULT: Self = Self {
@@ -49,4 +51,4 @@ impl wire::Command for DoFigureEight {
     }
 }
 
-wire::command!(DoFigureEight, long super::Long, int super::Int, super::Frame);
+wire::command!(DoFigureEight);

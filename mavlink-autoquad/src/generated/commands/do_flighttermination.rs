@@ -15,6 +15,8 @@ pub struct DoFlighttermination {
 }
 
 impl wire::Command for DoFlighttermination {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 185;
     const DEFAULT: Self = Self { terminate: 0.0 };
 
@@ -24,4 +26,4 @@ impl wire::Command for DoFlighttermination {
     }
 }
 
-wire::command!(DoFlighttermination, long super::Long, int super::Int, super::Frame);
+wire::command!(DoFlighttermination);

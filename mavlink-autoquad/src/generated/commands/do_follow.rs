@@ -21,6 +21,8 @@ pub struct DoFollow {
 }
 
 impl wire::Command for DoFollow {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 32;
 
     const DEFAULT: Self = Self {
@@ -39,4 +41,4 @@ impl wire::Command for DoFollow {
     }
 }
 
-wire::command!(DoFollow, long super::Long, int super::Int, super::Frame);
+wire::command!(DoFollow);

@@ -26,6 +26,8 @@ pub struct DoFollowReposition {
 }
 
 impl wire::Command for DoFollowReposition {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 33;
 
     const DEFAULT: Self = Self {
@@ -50,4 +52,4 @@ impl wire::Command for DoFollowReposition {
     }
 }
 
-wire::command!(DoFollowReposition, long super::Long, int super::Int, super::Frame);
+wire::command!(DoFollowReposition);

@@ -26,6 +26,8 @@ pub struct DoGimbalManagerConfigure {
 }
 
 impl wire::Command for DoGimbalManagerConfigure {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 1001;
 
     const DEFAULT: Self = Self {
@@ -46,4 +48,4 @@ impl wire::Command for DoGimbalManagerConfigure {
     }
 }
 
-wire::command!(DoGimbalManagerConfigure, long super::Long, int super::Int, super::Frame);
+wire::command!(DoGimbalManagerConfigure);

@@ -26,6 +26,8 @@ pub struct DoGimbalManagerPitchyaw {
 }
 
 impl wire::Command for DoGimbalManagerPitchyaw {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 1000;
 
     const DEFAULT: Self = Self {
@@ -48,4 +50,4 @@ impl wire::Command for DoGimbalManagerPitchyaw {
     }
 }
 
-wire::command!(DoGimbalManagerPitchyaw, long super::Long, int super::Int, super::Frame);
+wire::command!(DoGimbalManagerPitchyaw);

@@ -14,6 +14,8 @@ pub struct DoGoAround {
 }
 
 impl wire::Command for DoGoAround {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 191;
     const DEFAULT: Self = Self { altitude: 0.0 };
 
@@ -23,4 +25,4 @@ impl wire::Command for DoGoAround {
     }
 }
 
-wire::command!(DoGoAround, long super::Long, int super::Int, super::Frame);
+wire::command!(DoGoAround);

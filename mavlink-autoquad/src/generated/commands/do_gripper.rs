@@ -17,6 +17,8 @@ pub struct DoGripper {
 }
 
 impl wire::Command for DoGripper {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 211;
 
     const DEFAULT: Self = Self {
@@ -31,4 +33,4 @@ impl wire::Command for DoGripper {
     }
 }
 
-wire::command!(DoGripper, long super::Long, int super::Int, super::Frame);
+wire::command!(DoGripper);

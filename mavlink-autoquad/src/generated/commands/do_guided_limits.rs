@@ -21,6 +21,8 @@ pub struct DoGuidedLimits {
 }
 
 impl wire::Command for DoGuidedLimits {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 222;
 
     const DEFAULT: Self = Self {
@@ -39,4 +41,4 @@ impl wire::Command for DoGuidedLimits {
     }
 }
 
-wire::command!(DoGuidedLimits, long super::Long, int super::Int, super::Frame);
+wire::command!(DoGuidedLimits);

@@ -16,6 +16,8 @@ pub struct DoGuidedMaster {
 }
 
 impl wire::Command for DoGuidedMaster {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 221;
 
     const DEFAULT: Self = Self {
@@ -30,4 +32,4 @@ impl wire::Command for DoGuidedMaster {
     }
 }
 
-wire::command!(DoGuidedMaster, long super::Long, int super::Int, super::Frame);
+wire::command!(DoGuidedMaster);

@@ -21,6 +21,8 @@ pub struct DoIlluminatorConfigure {
 }
 
 impl wire::Command for DoIlluminatorConfigure {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 406;
 
     const DEFAULT: Self = Self {
@@ -39,4 +41,4 @@ impl wire::Command for DoIlluminatorConfigure {
     }
 }
 
-wire::command!(DoIlluminatorConfigure, long super::Long, int super::Int, super::Frame);
+wire::command!(DoIlluminatorConfigure);

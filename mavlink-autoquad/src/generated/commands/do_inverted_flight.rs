@@ -15,6 +15,8 @@ pub struct DoInvertedFlight {
 }
 
 impl wire::Command for DoInvertedFlight {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 210;
 
     const DEFAULT: Self = Self {
@@ -27,4 +29,4 @@ impl wire::Command for DoInvertedFlight {
     }
 }
 
-wire::command!(DoInvertedFlight, long super::Long, int super::Int, super::Frame);
+wire::command!(DoInvertedFlight);

@@ -18,6 +18,8 @@ pub struct DoJump {
 }
 
 impl wire::Command for DoJump {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 177;
     const DEFAULT: Self = Self { number: 0.0, repeat: 0.0 };
 
@@ -28,4 +30,4 @@ impl wire::Command for DoJump {
     }
 }
 
-wire::command!(DoJump, long super::Long, int super::Int, super::Frame);
+wire::command!(DoJump);

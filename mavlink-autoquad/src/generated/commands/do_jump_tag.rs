@@ -18,6 +18,8 @@ pub struct DoJumpTag {
 }
 
 impl wire::Command for DoJumpTag {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 601;
     const DEFAULT: Self = Self { tag: 0.0, repeat: 0.0 };
 
@@ -28,4 +30,4 @@ impl wire::Command for DoJumpTag {
     }
 }
 
-wire::command!(DoJumpTag, long super::Long, int super::Int, super::Frame);
+wire::command!(DoJumpTag);

@@ -20,6 +20,8 @@ pub struct DoLandStart {
 }
 
 impl wire::Command for DoLandStart {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 189;
 
     const DEFAULT: Self = Self {
@@ -36,4 +38,4 @@ impl wire::Command for DoLandStart {
     }
 }
 
-wire::command!(DoLandStart, long super::Long, int super::Int, super::Frame);
+wire::command!(DoLandStart);

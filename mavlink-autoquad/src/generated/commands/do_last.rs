@@ -11,6 +11,8 @@ use ::mavlink_wire as wire;
 pub struct DoLast;
 
 impl wire::Command for DoLast {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 240;
     const DEFAULT: Self = Self {};
 
@@ -18,4 +20,4 @@ impl wire::Command for DoLast {
     fn params(&mut self, _p: &mut wire::Params) {}
 }
 
-wire::command!(DoLast, long super::Long, int super::Int, super::Frame);
+wire::command!(DoLast);

@@ -25,6 +25,8 @@ pub struct DoMotorTest {
 }
 
 impl wire::Command for DoMotorTest {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 209;
 
     const DEFAULT: Self = Self {
@@ -47,4 +49,4 @@ impl wire::Command for DoMotorTest {
     }
 }
 
-wire::command!(DoMotorTest, long super::Long, int super::Int, super::Frame);
+wire::command!(DoMotorTest);

@@ -30,6 +30,8 @@ pub struct DoMountConfigure {
 }
 
 impl wire::Command for DoMountConfigure {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 204;
 
     const DEFAULT: Self = Self {
@@ -54,4 +56,4 @@ impl wire::Command for DoMountConfigure {
     }
 }
 
-wire::command!(DoMountConfigure, long super::Long, int super::Int, super::Frame);
+wire::command!(DoMountConfigure);

@@ -29,6 +29,8 @@ pub struct DoMountControl {
 }
 
 impl wire::Command for DoMountControl {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 205;
 
     const DEFAULT: Self = Self {
@@ -53,4 +55,4 @@ impl wire::Command for DoMountControl {
     }
 }
 
-wire::command!(DoMountControl, long super::Long, int super::Int, super::Frame);
+wire::command!(DoMountControl);

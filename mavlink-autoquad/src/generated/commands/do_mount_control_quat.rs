@@ -22,6 +22,8 @@ pub struct DoMountControlQuat {
 }
 
 impl wire::Command for DoMountControlQuat {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 220;
 
     const DEFAULT: Self = Self {
@@ -40,4 +42,4 @@ impl wire::Command for DoMountControlQuat {
     }
 }
 
-wire::command!(DoMountControlQuat, long super::Long, int super::Int, super::Frame);
+wire::command!(DoMountControlQuat);

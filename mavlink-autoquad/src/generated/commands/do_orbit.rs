@@ -29,6 +29,8 @@ pub struct DoOrbit {
 }
 
 impl wire::Command for DoOrbit {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 34;
 
     const DEFAULT: Self = Self {
@@ -53,4 +55,4 @@ impl wire::Command for DoOrbit {
     }
 }
 
-wire::command!(DoOrbit, long super::Long, int super::Int, super::Frame);
+wire::command!(DoOrbit);

@@ -15,6 +15,8 @@ pub struct DoParachute {
 }
 
 impl wire::Command for DoParachute {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 208;
     const DEFAULT: Self = Self { action: ParachuteAction(0) };
 
@@ -24,4 +26,4 @@ impl wire::Command for DoParachute {
     }
 }
 
-wire::command!(DoParachute, long super::Long, int super::Int, super::Frame);
+wire::command!(DoParachute);

@@ -15,6 +15,8 @@ pub struct DoPauseContinue {
 }
 
 impl wire::Command for DoPauseContinue {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 193;
 
     const DEFAULT: Self = Self {
@@ -27,4 +29,4 @@ impl wire::Command for DoPauseContinue {
     }
 }
 
-wire::command!(DoPauseContinue, long super::Long, int super::Int, super::Frame);
+wire::command!(DoPauseContinue);

@@ -16,6 +16,8 @@ pub struct DoRallyLand {
 }
 
 impl wire::Command for DoRallyLand {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 190;
     const DEFAULT: Self = Self { altitude: 0.0, speed: 0.0 };
 
@@ -26,4 +28,4 @@ impl wire::Command for DoRallyLand {
     }
 }
 
-wire::command!(DoRallyLand, long super::Long, int super::Int, super::Frame);
+wire::command!(DoRallyLand);

@@ -18,6 +18,8 @@ pub struct DoRepeatRelay {
 }
 
 impl wire::Command for DoRepeatRelay {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 182;
 
     const DEFAULT: Self = Self {
@@ -34,4 +36,4 @@ impl wire::Command for DoRepeatRelay {
     }
 }
 
-wire::command!(DoRepeatRelay, long super::Long, int super::Int, super::Frame);
+wire::command!(DoRepeatRelay);

@@ -20,6 +20,8 @@ pub struct DoRepeatServo {
 }
 
 impl wire::Command for DoRepeatServo {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 184;
 
     const DEFAULT: Self = Self {
@@ -38,4 +40,4 @@ impl wire::Command for DoRepeatServo {
     }
 }
 
-wire::command!(DoRepeatServo, long super::Long, int super::Int, super::Frame);
+wire::command!(DoRepeatServo);

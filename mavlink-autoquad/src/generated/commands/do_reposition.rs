@@ -31,6 +31,8 @@ pub struct DoReposition {
 }
 
 impl wire::Command for DoReposition {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 192;
 
     const DEFAULT: Self = Self {
@@ -55,4 +57,4 @@ impl wire::Command for DoReposition {
     }
 }
 
-wire::command!(DoReposition, long super::Long, int super::Int, super::Frame);
+wire::command!(DoReposition);

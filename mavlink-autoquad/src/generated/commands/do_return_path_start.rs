@@ -20,6 +20,8 @@ pub struct DoReturnPathStart {
 }
 
 impl wire::Command for DoReturnPathStart {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 188;
 
     const DEFAULT: Self = Self {
@@ -36,4 +38,4 @@ impl wire::Command for DoReturnPathStart {
     }
 }
 
-wire::command!(DoReturnPathStart, long super::Long, int super::Int, super::Frame);
+wire::command!(DoReturnPathStart);

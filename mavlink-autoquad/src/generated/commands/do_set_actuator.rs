@@ -26,6 +26,8 @@ pub struct DoSetActuator {
 }
 
 impl wire::Command for DoSetActuator {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 187;
 
     const DEFAULT: Self = Self {
@@ -50,4 +52,4 @@ impl wire::Command for DoSetActuator {
     }
 }
 
-wire::command!(DoSetActuator, long super::Long, int super::Int, super::Frame);
+wire::command!(DoSetActuator);

@@ -22,6 +22,8 @@ pub struct DoSetCamTriggDist {
 }
 
 impl wire::Command for DoSetCamTriggDist {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 206;
 
     const DEFAULT: Self = Self {
@@ -40,4 +42,4 @@ impl wire::Command for DoSetCamTriggDist {
     }
 }
 
-wire::command!(DoSetCamTriggDist, long super::Long, int super::Int, super::Frame);
+wire::command!(DoSetCamTriggDist);

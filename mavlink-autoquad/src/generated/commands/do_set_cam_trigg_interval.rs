@@ -19,6 +19,8 @@ pub struct DoSetCamTriggInterval {
 }
 
 impl wire::Command for DoSetCamTriggInterval {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 214;
 
     const DEFAULT: Self = Self {
@@ -35,4 +37,4 @@ impl wire::Command for DoSetCamTriggInterval {
     }
 }
 
-wire::command!(DoSetCamTriggInterval, long super::Long, int super::Int, super::Frame);
+wire::command!(DoSetCamTriggInterval);

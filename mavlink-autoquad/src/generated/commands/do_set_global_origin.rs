@@ -20,6 +20,8 @@ pub struct DoSetGlobalOrigin {
 }
 
 impl wire::Command for DoSetGlobalOrigin {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 611;
 
     const DEFAULT: Self = Self {
@@ -36,4 +38,4 @@ impl wire::Command for DoSetGlobalOrigin {
     }
 }
 
-wire::command!(DoSetGlobalOrigin, long super::Long, int super::Int, super::Frame);
+wire::command!(DoSetGlobalOrigin);

@@ -31,6 +31,8 @@ pub struct DoSetHome {
 }
 
 impl wire::Command for DoSetHome {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 179;
 
     const DEFAULT: Self = Self {
@@ -55,4 +57,4 @@ impl wire::Command for DoSetHome {
     }
 }
 
-wire::command!(DoSetHome, long super::Long, int super::Int, super::Frame);
+wire::command!(DoSetHome);

@@ -17,6 +17,8 @@ pub struct DoSetMissionCurrent {
 }
 
 impl wire::Command for DoSetMissionCurrent {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 224;
 
     const DEFAULT: Self = Self {
@@ -31,4 +33,4 @@ impl wire::Command for DoSetMissionCurrent {
     }
 }
 
-wire::command!(DoSetMissionCurrent, long super::Long, int super::Int, super::Frame);
+wire::command!(DoSetMissionCurrent);

@@ -19,6 +19,8 @@ pub struct DoSetMode {
 }
 
 impl wire::Command for DoSetMode {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 176;
 
     const DEFAULT: Self = Self {
@@ -35,4 +37,4 @@ impl wire::Command for DoSetMode {
     }
 }
 
-wire::command!(DoSetMode, long super::Long, int super::Int, super::Frame);
+wire::command!(DoSetMode);

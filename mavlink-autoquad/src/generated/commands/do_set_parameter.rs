@@ -18,6 +18,8 @@ pub struct DoSetParameter {
 }
 
 impl wire::Command for DoSetParameter {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 180;
     const DEFAULT: Self = Self { number: 0.0, value: 0.0 };
 
@@ -28,4 +30,4 @@ impl wire::Command for DoSetParameter {
     }
 }
 
-wire::command!(DoSetParameter, long super::Long, int super::Int, super::Frame);
+wire::command!(DoSetParameter);

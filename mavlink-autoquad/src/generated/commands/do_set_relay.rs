@@ -16,6 +16,8 @@ pub struct DoSetRelay {
 }
 
 impl wire::Command for DoSetRelay {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 181;
 
     const DEFAULT: Self = Self {
@@ -30,4 +32,4 @@ impl wire::Command for DoSetRelay {
     }
 }
 
-wire::command!(DoSetRelay, long super::Long, int super::Int, super::Frame);
+wire::command!(DoSetRelay);

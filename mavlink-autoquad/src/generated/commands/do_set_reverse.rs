@@ -15,6 +15,8 @@ pub struct DoSetReverse {
 }
 
 impl wire::Command for DoSetReverse {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 194;
 
     const DEFAULT: Self = Self {
@@ -27,4 +29,4 @@ impl wire::Command for DoSetReverse {
     }
 }
 
-wire::command!(DoSetReverse, long super::Long, int super::Int, super::Frame);
+wire::command!(DoSetReverse);

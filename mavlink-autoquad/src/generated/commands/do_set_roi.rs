@@ -24,6 +24,8 @@ pub struct DoSetRoi {
 }
 
 impl wire::Command for DoSetRoi {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 201;
 
     const DEFAULT: Self = Self {
@@ -40,4 +42,4 @@ impl wire::Command for DoSetRoi {
     }
 }
 
-wire::command!(DoSetRoi, long super::Long, int super::Int, super::Frame);
+wire::command!(DoSetRoi);

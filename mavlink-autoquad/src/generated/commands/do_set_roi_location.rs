@@ -22,6 +22,8 @@ pub struct DoSetRoiLocation {
 }
 
 impl wire::Command for DoSetRoiLocation {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 195;
 
     const DEFAULT: Self = Self {
@@ -40,4 +42,4 @@ impl wire::Command for DoSetRoiLocation {
     }
 }
 
-wire::command!(DoSetRoiLocation, long super::Long, int super::Int, super::Frame);
+wire::command!(DoSetRoiLocation);

@@ -14,6 +14,8 @@ pub struct DoSetRoiNone {
 }
 
 impl wire::Command for DoSetRoiNone {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 197;
     const DEFAULT: Self = Self { gimbal_device_id: 0.0 };
 
@@ -23,4 +25,4 @@ impl wire::Command for DoSetRoiNone {
     }
 }
 
-wire::command!(DoSetRoiNone, long super::Long, int super::Int, super::Frame);
+wire::command!(DoSetRoiNone);

@@ -16,6 +16,8 @@ pub struct DoSetRoiSysid {
 }
 
 impl wire::Command for DoSetRoiSysid {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 198;
 
     const DEFAULT: Self = Self {
@@ -30,4 +32,4 @@ impl wire::Command for DoSetRoiSysid {
     }
 }
 
-wire::command!(DoSetRoiSysid, long super::Long, int super::Int, super::Frame);
+wire::command!(DoSetRoiSysid);

@@ -20,6 +20,8 @@ pub struct DoSetRoiWpnextOffset {
 }
 
 impl wire::Command for DoSetRoiWpnextOffset {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 196;
 
     const DEFAULT: Self = Self {
@@ -38,4 +40,4 @@ impl wire::Command for DoSetRoiWpnextOffset {
     }
 }
 
-wire::command!(DoSetRoiWpnextOffset, long super::Long, int super::Int, super::Frame);
+wire::command!(DoSetRoiWpnextOffset);

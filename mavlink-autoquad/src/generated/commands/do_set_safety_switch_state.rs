@@ -15,6 +15,8 @@ pub struct DoSetSafetySwitchState {
 }
 
 impl wire::Command for DoSetSafetySwitchState {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 5300;
 
     const DEFAULT: Self = Self {
@@ -27,4 +29,4 @@ impl wire::Command for DoSetSafetySwitchState {
     }
 }
 
-wire::command!(DoSetSafetySwitchState, long super::Long, int super::Int, super::Frame);
+wire::command!(DoSetSafetySwitchState);

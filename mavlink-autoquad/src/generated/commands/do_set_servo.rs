@@ -16,6 +16,8 @@ pub struct DoSetServo {
 }
 
 impl wire::Command for DoSetServo {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 183;
     const DEFAULT: Self = Self { instance: 0.0, pwm: 0.0 };
 
@@ -26,4 +28,4 @@ impl wire::Command for DoSetServo {
     }
 }
 
-wire::command!(DoSetServo, long super::Long, int super::Int, super::Frame);
+wire::command!(DoSetServo);

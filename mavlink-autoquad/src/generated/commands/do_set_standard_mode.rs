@@ -15,6 +15,8 @@ pub struct DoSetStandardMode {
 }
 
 impl wire::Command for DoSetStandardMode {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 262;
 
     const DEFAULT: Self = Self {
@@ -28,4 +30,4 @@ impl wire::Command for DoSetStandardMode {
     }
 }
 
-wire::command!(DoSetStandardMode, long super::Long, int super::Int, super::Frame);
+wire::command!(DoSetStandardMode);

@@ -21,6 +21,8 @@ pub struct DoTriggerControl {
 }
 
 impl wire::Command for DoTriggerControl {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 2003;
 
     const DEFAULT: Self = Self {
@@ -39,4 +41,4 @@ impl wire::Command for DoTriggerControl {
     }
 }
 
-wire::command!(DoTriggerControl, long super::Long, int super::Int, super::Frame);
+wire::command!(DoTriggerControl);

@@ -17,6 +17,8 @@ pub struct DoVtolTransition {
 }
 
 impl wire::Command for DoVtolTransition {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 3000;
 
     const DEFAULT: Self = Self {
@@ -31,4 +33,4 @@ impl wire::Command for DoVtolTransition {
     }
 }
 
-wire::command!(DoVtolTransition, long super::Long, int super::Int, super::Frame);
+wire::command!(DoVtolTransition);

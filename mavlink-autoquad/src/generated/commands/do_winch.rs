@@ -21,6 +21,8 @@ pub struct DoWinch {
 }
 
 impl wire::Command for DoWinch {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 42600;
 
     const DEFAULT: Self = Self {
@@ -39,4 +41,4 @@ impl wire::Command for DoWinch {
     }
 }
 
-wire::command!(DoWinch, long super::Long, int super::Int, super::Frame);
+wire::command!(DoWinch);

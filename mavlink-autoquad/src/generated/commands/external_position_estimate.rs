@@ -26,6 +26,8 @@ pub struct ExternalPositionEstimate {
 }
 
 impl wire::Command for ExternalPositionEstimate {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 43003;
 
     const DEFAULT: Self = Self {
@@ -48,4 +50,4 @@ impl wire::Command for ExternalPositionEstimate {
     }
 }
 
-wire::command!(ExternalPositionEstimate, long super::Long, int super::Int, super::Frame);
+wire::command!(ExternalPositionEstimate);

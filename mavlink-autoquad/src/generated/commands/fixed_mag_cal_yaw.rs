@@ -20,6 +20,8 @@ pub struct FixedMagCalYaw {
 }
 
 impl wire::Command for FixedMagCalYaw {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 42006;
 
     const DEFAULT: Self = Self {
@@ -38,4 +40,4 @@ impl wire::Command for FixedMagCalYaw {
     }
 }
 
-wire::command!(FixedMagCalYaw, long super::Long, int super::Int, super::Frame);
+wire::command!(FixedMagCalYaw);

@@ -13,6 +13,8 @@ use ::mavlink_wire as wire;
 pub struct GetHomePosition;
 
 impl wire::Command for GetHomePosition {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 410;
     const DEFAULT: Self = Self {};
 
@@ -20,4 +22,4 @@ impl wire::Command for GetHomePosition {
     fn params(&mut self, _p: &mut wire::Params) {}
 }
 
-wire::command!(GetHomePosition, long super::Long, int super::Int, super::Frame);
+wire::command!(GetHomePosition);

@@ -16,6 +16,8 @@ pub struct GetMessageInterval {
 }
 
 impl wire::Command for GetMessageInterval {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 510;
     const DEFAULT: Self = Self { message_id: 0.0 };
 
@@ -25,4 +27,4 @@ impl wire::Command for GetMessageInterval {
     }
 }
 
-wire::command!(GetMessageInterval, long super::Long, int super::Int, super::Frame);
+wire::command!(GetMessageInterval);

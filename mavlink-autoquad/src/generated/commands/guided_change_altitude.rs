@@ -16,6 +16,8 @@ pub struct GuidedChangeAltitude {
 }
 
 impl wire::Command for GuidedChangeAltitude {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 43001;
 
     const DEFAULT: Self = Self {
@@ -30,4 +32,4 @@ impl wire::Command for GuidedChangeAltitude {
     }
 }
 
-wire::command!(GuidedChangeAltitude, long super::Long, int super::Int, super::Frame);
+wire::command!(GuidedChangeAltitude);

@@ -20,6 +20,8 @@ pub struct GuidedChangeHeading {
 }
 
 impl wire::Command for GuidedChangeHeading {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 43002;
 
     const DEFAULT: Self = Self {
@@ -36,4 +38,4 @@ impl wire::Command for GuidedChangeHeading {
     }
 }
 
-wire::command!(GuidedChangeHeading, long super::Long, int super::Int, super::Frame);
+wire::command!(GuidedChangeHeading);

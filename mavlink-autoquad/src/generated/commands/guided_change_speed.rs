@@ -19,6 +19,8 @@ pub struct GuidedChangeSpeed {
 }
 
 impl wire::Command for GuidedChangeSpeed {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 43000;
 
     const DEFAULT: Self = Self {
@@ -35,4 +37,4 @@ impl wire::Command for GuidedChangeSpeed {
     }
 }
 
-wire::command!(GuidedChangeSpeed, long super::Long, int super::Int, super::Frame);
+wire::command!(GuidedChangeSpeed);

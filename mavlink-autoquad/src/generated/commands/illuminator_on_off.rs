@@ -15,6 +15,8 @@ pub struct IlluminatorOnOff {
 }
 
 impl wire::Command for IlluminatorOnOff {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 405;
 
     const DEFAULT: Self = Self {
@@ -27,4 +29,4 @@ impl wire::Command for IlluminatorOnOff {
     }
 }
 
-wire::command!(IlluminatorOnOff, long super::Long, int super::Int, super::Frame);
+wire::command!(IlluminatorOnOff);

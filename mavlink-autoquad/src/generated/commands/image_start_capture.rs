@@ -22,6 +22,8 @@ pub struct ImageStartCapture {
 }
 
 impl wire::Command for ImageStartCapture {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 2000;
 
     const DEFAULT: Self = Self {
@@ -41,4 +43,4 @@ impl wire::Command for ImageStartCapture {
     }
 }
 
-wire::command!(ImageStartCapture, long super::Long, int super::Int, super::Frame);
+wire::command!(ImageStartCapture);

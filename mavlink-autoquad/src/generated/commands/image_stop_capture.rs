@@ -15,6 +15,8 @@ pub struct ImageStopCapture {
 }
 
 impl wire::Command for ImageStopCapture {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 2001;
     const DEFAULT: Self = Self { target_camera_id: 0.0 };
 
@@ -28,4 +30,4 @@ impl wire::Command for ImageStopCapture {
     }
 }
 
-wire::command!(ImageStopCapture, long super::Long, int super::Int, super::Frame);
+wire::command!(ImageStopCapture);

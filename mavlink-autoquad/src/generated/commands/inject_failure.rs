@@ -22,6 +22,8 @@ pub struct InjectFailure {
 }
 
 impl wire::Command for InjectFailure {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 420;
 
     const DEFAULT: Self = Self {
@@ -40,4 +42,4 @@ impl wire::Command for InjectFailure {
     }
 }
 
-wire::command!(InjectFailure, long super::Long, int super::Int, super::Frame);
+wire::command!(InjectFailure);

@@ -14,6 +14,8 @@ pub struct JumpTag {
 }
 
 impl wire::Command for JumpTag {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 600;
     const DEFAULT: Self = Self { tag: 0.0 };
 
@@ -23,4 +25,4 @@ impl wire::Command for JumpTag {
     }
 }
 
-wire::command!(JumpTag, long super::Long, int super::Int, super::Frame);
+wire::command!(JumpTag);

@@ -14,6 +14,8 @@ pub struct LoggingStart {
 }
 
 impl wire::Command for LoggingStart {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 2510;
     const DEFAULT: Self = Self { format: 0.0 };
 
@@ -23,4 +25,4 @@ impl wire::Command for LoggingStart {
     }
 }
 
-wire::command!(LoggingStart, long super::Long, int super::Int, super::Frame);
+wire::command!(LoggingStart);

@@ -11,6 +11,8 @@ use ::mavlink_wire as wire;
 pub struct LoggingStop;
 
 impl wire::Command for LoggingStop {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 2511;
     const DEFAULT: Self = Self {};
 
@@ -18,4 +20,4 @@ impl wire::Command for LoggingStop {
     fn params(&mut self, _p: &mut wire::Params) {}
 }
 
-wire::command!(LoggingStop, long super::Long, int super::Int, super::Frame);
+wire::command!(LoggingStop);

@@ -16,6 +16,8 @@ pub struct MissionStart {
 }
 
 impl wire::Command for MissionStart {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 300;
 
     const DEFAULT: Self = Self {
@@ -30,4 +32,4 @@ impl wire::Command for MissionStart {
     }
 }
 
-wire::command!(MissionStart, long super::Long, int super::Int, super::Frame);
+wire::command!(MissionStart);

@@ -23,6 +23,8 @@ pub struct NavArcWaypoint {
 }
 
 impl wire::Command for NavArcWaypoint {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 36;
 
     const DEFAULT: Self = Self {
@@ -41,4 +43,4 @@ impl wire::Command for NavArcWaypoint {
     }
 }
 
-wire::command!(NavArcWaypoint, long super::Long, int super::Int, super::Frame);
+wire::command!(NavArcWaypoint);

@@ -17,6 +17,8 @@ pub struct NavContinueAndChangeAlt {
 }
 
 impl wire::Command for NavContinueAndChangeAlt {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 30;
     const DEFAULT: Self = Self { action: 0.0, altitude: 0.0 };
 
@@ -27,4 +29,4 @@ impl wire::Command for NavContinueAndChangeAlt {
     }
 }
 
-wire::command!(NavContinueAndChangeAlt, long super::Long, int super::Int, super::Frame);
+wire::command!(NavContinueAndChangeAlt);

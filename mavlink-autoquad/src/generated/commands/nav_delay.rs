@@ -21,6 +21,8 @@ pub struct NavDelay {
 }
 
 impl wire::Command for NavDelay {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 93;
 
     const DEFAULT: Self = Self {
@@ -39,4 +41,4 @@ impl wire::Command for NavDelay {
     }
 }
 
-wire::command!(NavDelay, long super::Long, int super::Int, super::Frame);
+wire::command!(NavDelay);

@@ -20,6 +20,8 @@ pub struct NavFenceCircleExclusion {
 }
 
 impl wire::Command for NavFenceCircleExclusion {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 5004;
 
     const DEFAULT: Self = Self {
@@ -36,4 +38,4 @@ impl wire::Command for NavFenceCircleExclusion {
     }
 }
 
-wire::command!(NavFenceCircleExclusion, long super::Long, int super::Int, super::Frame);
+wire::command!(NavFenceCircleExclusion);

@@ -23,6 +23,8 @@ pub struct NavFenceCircleInclusion {
 }
 
 impl wire::Command for NavFenceCircleInclusion {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 5003;
 
     const DEFAULT: Self = Self {
@@ -41,4 +43,4 @@ impl wire::Command for NavFenceCircleInclusion {
     }
 }
 
-wire::command!(NavFenceCircleInclusion, long super::Long, int super::Int, super::Frame);
+wire::command!(NavFenceCircleInclusion);

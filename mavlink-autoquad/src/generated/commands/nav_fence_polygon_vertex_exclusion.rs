@@ -21,6 +21,8 @@ pub struct NavFencePolygonVertexExclusion {
 }
 
 impl wire::Command for NavFencePolygonVertexExclusion {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 5002;
 
     const DEFAULT: Self = Self {
@@ -37,6 +39,4 @@ impl wire::Command for NavFencePolygonVertexExclusion {
     }
 }
 
-wire::command!(
-    NavFencePolygonVertexExclusion, long super::Long, int super::Int, super::Frame
-);
+wire::command!(NavFencePolygonVertexExclusion);

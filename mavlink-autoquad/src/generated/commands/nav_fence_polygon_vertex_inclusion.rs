@@ -24,6 +24,8 @@ pub struct NavFencePolygonVertexInclusion {
 }
 
 impl wire::Command for NavFencePolygonVertexInclusion {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 5001;
 
     const DEFAULT: Self = Self {
@@ -42,6 +44,4 @@ impl wire::Command for NavFencePolygonVertexInclusion {
     }
 }
 
-wire::command!(
-    NavFencePolygonVertexInclusion, long super::Long, int super::Int, super::Frame
-);
+wire::command!(NavFencePolygonVertexInclusion);

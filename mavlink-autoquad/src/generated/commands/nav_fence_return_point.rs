@@ -20,6 +20,8 @@ pub struct NavFenceReturnPoint {
 }
 
 impl wire::Command for NavFenceReturnPoint {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 5000;
 
     const DEFAULT: Self = Self {
@@ -36,4 +38,4 @@ impl wire::Command for NavFenceReturnPoint {
     }
 }
 
-wire::command!(NavFenceReturnPoint, long super::Long, int super::Int, super::Frame);
+wire::command!(NavFenceReturnPoint);

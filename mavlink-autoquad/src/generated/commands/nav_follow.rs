@@ -28,6 +28,8 @@ pub struct NavFollow {
 }
 
 impl wire::Command for NavFollow {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 25;
 
     const DEFAULT: Self = Self {
@@ -52,4 +54,4 @@ impl wire::Command for NavFollow {
     }
 }
 
-wire::command!(NavFollow, long super::Long, int super::Int, super::Frame);
+wire::command!(NavFollow);

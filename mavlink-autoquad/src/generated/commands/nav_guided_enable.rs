@@ -15,6 +15,8 @@ pub struct NavGuidedEnable {
 }
 
 impl wire::Command for NavGuidedEnable {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 92;
 
     const DEFAULT: Self = Self {
@@ -27,4 +29,4 @@ impl wire::Command for NavGuidedEnable {
     }
 }
 
-wire::command!(NavGuidedEnable, long super::Long, int super::Int, super::Frame);
+wire::command!(NavGuidedEnable);

@@ -27,6 +27,8 @@ pub struct NavLand {
 }
 
 impl wire::Command for NavLand {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 21;
 
     const DEFAULT: Self = Self {
@@ -49,4 +51,4 @@ impl wire::Command for NavLand {
     }
 }
 
-wire::command!(NavLand, long super::Long, int super::Int, super::Frame);
+wire::command!(NavLand);

@@ -28,6 +28,8 @@ pub struct NavLandLocal {
 }
 
 impl wire::Command for NavLandLocal {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 23;
 
     const DEFAULT: Self = Self {
@@ -52,4 +54,4 @@ impl wire::Command for NavLandLocal {
     }
 }
 
-wire::command!(NavLandLocal, long super::Long, int super::Int, super::Frame);
+wire::command!(NavLandLocal);

@@ -11,6 +11,8 @@ use ::mavlink_wire as wire;
 pub struct NavLast;
 
 impl wire::Command for NavLast {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 95;
     const DEFAULT: Self = Self {};
 
@@ -18,4 +20,4 @@ impl wire::Command for NavLast {
     fn params(&mut self, _p: &mut wire::Params) {}
 }
 
-wire::command!(NavLast, long super::Long, int super::Int, super::Frame);
+wire::command!(NavLast);

@@ -30,6 +30,8 @@ pub struct NavLoiterTime {
 }
 
 impl wire::Command for NavLoiterTime {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 19;
 
     const DEFAULT: Self = Self {
@@ -54,4 +56,4 @@ impl wire::Command for NavLoiterTime {
     }
 }
 
-wire::command!(NavLoiterTime, long super::Long, int super::Int, super::Frame);
+wire::command!(NavLoiterTime);

@@ -28,6 +28,8 @@ pub struct NavLoiterToAlt {
 }
 
 impl wire::Command for NavLoiterToAlt {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 31;
 
     const DEFAULT: Self = Self {
@@ -50,4 +52,4 @@ impl wire::Command for NavLoiterToAlt {
     }
 }
 
-wire::command!(NavLoiterToAlt, long super::Long, int super::Int, super::Frame);
+wire::command!(NavLoiterToAlt);

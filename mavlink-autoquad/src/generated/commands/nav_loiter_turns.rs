@@ -30,6 +30,8 @@ pub struct NavLoiterTurns {
 }
 
 impl wire::Command for NavLoiterTurns {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 18;
 
     const DEFAULT: Self = Self {
@@ -54,4 +56,4 @@ impl wire::Command for NavLoiterTurns {
     }
 }
 
-wire::command!(NavLoiterTurns, long super::Long, int super::Int, super::Frame);
+wire::command!(NavLoiterTurns);

@@ -25,6 +25,8 @@ pub struct NavLoiterUnlim {
 }
 
 impl wire::Command for NavLoiterUnlim {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 17;
 
     const DEFAULT: Self = Self {
@@ -45,4 +47,4 @@ impl wire::Command for NavLoiterUnlim {
     }
 }
 
-wire::command!(NavLoiterUnlim, long super::Long, int super::Int, super::Frame);
+wire::command!(NavLoiterUnlim);

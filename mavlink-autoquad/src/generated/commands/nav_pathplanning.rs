@@ -28,6 +28,8 @@ pub struct NavPathplanning {
 }
 
 impl wire::Command for NavPathplanning {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 81;
 
     const DEFAULT: Self = Self {
@@ -50,4 +52,4 @@ impl wire::Command for NavPathplanning {
     }
 }
 
-wire::command!(NavPathplanning, long super::Long, int super::Int, super::Frame);
+wire::command!(NavPathplanning);

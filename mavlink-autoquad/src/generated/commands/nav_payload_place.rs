@@ -22,6 +22,8 @@ pub struct NavPayloadPlace {
 }
 
 impl wire::Command for NavPayloadPlace {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 94;
 
     const DEFAULT: Self = Self {
@@ -40,4 +42,4 @@ impl wire::Command for NavPayloadPlace {
     }
 }
 
-wire::command!(NavPayloadPlace, long super::Long, int super::Int, super::Frame);
+wire::command!(NavPayloadPlace);

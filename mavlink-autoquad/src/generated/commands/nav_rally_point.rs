@@ -20,6 +20,8 @@ pub struct NavRallyPoint {
 }
 
 impl wire::Command for NavRallyPoint {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 5100;
 
     const DEFAULT: Self = Self {
@@ -36,4 +38,4 @@ impl wire::Command for NavRallyPoint {
     }
 }
 
-wire::command!(NavRallyPoint, long super::Long, int super::Int, super::Frame);
+wire::command!(NavRallyPoint);

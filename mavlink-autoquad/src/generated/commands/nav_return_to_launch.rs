@@ -11,6 +11,8 @@ use ::mavlink_wire as wire;
 pub struct NavReturnToLaunch;
 
 impl wire::Command for NavReturnToLaunch {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 20;
     const DEFAULT: Self = Self {};
 
@@ -18,4 +20,4 @@ impl wire::Command for NavReturnToLaunch {
     fn params(&mut self, _p: &mut wire::Params) {}
 }
 
-wire::command!(NavReturnToLaunch, long super::Long, int super::Int, super::Frame);
+wire::command!(NavReturnToLaunch);

@@ -30,6 +30,8 @@ pub struct NavRoi {
 }
 
 impl wire::Command for NavRoi {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 80;
 
     const DEFAULT: Self = Self {
@@ -52,4 +54,4 @@ impl wire::Command for NavRoi {
     }
 }
 
-wire::command!(NavRoi, long super::Long, int super::Int, super::Frame);
+wire::command!(NavRoi);

@@ -19,6 +19,8 @@ pub struct NavSetYawSpeed {
 }
 
 impl wire::Command for NavSetYawSpeed {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 213;
 
     const DEFAULT: Self = Self {
@@ -35,4 +37,4 @@ impl wire::Command for NavSetYawSpeed {
     }
 }
 
-wire::command!(NavSetYawSpeed, long super::Long, int super::Int, super::Frame);
+wire::command!(NavSetYawSpeed);

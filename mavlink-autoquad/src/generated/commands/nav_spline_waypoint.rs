@@ -22,6 +22,8 @@ pub struct NavSplineWaypoint {
 }
 
 impl wire::Command for NavSplineWaypoint {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 82;
 
     const DEFAULT: Self = Self {
@@ -40,4 +42,4 @@ impl wire::Command for NavSplineWaypoint {
     }
 }
 
-wire::command!(NavSplineWaypoint, long super::Long, int super::Int, super::Frame);
+wire::command!(NavSplineWaypoint);

@@ -27,6 +27,8 @@ pub struct NavTakeoff {
 }
 
 impl wire::Command for NavTakeoff {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 22;
 
     const DEFAULT: Self = Self {
@@ -49,4 +51,4 @@ impl wire::Command for NavTakeoff {
     }
 }
 
-wire::command!(NavTakeoff, long super::Long, int super::Int, super::Frame);
+wire::command!(NavTakeoff);

@@ -26,6 +26,8 @@ pub struct NavTakeoffLocal {
 }
 
 impl wire::Command for NavTakeoffLocal {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 24;
 
     const DEFAULT: Self = Self {
@@ -48,4 +50,4 @@ impl wire::Command for NavTakeoffLocal {
     }
 }
 
-wire::command!(NavTakeoffLocal, long super::Long, int super::Int, super::Frame);
+wire::command!(NavTakeoffLocal);

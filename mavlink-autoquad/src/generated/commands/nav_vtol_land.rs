@@ -27,6 +27,8 @@ pub struct NavVtolLand {
 }
 
 impl wire::Command for NavVtolLand {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 85;
 
     const DEFAULT: Self = Self {
@@ -49,4 +51,4 @@ impl wire::Command for NavVtolLand {
     }
 }
 
-wire::command!(NavVtolLand, long super::Long, int super::Int, super::Frame);
+wire::command!(NavVtolLand);

@@ -25,6 +25,8 @@ pub struct NavVtolTakeoff {
 }
 
 impl wire::Command for NavVtolTakeoff {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 84;
 
     const DEFAULT: Self = Self {
@@ -45,4 +47,4 @@ impl wire::Command for NavVtolTakeoff {
     }
 }
 
-wire::command!(NavVtolTakeoff, long super::Long, int super::Int, super::Frame);
+wire::command!(NavVtolTakeoff);

@@ -29,6 +29,8 @@ pub struct NavWaypoint {
 }
 
 impl wire::Command for NavWaypoint {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 16;
 
     const DEFAULT: Self = Self {
@@ -53,4 +55,4 @@ impl wire::Command for NavWaypoint {
     }
 }
 
-wire::command!(NavWaypoint, long super::Long, int super::Int, super::Frame);
+wire::command!(NavWaypoint);

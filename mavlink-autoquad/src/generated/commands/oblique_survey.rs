@@ -24,6 +24,8 @@ pub struct ObliqueSurvey {
 }
 
 impl wire::Command for ObliqueSurvey {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 260;
 
     const DEFAULT: Self = Self {
@@ -46,4 +48,4 @@ impl wire::Command for ObliqueSurvey {
     }
 }
 
-wire::command!(ObliqueSurvey, long super::Long, int super::Int, super::Frame);
+wire::command!(ObliqueSurvey);

@@ -29,6 +29,8 @@ pub struct OverrideGoto {
 }
 
 impl wire::Command for OverrideGoto {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 252;
 
     const DEFAULT: Self = Self {
@@ -53,4 +55,4 @@ impl wire::Command for OverrideGoto {
     }
 }
 
-wire::command!(OverrideGoto, long super::Long, int super::Int, super::Frame);
+wire::command!(OverrideGoto);

@@ -20,6 +20,8 @@ pub struct PanoramaCreate {
 }
 
 impl wire::Command for PanoramaCreate {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 2800;
 
     const DEFAULT: Self = Self {
@@ -38,4 +40,4 @@ impl wire::Command for PanoramaCreate {
     }
 }
 
-wire::command!(PanoramaCreate, long super::Long, int super::Int, super::Frame);
+wire::command!(PanoramaCreate);

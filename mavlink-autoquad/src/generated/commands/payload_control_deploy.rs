@@ -17,6 +17,8 @@ pub struct PayloadControlDeploy {
 }
 
 impl wire::Command for PayloadControlDeploy {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 30002;
     const DEFAULT: Self = Self { operation_mode: 0.0 };
 
@@ -26,4 +28,4 @@ impl wire::Command for PayloadControlDeploy {
     }
 }
 
-wire::command!(PayloadControlDeploy, long super::Long, int super::Int, super::Frame);
+wire::command!(PayloadControlDeploy);

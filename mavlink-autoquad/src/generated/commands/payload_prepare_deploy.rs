@@ -32,6 +32,8 @@ pub struct PayloadPrepareDeploy {
 }
 
 impl wire::Command for PayloadPrepareDeploy {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 30001;
 
     const DEFAULT: Self = Self {
@@ -56,4 +58,4 @@ impl wire::Command for PayloadPrepareDeploy {
     }
 }
 
-wire::command!(PayloadPrepareDeploy, long super::Long, int super::Int, super::Frame);
+wire::command!(PayloadPrepareDeploy);

@@ -32,6 +32,8 @@ pub struct PreflightCalibration {
 }
 
 impl wire::Command for PreflightCalibration {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 241;
 
     const DEFAULT: Self = Self {
@@ -56,4 +58,4 @@ impl wire::Command for PreflightCalibration {
     }
 }
 
-wire::command!(PreflightCalibration, long super::Long, int super::Int, super::Frame);
+wire::command!(PreflightCalibration);

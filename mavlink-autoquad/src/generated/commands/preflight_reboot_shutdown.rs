@@ -23,6 +23,8 @@ pub struct PreflightRebootShutdown {
 }
 
 impl wire::Command for PreflightRebootShutdown {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 246;
 
     const DEFAULT: Self = Self {
@@ -43,4 +45,4 @@ impl wire::Command for PreflightRebootShutdown {
     }
 }
 
-wire::command!(PreflightRebootShutdown, long super::Long, int super::Int, super::Frame);
+wire::command!(PreflightRebootShutdown);

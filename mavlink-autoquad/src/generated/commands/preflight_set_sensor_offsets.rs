@@ -27,6 +27,8 @@ pub struct PreflightSetSensorOffsets {
 }
 
 impl wire::Command for PreflightSetSensorOffsets {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 242;
 
     const DEFAULT: Self = Self {
@@ -51,6 +53,4 @@ impl wire::Command for PreflightSetSensorOffsets {
     }
 }
 
-wire::command!(
-    PreflightSetSensorOffsets, long super::Long, int super::Int, super::Frame
-);
+wire::command!(PreflightSetSensorOffsets);

@@ -22,6 +22,8 @@ pub struct PreflightStorage {
 }
 
 impl wire::Command for PreflightStorage {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 245;
 
     const DEFAULT: Self = Self {
@@ -38,4 +40,4 @@ impl wire::Command for PreflightStorage {
     }
 }
 
-wire::command!(PreflightStorage, long super::Long, int super::Int, super::Frame);
+wire::command!(PreflightStorage);

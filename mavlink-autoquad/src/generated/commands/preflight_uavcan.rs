@@ -14,6 +14,8 @@ pub struct PreflightUavcan {
 }
 
 impl wire::Command for PreflightUavcan {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 243;
     const DEFAULT: Self = Self { actuator_id: 0.0 };
 
@@ -23,4 +25,4 @@ impl wire::Command for PreflightUavcan {
     }
 }
 
-wire::command!(PreflightUavcan, long super::Long, int super::Int, super::Frame);
+wire::command!(PreflightUavcan);

@@ -17,6 +17,8 @@ pub struct RequestAutopilotCapabilities {
 }
 
 impl wire::Command for RequestAutopilotCapabilities {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 520;
 
     const DEFAULT: Self = Self {
@@ -29,6 +31,4 @@ impl wire::Command for RequestAutopilotCapabilities {
     }
 }
 
-wire::command!(
-    RequestAutopilotCapabilities, long super::Long, int super::Int, super::Frame
-);
+wire::command!(RequestAutopilotCapabilities);

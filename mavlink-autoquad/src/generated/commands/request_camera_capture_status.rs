@@ -17,6 +17,8 @@ pub struct RequestCameraCaptureStatus {
 }
 
 impl wire::Command for RequestCameraCaptureStatus {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 527;
 
     const DEFAULT: Self = Self {
@@ -29,6 +31,4 @@ impl wire::Command for RequestCameraCaptureStatus {
     }
 }
 
-wire::command!(
-    RequestCameraCaptureStatus, long super::Long, int super::Int, super::Frame
-);
+wire::command!(RequestCameraCaptureStatus);

@@ -16,6 +16,8 @@ pub struct RequestCameraImageCapture {
 }
 
 impl wire::Command for RequestCameraImageCapture {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 2002;
     const DEFAULT: Self = Self { number: 0.0 };
 
@@ -29,6 +31,4 @@ impl wire::Command for RequestCameraImageCapture {
     }
 }
 
-wire::command!(
-    RequestCameraImageCapture, long super::Long, int super::Int, super::Frame
-);
+wire::command!(RequestCameraImageCapture);

@@ -17,6 +17,8 @@ pub struct RequestCameraInformation {
 }
 
 impl wire::Command for RequestCameraInformation {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 521;
 
     const DEFAULT: Self = Self {
@@ -29,4 +31,4 @@ impl wire::Command for RequestCameraInformation {
     }
 }
 
-wire::command!(RequestCameraInformation, long super::Long, int super::Int, super::Frame);
+wire::command!(RequestCameraInformation);

@@ -17,6 +17,8 @@ pub struct RequestCameraSettings {
 }
 
 impl wire::Command for RequestCameraSettings {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 522;
 
     const DEFAULT: Self = Self {
@@ -29,4 +31,4 @@ impl wire::Command for RequestCameraSettings {
     }
 }
 
-wire::command!(RequestCameraSettings, long super::Long, int super::Int, super::Frame);
+wire::command!(RequestCameraSettings);

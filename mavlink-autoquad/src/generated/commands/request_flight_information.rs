@@ -17,6 +17,8 @@ pub struct RequestFlightInformation {
 }
 
 impl wire::Command for RequestFlightInformation {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 528;
 
     const DEFAULT: Self = Self {
@@ -29,4 +31,4 @@ impl wire::Command for RequestFlightInformation {
     }
 }
 
-wire::command!(RequestFlightInformation, long super::Long, int super::Int, super::Frame);
+wire::command!(RequestFlightInformation);

@@ -27,6 +27,8 @@ pub struct RequestMessage {
 }
 
 impl wire::Command for RequestMessage {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 512;
 
     const DEFAULT: Self = Self {
@@ -51,4 +53,4 @@ impl wire::Command for RequestMessage {
     }
 }
 
-wire::command!(RequestMessage, long super::Long, int super::Int, super::Frame);
+wire::command!(RequestMessage);

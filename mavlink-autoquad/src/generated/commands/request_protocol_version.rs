@@ -17,6 +17,8 @@ pub struct RequestProtocolVersion {
 }
 
 impl wire::Command for RequestProtocolVersion {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 519;
 
     const DEFAULT: Self = Self {
@@ -29,4 +31,4 @@ impl wire::Command for RequestProtocolVersion {
     }
 }
 
-wire::command!(RequestProtocolVersion, long super::Long, int super::Int, super::Frame);
+wire::command!(RequestProtocolVersion);

@@ -19,6 +19,8 @@ pub struct RequestStorageInformation {
 }
 
 impl wire::Command for RequestStorageInformation {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 525;
 
     const DEFAULT: Self = Self {
@@ -33,6 +35,4 @@ impl wire::Command for RequestStorageInformation {
     }
 }
 
-wire::command!(
-    RequestStorageInformation, long super::Long, int super::Int, super::Frame
-);
+wire::command!(RequestStorageInformation);

@@ -16,6 +16,8 @@ pub struct RequestVideoStreamInformation {
 }
 
 impl wire::Command for RequestVideoStreamInformation {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 2504;
     const DEFAULT: Self = Self { stream_id: 0.0 };
 
@@ -25,6 +27,4 @@ impl wire::Command for RequestVideoStreamInformation {
     }
 }
 
-wire::command!(
-    RequestVideoStreamInformation, long super::Long, int super::Int, super::Frame
-);
+wire::command!(RequestVideoStreamInformation);

@@ -16,6 +16,8 @@ pub struct RequestVideoStreamStatus {
 }
 
 impl wire::Command for RequestVideoStreamStatus {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 2505;
     const DEFAULT: Self = Self { stream_id: 0.0 };
 
@@ -25,4 +27,4 @@ impl wire::Command for RequestVideoStreamStatus {
     }
 }
 
-wire::command!(RequestVideoStreamStatus, long super::Long, int super::Int, super::Frame);
+wire::command!(RequestVideoStreamStatus);

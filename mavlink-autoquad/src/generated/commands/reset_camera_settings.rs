@@ -18,6 +18,8 @@ pub struct ResetCameraSettings {
 }
 
 impl wire::Command for ResetCameraSettings {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 529;
 
     const DEFAULT: Self = Self {
@@ -32,4 +34,4 @@ impl wire::Command for ResetCameraSettings {
     }
 }
 
-wire::command!(ResetCameraSettings, long super::Long, int super::Int, super::Frame);
+wire::command!(ResetCameraSettings);

@@ -11,6 +11,8 @@ use ::mavlink_wire as wire;
 pub struct RunPrearmChecks;
 
 impl wire::Command for RunPrearmChecks {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 401;
     const DEFAULT: Self = Self {};
 
@@ -18,4 +20,4 @@ impl wire::Command for RunPrearmChecks {
     fn params(&mut self, _p: &mut wire::Params) {}
 }
 
-wire::command!(RunPrearmChecks, long super::Long, int super::Int, super::Frame);
+wire::command!(RunPrearmChecks);

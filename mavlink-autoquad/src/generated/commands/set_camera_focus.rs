@@ -20,6 +20,8 @@ pub struct SetCameraFocus {
 }
 
 impl wire::Command for SetCameraFocus {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 532;
 
     const DEFAULT: Self = Self {
@@ -37,4 +39,4 @@ impl wire::Command for SetCameraFocus {
     }
 }
 
-wire::command!(SetCameraFocus, long super::Long, int super::Int, super::Frame);
+wire::command!(SetCameraFocus);

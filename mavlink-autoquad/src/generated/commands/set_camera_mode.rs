@@ -18,6 +18,8 @@ pub struct SetCameraMode {
 }
 
 impl wire::Command for SetCameraMode {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 530;
 
     const DEFAULT: Self = Self {
@@ -35,4 +37,4 @@ impl wire::Command for SetCameraMode {
     }
 }
 
-wire::command!(SetCameraMode, long super::Long, int super::Int, super::Frame);
+wire::command!(SetCameraMode);

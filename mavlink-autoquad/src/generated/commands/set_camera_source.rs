@@ -19,6 +19,8 @@ pub struct SetCameraSource {
 }
 
 impl wire::Command for SetCameraSource {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 534;
 
     const DEFAULT: Self = Self {
@@ -35,4 +37,4 @@ impl wire::Command for SetCameraSource {
     }
 }
 
-wire::command!(SetCameraSource, long super::Long, int super::Int, super::Frame);
+wire::command!(SetCameraSource);

@@ -20,6 +20,8 @@ pub struct SetCameraZoom {
 }
 
 impl wire::Command for SetCameraZoom {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 531;
 
     const DEFAULT: Self = Self {
@@ -37,4 +39,4 @@ impl wire::Command for SetCameraZoom {
     }
 }
 
-wire::command!(SetCameraZoom, long super::Long, int super::Int, super::Frame);
+wire::command!(SetCameraZoom);

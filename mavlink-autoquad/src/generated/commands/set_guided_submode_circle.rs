@@ -20,6 +20,8 @@ pub struct SetGuidedSubmodeCircle {
 }
 
 impl wire::Command for SetGuidedSubmodeCircle {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 4001;
 
     const DEFAULT: Self = Self {
@@ -36,4 +38,4 @@ impl wire::Command for SetGuidedSubmodeCircle {
     }
 }
 
-wire::command!(SetGuidedSubmodeCircle, long super::Long, int super::Int, super::Frame);
+wire::command!(SetGuidedSubmodeCircle);

@@ -11,6 +11,8 @@ use ::mavlink_wire as wire;
 pub struct SetGuidedSubmodeStandard;
 
 impl wire::Command for SetGuidedSubmodeStandard {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 4000;
     const DEFAULT: Self = Self {};
 
@@ -18,4 +20,4 @@ impl wire::Command for SetGuidedSubmodeStandard {
     fn params(&mut self, _p: &mut wire::Params) {}
 }
 
-wire::command!(SetGuidedSubmodeStandard, long super::Long, int super::Int, super::Frame);
+wire::command!(SetGuidedSubmodeStandard);

@@ -28,6 +28,8 @@ pub struct SetMessageInterval {
 }
 
 impl wire::Command for SetMessageInterval {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 511;
 
     const DEFAULT: Self = Self {
@@ -52,4 +54,4 @@ impl wire::Command for SetMessageInterval {
     }
 }
 
-wire::command!(SetMessageInterval, long super::Long, int super::Int, super::Frame);
+wire::command!(SetMessageInterval);

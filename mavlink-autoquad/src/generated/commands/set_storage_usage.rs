@@ -17,6 +17,8 @@ pub struct SetStorageUsage {
 }
 
 impl wire::Command for SetStorageUsage {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 533;
 
     const DEFAULT: Self = Self {
@@ -31,4 +33,4 @@ impl wire::Command for SetStorageUsage {
     }
 }
 
-wire::command!(SetStorageUsage, long super::Long, int super::Int, super::Frame);
+wire::command!(SetStorageUsage);

@@ -20,6 +20,8 @@ pub struct SpatialUser1 {
 }
 
 impl wire::Command for SpatialUser1 {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 31005;
 
     const DEFAULT: Self = Self {
@@ -36,4 +38,4 @@ impl wire::Command for SpatialUser1 {
     }
 }
 
-wire::command!(SpatialUser1, long super::Long, int super::Int, super::Frame);
+wire::command!(SpatialUser1);

@@ -20,6 +20,8 @@ pub struct SpatialUser2 {
 }
 
 impl wire::Command for SpatialUser2 {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 31006;
 
     const DEFAULT: Self = Self {
@@ -36,4 +38,4 @@ impl wire::Command for SpatialUser2 {
     }
 }
 
-wire::command!(SpatialUser2, long super::Long, int super::Int, super::Frame);
+wire::command!(SpatialUser2);

@@ -20,6 +20,8 @@ pub struct SpatialUser3 {
 }
 
 impl wire::Command for SpatialUser3 {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 31007;
 
     const DEFAULT: Self = Self {
@@ -36,4 +38,4 @@ impl wire::Command for SpatialUser3 {
     }
 }
 
-wire::command!(SpatialUser3, long super::Long, int super::Int, super::Frame);
+wire::command!(SpatialUser3);

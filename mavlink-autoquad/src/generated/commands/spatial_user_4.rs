@@ -20,6 +20,8 @@ pub struct SpatialUser4 {
 }
 
 impl wire::Command for SpatialUser4 {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 31008;
 
     const DEFAULT: Self = Self {
@@ -36,4 +38,4 @@ impl wire::Command for SpatialUser4 {
     }
 }
 
-wire::command!(SpatialUser4, long super::Long, int super::Int, super::Frame);
+wire::command!(SpatialUser4);

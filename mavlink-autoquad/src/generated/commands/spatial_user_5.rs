@@ -20,6 +20,8 @@ pub struct SpatialUser5 {
 }
 
 impl wire::Command for SpatialUser5 {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 31009;
 
     const DEFAULT: Self = Self {
@@ -36,4 +38,4 @@ impl wire::Command for SpatialUser5 {
     }
 }
 
-wire::command!(SpatialUser5, long super::Long, int super::Int, super::Frame);
+wire::command!(SpatialUser5);

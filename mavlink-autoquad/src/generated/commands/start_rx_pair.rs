@@ -17,6 +17,8 @@ pub struct StartRxPair {
 }
 
 impl wire::Command for StartRxPair {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 500;
 
     const DEFAULT: Self = Self {
@@ -31,4 +33,4 @@ impl wire::Command for StartRxPair {
     }
 }
 
-wire::command!(StartRxPair, long super::Long, int super::Int, super::Frame);
+wire::command!(StartRxPair);

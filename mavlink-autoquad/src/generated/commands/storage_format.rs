@@ -19,6 +19,8 @@ pub struct StorageFormat {
 }
 
 impl wire::Command for StorageFormat {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 526;
 
     const DEFAULT: Self = Self {
@@ -35,4 +37,4 @@ impl wire::Command for StorageFormat {
     }
 }
 
-wire::command!(StorageFormat, long super::Long, int super::Int, super::Frame);
+wire::command!(StorageFormat);

@@ -13,6 +13,8 @@ use ::mavlink_wire as wire;
 pub struct UavcanGetNodeInfo;
 
 impl wire::Command for UavcanGetNodeInfo {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 5200;
     const DEFAULT: Self = Self {};
 
@@ -20,4 +22,4 @@ impl wire::Command for UavcanGetNodeInfo {
     fn params(&mut self, _p: &mut wire::Params) {}
 }
 
-wire::command!(UavcanGetNodeInfo, long super::Long, int super::Int, super::Frame);
+wire::command!(UavcanGetNodeInfo);

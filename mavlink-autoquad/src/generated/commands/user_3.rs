@@ -11,6 +11,8 @@ use ::mavlink_wire as wire;
 pub struct User3;
 
 impl wire::Command for User3 {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 31012;
     const DEFAULT: Self = Self {};
 
@@ -18,4 +20,4 @@ impl wire::Command for User3 {
     fn params(&mut self, _p: &mut wire::Params) {}
 }
 
-wire::command!(User3, long super::Long, int super::Int, super::Frame);
+wire::command!(User3);

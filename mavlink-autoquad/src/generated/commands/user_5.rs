@@ -11,6 +11,8 @@ use ::mavlink_wire as wire;
 pub struct User5;
 
 impl wire::Command for User5 {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 31014;
     const DEFAULT: Self = Self {};
 
@@ -18,4 +20,4 @@ impl wire::Command for User5 {
     fn params(&mut self, _p: &mut wire::Params) {}
 }
 
-wire::command!(User5, long super::Long, int super::Int, super::Frame);
+wire::command!(User5);

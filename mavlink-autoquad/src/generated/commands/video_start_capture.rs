@@ -20,6 +20,8 @@ pub struct VideoStartCapture {
 }
 
 impl wire::Command for VideoStartCapture {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 2500;
 
     const DEFAULT: Self = Self {
@@ -38,4 +40,4 @@ impl wire::Command for VideoStartCapture {
     }
 }
 
-wire::command!(VideoStartCapture, long super::Long, int super::Int, super::Frame);
+wire::command!(VideoStartCapture);

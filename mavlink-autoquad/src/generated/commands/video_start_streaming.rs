@@ -17,6 +17,8 @@ pub struct VideoStartStreaming {
 }
 
 impl wire::Command for VideoStartStreaming {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 2502;
 
     const DEFAULT: Self = Self {
@@ -31,4 +33,4 @@ impl wire::Command for VideoStartStreaming {
     }
 }
 
-wire::command!(VideoStartStreaming, long super::Long, int super::Int, super::Frame);
+wire::command!(VideoStartStreaming);

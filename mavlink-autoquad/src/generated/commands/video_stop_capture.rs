@@ -17,6 +17,8 @@ pub struct VideoStopCapture {
 }
 
 impl wire::Command for VideoStopCapture {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 2501;
 
     const DEFAULT: Self = Self {
@@ -34,4 +36,4 @@ impl wire::Command for VideoStopCapture {
     }
 }
 
-wire::command!(VideoStopCapture, long super::Long, int super::Int, super::Frame);
+wire::command!(VideoStopCapture);

@@ -17,6 +17,8 @@ pub struct VideoStopStreaming {
 }
 
 impl wire::Command for VideoStopStreaming {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 2503;
 
     const DEFAULT: Self = Self {
@@ -31,4 +33,4 @@ impl wire::Command for VideoStopStreaming {
     }
 }
 
-wire::command!(VideoStopStreaming, long super::Long, int super::Int, super::Frame);
+wire::command!(VideoStopStreaming);

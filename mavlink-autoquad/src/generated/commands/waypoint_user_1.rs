@@ -20,6 +20,8 @@ pub struct WaypointUser1 {
 }
 
 impl wire::Command for WaypointUser1 {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 31000;
 
     const DEFAULT: Self = Self {
@@ -36,4 +38,4 @@ impl wire::Command for WaypointUser1 {
     }
 }
 
-wire::command!(WaypointUser1, long super::Long, int super::Int, super::Frame);
+wire::command!(WaypointUser1);

@@ -20,6 +20,8 @@ pub struct WaypointUser2 {
 }
 
 impl wire::Command for WaypointUser2 {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 31001;
 
     const DEFAULT: Self = Self {
@@ -36,4 +38,4 @@ impl wire::Command for WaypointUser2 {
     }
 }
 
-wire::command!(WaypointUser2, long super::Long, int super::Int, super::Frame);
+wire::command!(WaypointUser2);

@@ -20,6 +20,8 @@ pub struct WaypointUser3 {
 }
 
 impl wire::Command for WaypointUser3 {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 31002;
 
     const DEFAULT: Self = Self {
@@ -36,4 +38,4 @@ impl wire::Command for WaypointUser3 {
     }
 }
 
-wire::command!(WaypointUser3, long super::Long, int super::Int, super::Frame);
+wire::command!(WaypointUser3);

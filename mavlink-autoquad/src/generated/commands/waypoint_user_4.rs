@@ -20,6 +20,8 @@ pub struct WaypointUser4 {
 }
 
 impl wire::Command for WaypointUser4 {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 31003;
 
     const DEFAULT: Self = Self {
@@ -36,4 +38,4 @@ impl wire::Command for WaypointUser4 {
     }
 }
 
-wire::command!(WaypointUser4, long super::Long, int super::Int, super::Frame);
+wire::command!(WaypointUser4);

@@ -20,6 +20,8 @@ pub struct WaypointUser5 {
 }
 
 impl wire::Command for WaypointUser5 {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 31004;
 
     const DEFAULT: Self = Self {
@@ -36,4 +38,4 @@ impl wire::Command for WaypointUser5 {
     }
 }
 
-wire::command!(WaypointUser5, long super::Long, int super::Int, super::Frame);
+wire::command!(WaypointUser5);

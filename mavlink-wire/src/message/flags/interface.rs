@@ -176,30 +176,6 @@ macro_rules! flags {
         impl $crate::Enum for $name {
             const INFO: &'static $crate::EnumInfo = &$info;
             type Repr = $repr;
-
-            #[inline]
-            fn from_repr(repr: $repr) -> Self {
-                Self(repr)
-            }
-
-            #[inline]
-            fn repr(self) -> $repr {
-                self.0
-            }
-        }
-
-        impl $crate::generated::Wire for $name {
-            const SIZE: usize = <$repr as $crate::generated::Wire>::SIZE;
-
-            #[inline(always)]
-            fn read(bytes: &[u8], offset: usize) -> Self {
-                Self($crate::generated::Wire::read(bytes, offset))
-            }
-
-            #[inline(always)]
-            fn write(self, bytes: &mut [u8], offset: usize) {
-                $crate::generated::Wire::write(self.0, bytes, offset)
-            }
         }
 
         impl ::core::fmt::Debug for $name {

@@ -7,27 +7,25 @@
 //! |      42 | [`Spray`]            | Sprays. |
 //! |      43 | [`Stop`]             |  |
 //! |      44 | [`GoTo`]             | Drives to a place. |
-//! |      45 | [`LongCommand`]      | Called like what carries it. |
+//! |      45 | [`CarriersCommand`]  | Called like the type that says what carries it. |
 //! |      46 | [`SprayModeCommand`] | Called like the enum in it. |
 //! |      47 | [`Commands`]         |  |
 //! |      48 | [`Go2`]              |  |
-use super::messages::CommandLong as Long;
-use super::messages::CommandInt as Int;
-use super::enums::MavFrame as Frame;
+use ::mavlink_wire as wire;
 
+mod carriers;
 mod commands_;
 mod go_2;
 mod go_to;
-mod long;
 mod spray;
 #[doc(hidden)]
 pub mod spray_mode;
 mod stop;
 
+pub use carriers::CarriersCommand;
 pub use commands_::Commands;
 pub use go_2::Go2;
 pub use go_to::GoTo;
-pub use long::LongCommand;
 pub use spray::Spray;
 pub use stop::Stop;
 
@@ -39,3 +37,17 @@ pub use stop::Stop;
 #[doc(alias = "MAV_CMD_SPRAY_MODE")]
 #[deprecated(note = "since 2024-05, replaced by `MAV_CMD_SPRAY`")]
 pub type SprayModeCommand = spray_mode::SprayModeCommand;
+
+/// The messages that carry the commands.
+#[derive(Clone, Copy, Debug)]
+pub enum Carriers {}
+
+impl wire::CarriesLong for Carriers {
+    type Long = super::messages::CommandLong;
+}
+
+impl wire::CarriesInt for Carriers {
+    type Int = super::messages::CommandInt;
+
+    type Frame = super::enums::MavFrame;
+}

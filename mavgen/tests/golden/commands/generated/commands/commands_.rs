@@ -8,6 +8,8 @@ use ::mavlink_wire as wire;
 pub struct Commands;
 
 impl wire::Command for Commands {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 47;
     const DEFAULT: Self = Self {};
 
@@ -17,4 +19,4 @@ impl wire::Command for Commands {
     }
 }
 
-wire::command!(Commands, long super::Long, int super::Int, super::Frame);
+wire::command!(Commands);

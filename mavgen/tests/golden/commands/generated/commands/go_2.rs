@@ -11,6 +11,8 @@ pub struct Go2 {
 }
 
 impl wire::Command for Go2 {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 48;
     const DEFAULT: Self = Self { param1: 0.0 };
 
@@ -20,4 +22,4 @@ impl wire::Command for Go2 {
     }
 }
 
-wire::command!(Go2, long super::Long, int super::Int, super::Frame);
+wire::command!(Go2);

@@ -28,6 +28,8 @@ pub struct GoTo {
 }
 
 impl wire::Command for GoTo {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 44;
 
     const DEFAULT: Self = Self {
@@ -52,4 +54,4 @@ impl wire::Command for GoTo {
     }
 }
 
-wire::command!(GoTo, long super::Long, int super::Int, super::Frame);
+wire::command!(GoTo);

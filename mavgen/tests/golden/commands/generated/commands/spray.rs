@@ -18,6 +18,8 @@ pub struct Spray {
 }
 
 impl wire::Command for Spray {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 42;
 
     const DEFAULT: Self = Self {
@@ -34,4 +36,4 @@ impl wire::Command for Spray {
     }
 }
 
-wire::command!(Spray, long super::Long, int super::Int, super::Frame);
+wire::command!(Spray);

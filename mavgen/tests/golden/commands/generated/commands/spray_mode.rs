@@ -20,6 +20,8 @@ pub struct SprayModeCommand {
 }
 
 impl wire::Command for SprayModeCommand {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 46;
 
     const DEFAULT: Self = Self {
@@ -37,4 +39,4 @@ impl wire::Command for SprayModeCommand {
     }
 }
 
-wire::command!(SprayModeCommand, long super::Long, int super::Int, super::Frame);
+wire::command!(SprayModeCommand);

@@ -8,6 +8,8 @@ use ::mavlink_wire as wire;
 pub struct Stop;
 
 impl wire::Command for Stop {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 43;
     const DEFAULT: Self = Self {};
 
@@ -15,4 +17,4 @@ impl wire::Command for Stop {
     fn params(&mut self, _p: &mut wire::Params) {}
 }
 
-wire::command!(Stop, long super::Long, int super::Int, super::Frame);
+wire::command!(Stop);

@@ -29,13 +29,13 @@ impl MavCmd {
     /// - 6, Longitude
     /// - 7, Altitude: In m.
     pub const GO_TO: Self = Self(44);
-    /// Called like what carries it.
+    /// Called like the type that says what carries it.
     ///
     /// Params 5, 6 and 7 are a place.
     ///
     /// - 5, Latitude/X: In degE7.
     /// - 6, Longitude/Y: In degE7.
-    pub const LONG: Self = Self(45);
+    pub const CARRIERS: Self = Self(45);
     /// Called like the enum in it.
     ///
     /// **Deprecated** since 2024-05, replaced by `MAV_CMD_SPRAY`.
@@ -114,7 +114,7 @@ static INFO: wire::EnumInfo = wire::EnumInfo::new(
         (42, "MAV_CMD_SPRAY"),
         (43, "MAV_CMD_STOP"),
         (44, "MAV_CMD_GO_TO"),
-        (45, "MAV_CMD_LONG"),
+        (45, "MAV_CMD_CARRIERS"),
         (46, "MAV_CMD_SPRAY_MODE"),
         (47, "MAV_CMD_COMMANDS"),
         (48, "MAV_CMD_GO_2"),

@@ -2,21 +2,23 @@
 
 use ::mavlink_wire as wire;
 
-/// Called like what carries it.
+/// Called like the type that says what carries it.
 ///
-/// `MAV_CMD_LONG`, command 45 of `main.xml`.
+/// `MAV_CMD_CARRIERS`, command 45 of `main.xml`.
 ///
 /// Params 5, 6 and 7 are a place.
-#[doc(alias = "MAV_CMD_LONG")]
+#[doc(alias = "MAV_CMD_CARRIERS")]
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LongCommand {
+pub struct CarriersCommand {
     /// Param 5, Latitude/X. In degE7; NaN means not known.
     pub latitude_x: f64,
     /// Param 6, Longitude/Y. In degE7; NaN means not known.
     pub longitude_y: f64,
 }
 
-impl wire::Command for LongCommand {
+impl wire::Command for CarriersCommand {
+    type Carriers = super::Carriers;
+
     const ID: u16 = 45;
 
     const DEFAULT: Self = Self {
@@ -31,4 +33,4 @@ impl wire::Command for LongCommand {
     }
 }
 
-wire::command!(LongCommand, long super::Long, int super::Int, super::Frame);
+wire::command!(CarriersCommand);
