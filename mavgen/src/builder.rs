@@ -1,19 +1,19 @@
 //! The library's front door: from a path to a resolved dialect, to files, to a build script.
 
+mod failure;
 mod provenance;
 #[cfg(feature = "uorb")]
 mod topics;
 mod warnings;
 
-use std::fmt;
 use std::path::{Path, PathBuf};
 
 use crate::collect::CollectVec as _;
 use crate::diag::Diagnostics;
-use crate::emit::{GeneratedFile, emit};
-use crate::ir::Fault;
+use crate::emit::{GeneratedFile, emit, is_path};
+use crate::format::Layout;
 use crate::lower::{Options, tree, tree_of_several};
-use crate::output::{Differences, OutputError, Report, check, write};
+use crate::output::{Differences, Report, check, write};
 use crate::problems::Problems;
 use crate::read::load_all;
 use crate::resolved::Resolved;
@@ -21,6 +21,7 @@ use crate::roots::{self, Named};
 use crate::select::Selection;
 use crate::source::Sources;
 
+pub use failure::Failure;
 use provenance::provenance;
 #[cfg(feature = "uorb")]
 pub use topics::Topics;
@@ -52,29 +53,12 @@ pub struct Builder {
     definition: Option<String>,
     pub(crate) out_dir: Option<PathBuf>,
     runtime: String,
+    layout: Layout,
     deprecated: bool,
     commands: bool,
     pub(crate) deny_warnings: bool,
     allowed: Vec<String>,
     lint: bool,
-}
-
-/// Why nothing was generated. `Display` shows every problem with its place.
-#[derive(Debug)]
-#[non_exhaustive]
-pub enum Failure {
-    /// The definitions are wrong.
-    Definitions(Box<Problems>),
-    /// There are warnings, and [`Builder::deny_warnings`] was asked for; these are they.
-    Denied(Box<Problems>),
-    /// The output folder could not be read or written.
-    Output(OutputError),
-    /// The builder was told something impossible.
-    Usage(String),
-    /// A model is not legal, because somebody changed it after it was resolved.
-    Model(Vec<Fault>),
-    /// A mistake of mavgen's own, and nothing of its user's: please report it.
-    Internal(String),
 }
 
 impl Builder {
@@ -93,6 +77,7 @@ impl Builder {
             definition: None,
             out_dir: None,
             runtime: "::mavlink_wire".to_owned(),
+            layout: Layout::default(),
             deprecated: true,
             commands: true,
             deny_warnings: false,
@@ -185,6 +170,17 @@ impl Builder {
     #[must_use]
     pub fn commands(mut self, types: bool) -> Self {
         self.commands = types;
+        self
+    }
+
+    /// Whether a formatter lays the sources out, as `mavgen generate` does, for people who commit and review them. Without
+    /// this, a statement is a line and a field is a line, however long: that takes a tenth of the time, and no dependency.
+    ///
+    /// The sources are the same otherwise. [`Builder::check`] has to be told what [`Builder::generate`] was told.
+    #[cfg(feature = "format")]
+    #[must_use]
+    pub fn formatted(mut self, formatted: bool) -> Self {
+        self.layout = if formatted { Layout::Formatted } else { Layout::Lines };
         self
     }
 
@@ -291,7 +287,7 @@ impl Builder {
             Some(union) => tree_of_several(union, &options),
             None => tree(valid, &resolved.names, &options),
         };
-        tree.and_then(|files| emit(&files)).map_err(|internal| Failure::Internal(internal.to_string()))
+        tree.and_then(|files| emit(&files, self.layout)).map_err(|internal| Failure::Internal(internal.to_string()))
     }
 
     /// Whether it is for uORB messages, because it was given a folder or a `.msg` file; what else it is given is a dialect, and a
@@ -302,9 +298,9 @@ impl Builder {
     }
 
     fn check_runtime(&self) -> Result<(), Failure> {
-        match syn::parse_str::<syn::Path>(&self.runtime) {
-            Ok(_) => Ok(()),
-            Err(_) => Err(Failure::Usage(format!("`{}` is not a path to a crate or module", self.runtime))),
+        match is_path(&self.runtime) {
+            true => Ok(()),
+            false => Err(Failure::Usage(format!("`{}` is not a path to a crate or module", self.runtime))),
         }
     }
 
@@ -315,33 +311,5 @@ impl Builder {
 
     fn folder(&self) -> Result<&Path, Failure> {
         self.out_dir.as_deref().ok_or_else(|| Failure::Usage("no output folder: call Builder::out_dir first".into()))
-    }
-}
-
-/// What is said after warnings that were denied.
-const DENIED: &str = "warnings about the dialect's own file and its overlays are denied";
-
-impl fmt::Display for Failure {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Definitions(problems) => problems.fmt(f),
-            Self::Denied(problems) => write!(f, "{problems}\n\nerror: {DENIED}"),
-            Self::Output(error) => error.fmt(f),
-            Self::Usage(text) => f.write_str(text),
-            Self::Model(faults) => {
-                let faults = faults.iter().map(Fault::to_string).collect_vec();
-                write!(f, "the model is not legal:\n{}", faults.join("\n"))
-            }
-            Self::Internal(text) => write!(f, "mavgen is wrong: {text}"),
-        }
-    }
-}
-
-impl std::error::Error for Failure {
-    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
-        match self {
-            Self::Output(error) => Some(error),
-            _ => None,
-        }
     }
 }

@@ -1,4 +1,4 @@
-//! The *emit* stage: from the Rust model to formatted files.
+//! The *emit* stage: from the Rust model to the text of files.
 //!
 //! It looks nothing up and decides nothing. Each file is a job of its own, so that threads can share the work, the wrapping of prose and
 //! the formatting with it; the result does not depend on how they do.
@@ -20,10 +20,12 @@ mod topic;
 mod ty;
 mod view;
 
+pub(crate) use token::{is_identifier, is_path};
+
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::format::format;
+use crate::format::Layout;
 use crate::internal::Internal;
 use crate::rust::{Content, File};
 
@@ -37,14 +39,14 @@ pub struct GeneratedFile {
 }
 
 /// Emits every file, in their order.
-pub(crate) fn emit(files: &[File<'_>]) -> Result<Vec<GeneratedFile>, Internal> {
-    threads::in_order(files, generate).into_iter().collect()
+pub(crate) fn emit(files: &[File<'_>], layout: Layout) -> Result<Vec<GeneratedFile>, Internal> {
+    threads::in_order(files, |file| generate(file, layout)).into_iter().collect()
 }
 
-fn generate(file: &File<'_>) -> Result<GeneratedFile, Internal> {
+fn generate(file: &File<'_>, layout: Layout) -> Result<GeneratedFile, Internal> {
     let uses = file.uses.iter().map(modules::import).collect::<Result<Vec<_>, _>>()?;
     let (docs, content) = (doc::inner_documentation(&file.docs), content(&file.content)?);
-    let text = format(quote!(#docs #(#uses)* #content))?;
+    let text = layout.text(quote!(#docs #(#uses)* #content))?;
     Ok(GeneratedFile { path: file.path.clone(), text: format!("{}\n\n{text}", file.header) })
 }
 

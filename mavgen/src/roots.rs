@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use crate::collect::CollectVec as _;
 use crate::diag::Diagnostics;
+use crate::emit::is_identifier;
 use crate::internal::Internal;
 use crate::ir::{Dialect, Kept};
 use crate::lower::link::{self, Part, Union};
@@ -40,7 +41,7 @@ impl Named {
 
 /// Why these files cannot be the dialects of one tree of this name, if they cannot.
 pub(crate) fn conflict(roots: &[PathBuf], tree: &str) -> Option<String> {
-    if roots.len() > 1 && syn::parse_str::<syn::Ident>(&dialect_module_name(tree)).is_err() {
+    if roots.len() > 1 && !is_identifier(&dialect_module_name(tree)) {
         return Some(format!("`{tree}` makes no Rust name for a module: use letters and digits"));
     }
     let mut known: HashSet<PathBuf> = HashSet::new();

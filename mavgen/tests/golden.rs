@@ -11,7 +11,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use mavgen::Builder;
+use mavgen::{Builder, GeneratedFile};
 
 /// Relative to the crate, which is where cargo runs tests: no golden names a folder of the machine.
 const FOLDER: &str = "tests/golden";
@@ -70,7 +70,7 @@ fn what_is_generated_is_what_was_reviewed() {
     let builders = folders.map(|folder| builder(folder));
     #[cfg(feature = "uorb")]
     let builders = builders.chain([committed()]);
-    for builder in builders {
+    for builder in builders.map(|builder| builder.formatted(true)) {
         if bless {
             builder.generate().unwrap_or_else(|failure| panic!("{failure}"));
         }
@@ -80,4 +80,33 @@ fn what_is_generated_is_what_was_reviewed() {
         }
     }
     assert!(stale.is_empty(), "{stale}\nMAVGEN_BLESS=1 writes them anew");
+}
+
+/// The dialects of the repository, with all that they have.
+fn dialects() -> impl Iterator<Item = Builder> {
+    let autoquad = Builder::new("../xml/autoquad.xml").overlay("../xml/overlay/autoquad.xml");
+    let hostile = Builder::new("../tests/hostile/hostile.xml").overlay("../tests/hostile/hostile.overlay.xml");
+    [autoquad, hostile, Builder::new("../tests/hostile/names.xml")].into_iter()
+}
+
+/// What a formatter makes of a file.
+fn formatted(file: &GeneratedFile) -> String {
+    let parsed = syn::parse_file(&file.text).unwrap_or_else(|error| panic!("{}: {error}\n{}", file.path, file.text));
+    prettyplease::unparse(&parsed)
+}
+
+#[test]
+fn plain_lines_are_the_formatted_sources() {
+    let folders = files(Path::new(FOLDER), "");
+    let folders = folders.iter().filter(|folder| cfg!(feature = "uorb") || !is_uorb(folder));
+    for builder in folders.map(|folder| builder(folder)).chain(dialects()) {
+        let (plain, reviewed) = (builder.files().unwrap(), builder.formatted(true).files().unwrap());
+        assert_eq!(plain.len(), reviewed.len());
+        for (plain, reviewed) in plain.iter().zip(&reviewed) {
+            assert_eq!(plain.path, reviewed.path);
+            assert!(formatted(plain) == formatted(reviewed), "{}\n{}", plain.path, plain.text);
+            let members = |text: &str| text.lines().filter(|line| line.starts_with("    pub ")).count();
+            assert_eq!(members(&plain.text), members(&reviewed.text), "each on a line: {}\n{}", plain.path, plain.text);
+        }
+    }
 }

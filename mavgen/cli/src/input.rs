@@ -159,6 +159,6 @@ pub(super) fn concerning(builder: &Builder, diagnostics: &Diagnostics, sources: 
 
 impl Output {
     pub(super) fn builder(&self) -> Result<Builder, Failure> {
-        Ok(self.input.builder()?.out_dir(&self.out).commands(!self.no_commands))
+        Ok(self.input.builder()?.out_dir(&self.out).commands(!self.no_commands).formatted(true))
     }
 }

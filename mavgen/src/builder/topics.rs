@@ -113,7 +113,7 @@ impl Builder {
         let runtime = self.runtime.clone();
         let options = Options { runtime, deprecated: self.deprecated, commands: false, sources };
         let files = tree(&topics.union, &topics.names, &options);
-        files.and_then(|files| emit(&files)).map_err(|internal| Failure::Internal(internal.to_string()))
+        files.and_then(|files| emit(&files, self.layout)).map_err(|internal| Failure::Internal(internal.to_string()))
     }
 
     /// Writes what was resolved by [`Builder::topics`] into the output folder.

@@ -1,13 +1,30 @@
 //! Small tokens: identifiers and literals, printed as a person would write them.
 
-use proc_macro2::{Ident, Literal, Span, TokenStream};
+use proc_macro2::{Ident, Literal, Span, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
 
-use crate::lower::spelling::is_keyword;
+use crate::lower::spelling::{is_keyword, is_path_keyword};
 
 /// An identifier; a keyword becomes a raw one.
 pub(crate) fn ident(name: &str) -> Ident {
     if is_keyword(name) { Ident::new_raw(name, Span::call_site()) } else { Ident::new(name, Span::call_site()) }
+}
+
+/// Whether this is an identifier that needs no `r#`.
+pub(crate) fn is_identifier(name: &str) -> bool {
+    !is_keyword(name) && is_word(name)
+}
+
+/// Whether this is a path, like `::mavlink_wire`, `crate::wire` or `r#gen::wire`.
+pub(crate) fn is_path(text: &str) -> bool {
+    let is_segment = |name: &str| is_word(name) && (name != "_" && is_path_keyword(name) || !is_keyword(name));
+    text.strip_prefix("::").unwrap_or(text).split("::").all(is_segment)
+}
+
+/// Whether this is one word for the compiler, be it a keyword or a raw identifier.
+fn is_word(text: &str) -> bool {
+    let mut trees = text.parse::<TokenStream>().unwrap_or_default().into_iter();
+    matches!((trees.next(), trees.next()), (Some(TokenTree::Ident(word)), None) if word == text)
 }
 
 /// A decimal number without a type suffix.
@@ -87,5 +104,29 @@ mod tests {
         assert_eq!(float(-0.0).to_string(), "- 0.0");
         assert_eq!(float(1e300).to_string(), "1e300");
         assert_eq!(ident("type").to_string(), "r#type");
+    }
+
+    #[test]
+    fn paths() {
+        for path in [
+            "wire",
+            "::mavlink_wire",
+            "crate::wire",
+            "super::super::wire",
+            "self::wire",
+            "r#gen::wire",
+            "_wire",
+            "Ünter",
+        ] {
+            assert!(is_path(path), "{path}");
+        }
+        for other in [
+            "", "::", "a::", "a:b", "a b", "a b::c", "1a", "type", "a::type", "_", "a<b>", "r#self", "a-b", "// a",
+            "\"a\"",
+        ] {
+            assert!(!is_path(other), "{other}");
+        }
+        assert!(is_identifier("dialects") && is_identifier("r#type"));
+        assert!(!["", "self", "_", "type", "a::b", "9", "a b"].into_iter().any(is_identifier));
     }
 }

@@ -187,7 +187,7 @@ pub(crate) fn is_keyword(name: &str) -> bool {
 }
 
 /// The keywords that cannot be raw identifiers.
-fn is_path_keyword(name: &str) -> bool {
+pub(crate) fn is_path_keyword(name: &str) -> bool {
     matches!(name, "self" | "super" | "crate" | "_")
 }
 
