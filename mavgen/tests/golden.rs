@@ -91,8 +91,9 @@ fn dialects() -> impl Iterator<Item = Builder> {
 
 /// What a formatter makes of a file.
 fn formatted(file: &GeneratedFile) -> String {
-    let parsed = syn::parse_file(&file.text).unwrap_or_else(|error| panic!("{}: {error}\n{}", file.path, file.text));
-    prettyplease::unparse(&parsed)
+    let parsed = syn::parse_file(&file.text);
+    assert!(parsed.is_ok(), "{}: {:?}\n{}", file.path, parsed.as_ref().err(), file.text);
+    prettyplease::unparse(&parsed.unwrap())
 }
 
 #[test]

@@ -42,15 +42,15 @@ const MUTANTS: [Mutant; 16] = [
     },
     Mutant { name: "no_extension", file: "standard.xml", edits: &[("<extensions/>", "")] },
     // Mistakes of a generator.
-    Mutant { name: "crc_extra", file: HEARTBEAT, edits: &[("        50,", "        51,")] },
-    Mutant { name: "id", file: HEARTBEAT, edits: &[("        0,", "        1,")] },
+    Mutant { name: "crc_extra", file: HEARTBEAT, edits: &[("\"HEARTBEAT\", 50,", "\"HEARTBEAT\", 51,")] },
+    Mutant { name: "id", file: HEARTBEAT, edits: &[("(0, \"HEARTBEAT\"", "(1, \"HEARTBEAT\"")] },
     Mutant { name: "len_v1", file: VERSION, edits: &[(".len_v1(60)", ".len_v1(61)")] },
     Mutant {
         name: "len_v2",
         file: VERSION,
         edits: &[
             ("type Payload = [u8; 78]", "type Payload = [u8; 77]"),
-            ("            78,", "            77,"),
+            (", 78).len_v1", ", 77).len_v1"),
             ("read(p: &[u8; 78])", "read(p: &[u8; 77])"),
             ("p: &mut [u8; 78])", "p: &mut [u8; 77])"),
         ],

@@ -22,7 +22,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     compare(
         "generate common.xml",
         vec![
-            Contender::new("mavgen", ours),
+            Contender::new("mavgen", || ours(false)),
+            Contender::new("mavgen, formatted", || ours(true)),
             Contender::new("mavlink-bindgen, no fmt", || peer(&folder, false)),
             Contender::new("mavlink-bindgen, rustfmt", || peer(&folder, true)),
         ],
@@ -39,9 +40,9 @@ fn report<'a>(name: &str, texts: impl IntoIterator<Item = &'a str>) {
     println!("{name}: {files} files, {lines} lines, {bytes} bytes");
 }
 
-/// In memory, formatted.
-fn ours() -> usize {
-    usize::from(mavgen::Builder::new(XML).files().is_ok())
+/// In memory, as in a build script or as the command.
+fn ours(formatted: bool) -> usize {
+    usize::from(mavgen::Builder::new(XML).formatted(formatted).files().is_ok())
 }
 
 /// Into a folder, as the library has it; formatted by rustfmt as its own build script does.

@@ -11,12 +11,13 @@ use mavlink_bench::rounds::{Contender, compare};
 fn main() -> Result<(), Box<dyn Error>> {
     let folder = std::env::args().nth(2).map(PathBuf::from).ok_or("which folder of .msg files?")?;
     let package = package(&folder)?;
-    let files = ours(&folder);
+    let files = ours(&folder, false);
     println!("mavgen: {files} files; roslibrust_codegen: {} bytes", theirs(&package, true));
     compare(
         "generate all topics",
         vec![
-            Contender::new("mavgen, formatted", || usize::from(ours(&folder) > 0)),
+            Contender::new("mavgen", || usize::from(ours(&folder, false) > 0)),
+            Contender::new("mavgen, formatted", || usize::from(ours(&folder, true) > 0)),
             Contender::new("roslibrust, formatted", || usize::from(theirs(&package, true) > 0)),
             Contender::new("roslibrust", || usize::from(theirs(&package, false) > 0)),
         ],
@@ -41,9 +42,9 @@ fn package(folder: &Path) -> Result<PathBuf, Box<dyn Error>> {
     Ok(package)
 }
 
-/// In memory, formatted: how many files.
-fn ours(folder: &Path) -> usize {
-    mavgen::Builder::new(folder).files().map_or(0, |files| files.len())
+/// In memory: how many files.
+fn ours(folder: &Path, formatted: bool) -> usize {
+    mavgen::Builder::new(folder).formatted(formatted).files().map_or(0, |files| files.len())
 }
 
 /// In memory: how many bytes. Formatted as by the build script of its documentation.
