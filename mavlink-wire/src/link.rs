@@ -53,6 +53,9 @@
 //! sent it. A link that signs always sends MAVLink 2. If the send buffer stays full for a second, you get [`LinkError::Full`]. If
 //! the system took a part of a frame, the next send writes its rest first, so that no frame is torn.
 //!
+//! Who has several messages to send calls [`Link::queue`] for each and [`Link::flush`] before waiting: over TCP they take one call of the
+//! system together. Sending allocates nothing after the first messages.
+//!
 //! # Reconnecting
 //!
 //! A link reopens a lost connection or device by itself: first after a tenth of a second, then ever less often, up to every 5
@@ -80,6 +83,7 @@ mod options;
 mod outbox;
 mod peer;
 mod peers;
+mod pending;
 mod shared;
 mod sources;
 mod statistics;
@@ -96,8 +100,9 @@ pub use statistics::LinkStatistics;
 
 pub(crate) use chunk::MAX_CHUNK;
 pub(crate) use inbox::Inbox;
-pub(crate) use outbox::{Outbox, Parcel};
+pub(crate) use outbox::Outbox;
 pub(crate) use peers::Peers;
+pub(crate) use pending::Pending;
 
 /// Whether to go on receiving as if nothing had happened: Windows gives the news that a datagram reached nobody to the receiver.
 pub(crate) fn is_passing(kind: std::io::ErrorKind) -> bool {

@@ -127,7 +127,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (mut vehicle, started) = (AutoQuad::new()?, time::Instant::now());
     loop {
         let now = Instant::ZERO + started.elapsed();
-        while let Some(event) = vehicle.services.next_event(now, |message| drop(link.send(message))) {
+        while let Some(event) = vehicle.services.next_event(now, |message| drop(link.queue(message))) {
             match event {
                 Event::Command(request) => {
                     if let Some(result) = vehicle.obey(&request, now) {
@@ -135,10 +135,12 @@ fn main() -> Result<(), Box<dyn Error>> {
                     }
                 }
                 Event::Cancel(ticket) => drop(vehicle.services.commands.finish(ticket, MavResult::CANCELLED, now)),
-                Event::Due(message_id) => drop(link.send(&*vehicle.message(message_id))),
+                Event::Due(message_id) => drop(link.queue(&*vehicle.message(message_id))),
                 other => println!("{other:?}"),
             }
         }
+        // What was queued goes out at once.
+        drop(link.flush());
         vehicle.fly(now);
         let next = vehicle.services.deadline().unwrap_or(now).min(now + Duration::from_millis(100));
         if let Some(frame) = link.receive_until(started + (next - Instant::ZERO))? {

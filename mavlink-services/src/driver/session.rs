@@ -100,9 +100,9 @@ impl Session {
     }
 
     /// The same time on the clock of the system; far away is a day.
-    pub(super) fn at(&self, deadline: Instant) -> time::Instant {
+    pub(super) fn at(&self, deadline: Instant, now: Instant) -> time::Instant {
         let far = Duration::from_secs(86_400);
-        self.started + (deadline - Instant::ZERO).min(self.started.elapsed() + far)
+        self.started + (deadline - Instant::ZERO).min(now - Instant::ZERO + far)
     }
 
     /// Looks at a frame, whatever else it is for.
@@ -141,9 +141,9 @@ impl Session {
     }
 
     /// When it has something to say.
-    pub(super) fn deadline(&self, other: Option<Instant>) -> time::Instant {
+    pub(super) fn deadline(&self, other: Option<Instant>, now: Instant) -> time::Instant {
         let deadline = earliest(earliest(self.beacon.deadline(), self.vehicle.deadline()), other);
-        self.at(deadline.unwrap_or(Instant::MAX))
+        self.at(deadline.unwrap_or(Instant::MAX), now)
     }
 
     /// The vehicle, once it was heard.

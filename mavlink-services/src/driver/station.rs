@@ -6,13 +6,13 @@ use std::time;
 use std::vec;
 use std::vec::Vec;
 
-use mavlink_wire::link::{Link, LinkError, Options};
+use mavlink_wire::link::{Link, Options};
 use mavlink_wire::{Dialect, Encode, Frame, FrameBuf, Message, Sender};
 
 use super::session::{OLD_VERSION, Patience, Session, arming, making_current};
 use super::until::While;
 use super::verbs::verbs;
-use super::{Error, STATION};
+use super::{Error, STATION, unless_full};
 use crate::command::{self, Accepted, Fetch, Progress};
 use crate::common::{AutopilotVersion, Common, Heartbeat, MavMissionType, MavResult};
 use crate::heartbeat::Beacon;
@@ -66,7 +66,7 @@ impl Station {
             if time::Instant::now() >= until {
                 return Err(Error::NoVehicle { waited: patience.connect });
             }
-            station.idle(None, until, |_, _| {})?;
+            station.idle(station.session.now(), None, Some(until), |_, _| {})?;
         }
         Ok(station)
     }
@@ -84,18 +84,20 @@ impl Station {
     where
         Error: From<O::Failure>,
     {
-        let far = self.session.at(Instant::MAX);
+        let mut now = self.session.now();
         loop {
-            let now = self.session.now();
             while let Some(output) = operation.poll(now) {
                 match output {
                     Output::Send(message) => self.say(&message)?,
                     Output::Event(Update::Progress(told)) => progress(told),
-                    Output::Event(Update::Done(end)) => return end.map_err(|why| self.session.explain(why.into())),
+                    Output::Event(Update::Done(end)) => {
+                        self.flush()?;
+                        return end.map_err(|why| self.session.explain(why.into()));
+                    }
                 }
             }
             let Some(deadline) = operation.deadline() else { return Err(Error::Over) };
-            self.idle(Some(deadline), far, |frame, now| operation.handle(frame, now))?;
+            now = self.idle(now, Some(deadline), None, |frame, now| operation.handle(frame, now))?;
         }
     }
 
@@ -107,36 +109,40 @@ impl Station {
     pub fn receive_until(&mut self, deadline: time::Instant) -> Result<Option<FrameBuf>, Error> {
         let mut received = None;
         while received.is_none() && time::Instant::now() < deadline {
-            self.idle(None, deadline, |frame, _| received = Some(FrameBuf::from(*frame)))?;
+            self.idle(self.session.now(), None, Some(deadline), |frame, _| received = Some(FrameBuf::from(*frame)))?;
         }
         Ok(received)
     }
 
-    /// Lets a frame come, or the time.
+    /// Lets a frame come, or the time; gives the time.
     fn idle(
         &mut self,
+        now: Instant,
         deadline: Option<Instant>,
-        until: time::Instant,
+        until: Option<time::Instant>,
         take: impl FnOnce(&Frame<'_>, Instant),
-    ) -> Result<(), Error> {
-        while let Some(message) = self.session.poll(self.session.now()) {
+    ) -> Result<Instant, Error> {
+        while let Some(message) = self.session.poll(now) {
             self.say(&message)?;
         }
-        let until = self.session.deadline(deadline).min(until);
-        if let Some(frame) = self.link.receive_until(until)? {
-            let now = self.session.now();
+        self.flush()?;
+        let own = self.session.deadline(deadline, now);
+        let received = self.link.receive_until(until.map_or(own, |until| until.min(own)))?;
+        let now = self.session.now();
+        if let Some(frame) = received {
             self.session.handle(&frame, now);
             take(&frame, now);
         }
-        Ok(())
+        Ok(now)
     }
 
-    /// Sends; what finds no room in the buffer is lost, as on the air, and is asked for again.
+    /// Sends with the next [`flush`](Self::flush).
     fn say(&self, message: &Outgoing) -> Result<(), Error> {
-        match self.link.send(message) {
-            Ok(_) | Err(LinkError::Full) => Ok(()),
-            Err(error) => Err(error.into()),
-        }
+        unless_full(self.link.queue(message).map(drop))
+    }
+
+    fn flush(&self) -> Result<(), Error> {
+        unless_full(self.link.flush())
     }
 
     verbs!([] []);

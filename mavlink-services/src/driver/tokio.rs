@@ -6,14 +6,14 @@ use std::time;
 use std::vec;
 use std::vec::Vec;
 
+use mavlink_wire::link::Options;
 use mavlink_wire::link::tokio::Link;
-use mavlink_wire::link::{LinkError, Options};
 use mavlink_wire::{Dialect, Encode, Frame, FrameBuf, Message, Sender};
 
 use super::session::{OLD_VERSION, Patience, Session, arming, making_current};
 use super::until::While;
 use super::verbs::verbs;
-use super::{Error, STATION};
+use super::{Error, STATION, unless_full};
 use crate::command::{self, Accepted, Fetch, Progress};
 use crate::common::{AutopilotVersion, Common, Heartbeat, MavMissionType, MavResult};
 use crate::heartbeat::Beacon;
@@ -72,7 +72,7 @@ impl Station {
             if time::Instant::now() >= until {
                 return Err(Error::NoVehicle { waited: patience.connect });
             }
-            station.idle(None, until, |_, _| {}).await?;
+            station.idle(station.session.now(), None, Some(until), |_, _| {}).await?;
         }
         Ok(station)
     }
@@ -90,18 +90,20 @@ impl Station {
     where
         Error: From<O::Failure>,
     {
-        let far = self.session.at(Instant::MAX);
+        let mut now = self.session.now();
         loop {
-            let now = self.session.now();
             while let Some(output) = operation.poll(now) {
                 match output {
                     Output::Send(message) => say(&self.link, &message).await?,
                     Output::Event(Update::Progress(told)) => progress(told),
-                    Output::Event(Update::Done(end)) => return end.map_err(|why| self.session.explain(why.into())),
+                    Output::Event(Update::Done(end)) => {
+                        flush(&self.link).await?;
+                        return end.map_err(|why| self.session.explain(why.into()));
+                    }
                 }
             }
             let Some(deadline) = operation.deadline() else { return Err(Error::Over) };
-            self.idle(Some(deadline), far, |frame, now| operation.handle(frame, now)).await?;
+            now = self.idle(now, Some(deadline), None, |frame, now| operation.handle(frame, now)).await?;
         }
     }
 
@@ -113,39 +115,44 @@ impl Station {
     pub async fn receive_until(&mut self, deadline: time::Instant) -> Result<Option<FrameBuf>, Error> {
         let mut received = None;
         while received.is_none() && time::Instant::now() < deadline {
-            self.idle(None, deadline, |frame, _| received = Some(FrameBuf::from(*frame))).await?;
+            self.idle(self.session.now(), None, Some(deadline), |frame, _| received = Some(FrameBuf::from(*frame)))
+                .await?;
         }
         Ok(received)
     }
 
-    /// Lets a frame come, or the time.
+    /// Lets a frame come, or the time; gives the time.
     async fn idle(
         &mut self,
+        now: Instant,
         deadline: Option<Instant>,
-        until: time::Instant,
+        until: Option<time::Instant>,
         take: impl FnOnce(&Frame<'_>, Instant),
-    ) -> Result<(), Error> {
-        while let Some(message) = self.session.poll(self.session.now()) {
+    ) -> Result<Instant, Error> {
+        while let Some(message) = self.session.poll(now) {
             say(&self.link, &message).await?;
         }
-        let until = self.session.deadline(deadline).min(until);
-        if let Some(frame) = self.link.receive_until(until).await? {
-            let now = self.session.now();
+        flush(&self.link).await?;
+        let own = self.session.deadline(deadline, now);
+        let received = self.link.receive_until(until.map_or(own, |until| until.min(own))).await?;
+        let now = self.session.now();
+        if let Some(frame) = received {
             self.session.handle(&frame, now);
             take(&frame, now);
         }
-        Ok(())
+        Ok(now)
     }
 
     verbs!([async] [.await]);
 }
 
-/// Sends; what finds no room in the buffer is lost, as on the air, and is asked for again.
+/// Sends with the next [`flush`].
 ///
 /// It borrows the link alone, so that the futures of a station can go to another thread.
 async fn say(link: &Link, message: &Outgoing) -> Result<(), Error> {
-    match link.send(message).await {
-        Ok(_) | Err(LinkError::Full) => Ok(()),
-        Err(error) => Err(error.into()),
-    }
+    unless_full(link.queue(message).await.map(drop))
+}
+
+async fn flush(link: &Link) -> Result<(), Error> {
+    unless_full(link.flush().await)
 }

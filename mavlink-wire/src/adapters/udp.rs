@@ -37,7 +37,7 @@ use std::net::{SocketAddr, UdpSocket};
 use std::time::{Duration, Instant};
 use std::vec::Vec;
 
-use crate::link::{Inbox, Outbox, Peer, Peers};
+use crate::link::{Inbox, Outbox, Peer, Peers, Pending};
 use crate::parser::not_told;
 #[cfg(feature = "signing")]
 use crate::signing::Verifier;
@@ -71,6 +71,8 @@ pub struct Endpoint<'t> {
     socket: UdpSocket,
     inbox: Inbox<'t>,
     outbox: Outbox,
+    /// Empty between two calls.
+    pending: Pending,
 }
 
 impl<'t> Endpoint<'t> {
@@ -78,7 +80,12 @@ impl<'t> Endpoint<'t> {
     #[must_use]
     pub fn new(socket: UdpSocket, table: &'t Table<'t>, sender: Sender) -> Self {
         let peers = Peers::new();
-        Self { socket, outbox: Outbox::new(sender, peers.clone()), inbox: Inbox::new(table, peers, SILENCE) }
+        Self {
+            socket,
+            outbox: Outbox::new(sender, peers.clone()),
+            pending: Pending::default(),
+            inbox: Inbox::new(table, peers, SILENCE),
+        }
     }
 
     /// The same with room for so many peers.

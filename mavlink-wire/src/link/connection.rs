@@ -26,7 +26,7 @@ use super::file::Recording;
 use super::line::Line;
 use super::shared::Shared;
 use super::statistics::Counters;
-use super::{Address, LinkError, LinkStatistics, Options, Peer, tcp};
+use super::{Address, LinkError, LinkStatistics, Options, Peer, Pending, tcp};
 #[cfg(feature = "signing")]
 use crate::signing::Verifier;
 use crate::{ComponentId, Encode, Frame, Losses, Sender, SystemId};
@@ -62,7 +62,7 @@ impl Link {
     pub fn connect(address: &str, options: Options) -> Result<Self, LinkError> {
         let Opened { shared, line, receiving, sending, is_stream } = open(&address.parse()?, &options)?;
         let (peers, shared) = (shared.peers.clone(), Arc::new(shared));
-        let outgoing = Outgoing { outbox: options.outbox(&peers), carrier: sending };
+        let outgoing = Outgoing { outbox: options.outbox(&peers), carrier: sending, pending: Pending::default() };
         Ok(Self {
             receiving: ReceiveHalf {
                 shared: shared.clone(),
@@ -155,7 +155,7 @@ fn connection(
     let line = Line::open(opener, options.reconnects, shared.peers.clone(), shared.counters.clone())?;
     let line = Arc::new(line);
     let receiving = receive::Carrier::Line { line: line.clone(), end: None, heard: Instant::now() };
-    let sending = send::Carrier::Line { end: None, pending: None };
+    let sending = send::Carrier::Line { end: None };
     Ok(Opened { shared, line: Some(line), receiving, sending, is_stream: true })
 }
 
@@ -222,6 +222,24 @@ impl Link {
     /// See there.
     pub fn send(&self, message: &(impl Encode + ?Sized)) -> Result<usize, LinkError> {
         self.sending.send(message)
+    }
+
+    /// See [`SendHalf::queue`].
+    ///
+    /// # Errors
+    ///
+    /// See there.
+    pub fn queue(&self, message: &(impl Encode + ?Sized)) -> Result<usize, LinkError> {
+        self.sending.queue(message)
+    }
+
+    /// See [`SendHalf::flush`].
+    ///
+    /// # Errors
+    ///
+    /// See there.
+    pub fn flush(&self) -> Result<(), LinkError> {
+        self.sending.flush()
     }
 
     /// See [`SendHalf::send_to`].

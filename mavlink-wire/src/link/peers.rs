@@ -3,7 +3,6 @@
 use core::cmp::Reverse;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
-use std::vec;
 use std::vec::Vec;
 
 use super::Peer;
@@ -85,19 +84,24 @@ impl Peers {
 
     /// The peers, the one that was heard last in front.
     pub(crate) fn all(&self, now: Instant) -> Vec<Peer> {
-        self.lock().now(now).map(|heard| heard.peer).collect()
+        let directory = self.lock();
+        let mut heard: Vec<_> = directory.fresh(now).collect();
+        heard.sort_by_key(|heard| Reverse(heard.at));
+        heard.into_iter().map(|heard| heard.peer).collect()
     }
 
-    /// Whom to send to what is for nobody in particular.
-    pub(crate) fn targets(&self, now: Instant) -> Vec<Target> {
+    /// Whom to send to what is for nobody in particular, in place of what `targets` had.
+    pub(crate) fn targets(&self, now: Instant, targets: &mut Vec<Target>) {
         let directory = self.lock();
+        targets.clear();
         match directory.named {
             // Who listens there may answer from other addresses: all understand what the oldest does.
             Some(peer) => {
-                let oldest = directory.now(now).map(|heard| heard.version).min();
-                vec![Target { peer, version: directory.version_of(peer, now).or(oldest) }]
+                let oldest = directory.fresh(now).map(|heard| heard.version).min();
+                targets.push(Target { peer, version: directory.version_of(peer, now).or(oldest) });
             }
-            None => directory.now(now).map(|heard| Target { peer: heard.peer, version: Some(heard.version) }).collect(),
+            None => targets
+                .extend(directory.fresh(now).map(|heard| Target { peer: heard.peer, version: Some(heard.version) })),
         }
     }
 
@@ -145,16 +149,13 @@ impl Peers {
 }
 
 impl Directory {
-    /// Who is a peer now, the one that was heard last in front.
-    fn now(&self, now: Instant) -> impl Iterator<Item = Heard> {
-        let mut heard: Vec<_> = self.heard.iter().filter(|heard| heard.is_fresh(self.expiry, now)).copied().collect();
-        heard.sort_by_key(|heard| Reverse(heard.at));
-        heard.into_iter()
+    /// Who is a peer now.
+    fn fresh(&self, now: Instant) -> impl Iterator<Item = Heard> {
+        self.heard.iter().filter(move |heard| heard.is_fresh(self.expiry, now)).copied()
     }
 
     fn version_of(&self, peer: Peer, now: Instant) -> Option<Version> {
-        let mut heard = self.heard.iter().filter(|heard| heard.is_fresh(self.expiry, now));
-        heard.find(|heard| heard.peer == peer).map(|heard| heard.version)
+        self.fresh(now).find(|heard| heard.peer == peer).map(|heard| heard.version)
     }
 }
 

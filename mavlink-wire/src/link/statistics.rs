@@ -29,8 +29,8 @@ impl Counters {
         self.count(|counted| counted.sent += count as u64);
     }
 
-    pub(super) fn count_unsent(&self) {
-        self.count(|counted| counted.unsent += 1);
+    pub(super) fn count_unsent(&self, count: usize) {
+        self.count(|counted| counted.unsent += count as u64);
     }
 
     pub(super) fn count_connection(&self) {

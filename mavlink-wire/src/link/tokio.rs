@@ -196,6 +196,24 @@ impl Link {
         self.sending.send(message).await
     }
 
+    /// See [`SendHalf::queue`].
+    ///
+    /// # Errors
+    ///
+    /// See there.
+    pub async fn queue(&self, message: &(impl Encode + ?Sized)) -> Result<usize, LinkError> {
+        self.sending.queue(message).await
+    }
+
+    /// See [`SendHalf::flush`].
+    ///
+    /// # Errors
+    ///
+    /// See there.
+    pub async fn flush(&self) -> Result<(), LinkError> {
+        self.sending.flush().await
+    }
+
     /// See [`SendHalf::send_to`].
     ///
     /// # Errors

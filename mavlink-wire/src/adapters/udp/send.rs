@@ -5,7 +5,7 @@ use std::net::SocketAddr;
 
 use super::Endpoint;
 use crate::frame::key::SETUP_SIGNING;
-use crate::link::{Outbox, Parcel};
+use crate::link::{Outbox, Peer};
 use crate::{Encode, EncodeError, Frame};
 
 impl Endpoint<'_> {
@@ -16,8 +16,8 @@ impl Endpoint<'_> {
     /// [`InvalidInput`](std::io::ErrorKind::InvalidInput) around an [`EncodeError`] if the message cannot be carried;
     /// else what the socket says.
     pub fn send_to(&mut self, message: &(impl Encode + ?Sized), to: SocketAddr) -> Result<()> {
-        let parcel = self.outbox.encode_to(message, to.into())?;
-        self.carry(&parcel).result().map(drop)
+        self.outbox.encode_to(message, to.into(), &mut self.pending)?;
+        self.carry().result().map(drop)
     }
 
     /// Sends a message to all peers under one number, to each in its version. Gives to how many: none, if there is no peer now.
@@ -30,9 +30,9 @@ impl Endpoint<'_> {
         if message.info().id == SETUP_SIGNING {
             return Err(EncodeError::CarriesKey.into());
         }
-        let made = self.outbox.encode_to_all(message);
-        let sent = Sent { count: 0, error: made.error.map(Error::from) };
-        made.parcels.iter().fold(sent, |sent, parcel| sent.and(self.carry(parcel))).result()
+        let made = self.outbox.encode_to_all(message, &mut self.pending);
+        let sent = self.carry();
+        Sent { error: made.err().map(Error::from).or(sent.error), ..sent }.result()
     }
 
     /// Sends a frame as it came, to the byte, to this address.
@@ -42,7 +42,8 @@ impl Endpoint<'_> {
     /// [`InvalidInput`](std::io::ErrorKind::InvalidInput) around an [`EncodeError`] if it carries a [key](Frame::carries_key); else what the socket
     /// says.
     pub fn send_frame_to(&mut self, frame: &Frame<'_>, to: SocketAddr) -> Result<()> {
-        self.carry(&Outbox::forward(frame, [to.into()].into())?).result().map(drop)
+        Outbox::forward_to(frame, to.into(), &mut self.pending)?;
+        self.carry().result().map(drop)
     }
 
     /// Sends a frame as it came, to the byte, to all peers. Gives to how many: none, if there is no peer now.
@@ -52,17 +53,21 @@ impl Endpoint<'_> {
     /// As of [`send_frame_to`](Self::send_frame_to). What fails for one peer is still sent to the others; the first error is
     /// given.
     pub fn send_frame_to_all(&mut self, frame: &Frame<'_>) -> Result<usize> {
-        self.carry(&self.outbox.forward_to_all(frame)?).result()
+        self.outbox.forward_to_all(frame, &mut self.pending)?;
+        self.carry().result()
     }
 
-    /// Sends a frame to each who gets it.
-    fn carry(&self, parcel: &Parcel) -> Sent {
+    /// Sends each frame to each who gets it.
+    fn carry(&mut self) -> Sent {
         let mut sent = Sent { count: 0, error: None };
-        for to in parcel.to.iter().filter_map(|peer| peer.address()) {
-            match self.socket.send_to(parcel.bytes(), to) {
-                Ok(_) => sent.count += 1,
-                Err(error) => sent.error = sent.error.or(Some(error)),
+        while let Some(parcel) = self.pending.front_mut() {
+            for to in parcel.to.iter().filter_map(Peer::address) {
+                match self.socket.send_to(parcel.bytes(), to) {
+                    Ok(_) => sent.count += 1,
+                    Err(error) => sent.error = sent.error.or(Some(error)),
+                }
             }
+            self.pending.pop();
         }
         sent
     }
@@ -75,10 +80,6 @@ struct Sent {
 }
 
 impl Sent {
-    fn and(self, other: Self) -> Self {
-        Self { count: self.count + other.count, error: self.error.or(other.error) }
-    }
-
     fn result(self) -> Result<usize> {
         self.error.map_or(Ok(self.count), Err)
     }

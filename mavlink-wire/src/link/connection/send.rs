@@ -12,7 +12,7 @@ use super::stream::Stream;
 use crate::frame::key::SETUP_SIGNING;
 use crate::link::line::{End, Line};
 use crate::link::shared::Shared;
-use crate::link::{LinkError, Outbox, Parcel, Peer};
+use crate::link::{LinkError, Outbox, Peer, Pending};
 use crate::{ComponentId, Encode, EncodeError, Frame, Sender, SystemId};
 
 /// The half of a [`Link`](super::Link) that sends. A clone is another handle of the same half: several threads may send.
@@ -27,16 +27,17 @@ pub struct SendHalf {
 pub(super) struct Outgoing {
     pub(super) outbox: Outbox,
     pub(super) carrier: Carrier,
+    /// What a connection or device has not taken yet. Datagrams go out at once.
+    pub(super) pending: Pending,
 }
 
 pub(super) enum Carrier {
     Datagrams {
         socket: UdpSocket,
     },
-    /// A connection or device, and what it has not taken yet of the last frame.
+    /// A connection or device.
     Line {
         end: Option<End<Box<dyn Stream>>>,
-        pending: Option<Parcel>,
     },
     /// A file is not written.
     Nothing,
@@ -53,13 +54,49 @@ impl SendHalf {
     ///   which may reach anybody: name a peer with [`send_to`](Self::send_to).
     /// - [`LinkError::Closed`], or an error of the system.
     pub fn send(&self, message: &(impl Encode + ?Sized)) -> Result<usize, LinkError> {
-        if message.info().id == SETUP_SIGNING && self.shared.is_open_to_all {
-            return Err(EncodeError::CarriesKey.into());
-        }
+        self.check_key(message)?;
         let mut outgoing = self.ready()?;
-        let made = outgoing.outbox.encode_to_all(message);
-        let sent = self.carry_all(&mut outgoing, made.parcels);
-        made.error.map_or(sent, |error| Err(error.into()))
+        let Outgoing { outbox, pending, .. } = &mut *outgoing;
+        let made = outbox.encode_to_all(message, pending);
+        let sent = self.carry(&mut outgoing);
+        made.map_or_else(|error| Err(error.into()), |()| sent)
+    }
+
+    /// As [`send`](Self::send), but a connection or device gets the message only with the next [`flush`](Self::flush) or send: several
+    /// messages then take one call of the system. When 64 messages are queued, they are written. UDP sends each at once.
+    ///
+    /// # Errors
+    ///
+    /// As of [`send`](Self::send).
+    pub fn queue(&self, message: &(impl Encode + ?Sized)) -> Result<usize, LinkError> {
+        if self.line.is_none() {
+            return self.send(message);
+        }
+        self.check_key(message)?;
+        let mut outgoing = self.current()?;
+        if outgoing.pending.is_full() {
+            self.write_pending(&mut outgoing)?;
+        }
+        if outgoing.pending.is_full() {
+            return self.full();
+        }
+        let Outgoing { outbox, pending, carrier } = &mut *outgoing;
+        let kept = pending.len();
+        outbox.encode_to_all(message, pending)?;
+        Ok(address(carrier, pending, kept))
+    }
+
+    /// Writes what is [queued](Self::queue).
+    ///
+    /// # Errors
+    ///
+    /// [`LinkError::Full`]: the buffer stayed full for the time in [`Options`](crate::link::Options). The rest goes out before the next
+    /// message. Else as of [`send`](Self::send).
+    pub fn flush(&self) -> Result<(), LinkError> {
+        self.shared.check()?;
+        let mut outgoing = self.lock();
+        self.write_pending(&mut outgoing)?;
+        if outgoing.pending.is_empty() { Ok(()) } else { Err(LinkError::Full) }
     }
 
     /// Sends a message to one peer: one of [`peers`](Self::peers), or any address on UDP.
@@ -69,8 +106,9 @@ impl SendHalf {
     /// As of [`send`](Self::send); and [`LinkError::Unreachable`] if that is not who is at the other end.
     pub fn send_to(&self, message: &(impl Encode + ?Sized), peer: Peer) -> Result<(), LinkError> {
         let mut outgoing = self.ready()?;
-        let parcel = outgoing.outbox.encode_to(message, peer)?;
-        self.carry(&mut outgoing, parcel).and_then(|count| is_sent(count, peer))
+        let Outgoing { outbox, pending, .. } = &mut *outgoing;
+        outbox.encode_to(message, peer, pending)?;
+        self.carry(&mut outgoing).and_then(|count| is_sent(count, peer))
     }
 
     /// Sends a received frame byte for byte, for routers. To give it a sequence number or a signature of this link, call
@@ -81,8 +119,9 @@ impl SendHalf {
     /// As of [`send`](Self::send). A frame with a [key](Frame::carries_key) is not forwarded.
     pub fn send_frame(&self, frame: &Frame<'_>) -> Result<usize, LinkError> {
         let mut outgoing = self.ready()?;
-        let parcel = outgoing.outbox.forward_to_all(frame)?;
-        self.carry(&mut outgoing, parcel)
+        let Outgoing { outbox, pending, .. } = &mut *outgoing;
+        outbox.forward_to_all(frame, pending)?;
+        self.carry(&mut outgoing)
     }
 
     /// Sends a received frame as it came to one peer.
@@ -92,8 +131,8 @@ impl SendHalf {
     /// As of [`send_to`](Self::send_to).
     pub fn send_frame_to(&self, frame: &Frame<'_>, peer: Peer) -> Result<(), LinkError> {
         let mut outgoing = self.ready()?;
-        let parcel = Outbox::forward(frame, [peer].into())?;
-        self.carry(&mut outgoing, parcel).and_then(|count| is_sent(count, peer))
+        Outbox::forward_to(frame, peer, &mut outgoing.pending)?;
+        self.carry(&mut outgoing).and_then(|count| is_sent(count, peer))
     }
 
     /// Which system sends.
@@ -156,99 +195,112 @@ impl SendHalf {
         self.outgoing.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Gets ready to send: connected if that is possible, and rid of what is left of the last frame.
+    /// Anybody may be at the other end of some links: no key goes to all.
+    fn check_key(&self, message: &(impl Encode + ?Sized)) -> Result<(), LinkError> {
+        let is_key = message.info().id == SETUP_SIGNING && self.shared.is_open_to_all;
+        if is_key { Err(EncodeError::CarriesKey.into()) } else { Ok(()) }
+    }
+
+    /// Gets ready to send: connected if that is possible, and rid of what is left of former frames.
     fn ready(&self) -> Result<MutexGuard<'_, Outgoing>, LinkError> {
+        let mut outgoing = self.current()?;
+        self.write_pending(&mut outgoing)?;
+        if outgoing.pending.is_empty() { Ok(outgoing) } else { self.full() }
+    }
+
+    /// Connected, if that is possible.
+    fn current(&self) -> Result<MutexGuard<'_, Outgoing>, LinkError> {
         self.shared.check()?;
         let mut outgoing = self.lock();
-        let (Carrier::Line { end, pending }, Some(line)) = (&mut outgoing.carrier, &self.line) else {
-            return Ok(outgoing);
-        };
-        if line.refresh_writer(end)? {
+        let Outgoing { carrier, pending, .. } = &mut *outgoing;
+        if let (Carrier::Line { end }, Some(line)) = (carrier, &self.line)
+            && line.refresh_writer(end)?
+        {
             // The rest of a frame means nothing to somebody else.
-            *pending = None;
-        }
-        self.write_pending(line, end, pending)?;
-        if pending.is_some() {
-            self.shared.counters.count_unsent();
-            return Err(LinkError::Full);
+            self.drop_pending(pending);
         }
         Ok(outgoing)
     }
 
-    fn carry_all(&self, outgoing: &mut Outgoing, parcels: Vec<Parcel>) -> Result<usize, LinkError> {
-        let mut all = Ok(0);
-        for parcel in parcels {
-            let sent = self.carry(outgoing, parcel);
-            all = all.and_then(|count| sent.map(|more| count + more));
-        }
-        all
+    /// A message finds no room.
+    fn full<T>(&self) -> Result<T, LinkError> {
+        self.shared.counters.count_unsent(1);
+        Err(LinkError::Full)
     }
 
-    /// Sends a frame to those that get it; gives to how many.
-    fn carry(&self, outgoing: &mut Outgoing, parcel: Parcel) -> Result<usize, LinkError> {
-        match (&mut outgoing.carrier, &self.line) {
-            (Carrier::Datagrams { socket }, _) => self.send_datagrams(socket, &parcel),
-            (Carrier::Line { end, pending }, Some(line)) => {
-                let there = end.as_ref().map(|end| end.peer);
-                if !there.is_some_and(|there| parcel.to.contains(&there)) {
-                    return Ok(0);
-                }
-                *pending = Some(parcel);
-                self.write_pending(line, end, pending)?;
-                let is_there = end.is_some();
-                self.shared.counters.count_sent(is_there.into());
-                Ok(is_there.into())
-            }
-            _ => Ok(0),
-        }
+    fn drop_pending(&self, pending: &mut Pending) {
+        self.shared.counters.count_unsent(pending.len());
+        pending.clear();
     }
 
-    fn send_datagrams(&self, socket: &UdpSocket, parcel: &Parcel) -> Result<usize, LinkError> {
+    /// Sends frames to those that get them; gives to how many.
+    fn carry(&self, outgoing: &mut Outgoing) -> Result<usize, LinkError> {
+        let Outgoing { carrier, pending, .. } = outgoing;
+        if let Carrier::Datagrams { socket } = carrier {
+            return self.send_datagrams(socket, pending);
+        }
+        let count = address(carrier, pending, 0);
+        self.write_pending(outgoing)?;
+        // A connection that was lost meanwhile has taken nothing for sure.
+        let is_there = matches!(outgoing.carrier, Carrier::Line { end: Some(_) });
+        Ok(if is_there { count } else { 0 })
+    }
+
+    /// Sends each frame to each who gets it. What fails for one is still sent to the others; the first error is given.
+    fn send_datagrams(&self, socket: &UdpSocket, pending: &mut Pending) -> Result<usize, LinkError> {
         let (mut count, mut error) = (0, None);
-        for to in parcel.to.iter().filter_map(Peer::address) {
-            match socket.send_to(parcel.bytes(), to) {
-                Ok(_) => count += 1,
-                Err(reason) => {
-                    self.shared.counters.count_unsent();
-                    error.get_or_insert(of_sending(reason, to));
+        while let Some(parcel) = pending.front_mut() {
+            for to in parcel.to.iter().filter_map(Peer::address) {
+                match socket.send_to(parcel.bytes(), to) {
+                    Ok(_) => count += 1,
+                    Err(reason) => {
+                        self.shared.counters.count_unsent(1);
+                        error.get_or_insert(of_sending(reason, to));
+                    }
                 }
             }
+            pending.pop();
         }
         self.shared.counters.count_sent(count);
         error.map_or(Ok(count), Err)
     }
 
-    /// Writes what is left of a frame, as far as there is room within the timeout.
-    fn write_pending(
-        &self,
-        line: &Line<Box<dyn Stream>>,
-        end: &mut Option<End<Box<dyn Stream>>>,
-        pending: &mut Option<Parcel>,
-    ) -> Result<(), LinkError> {
-        let mut limit = self.shared.send_timeout;
-        let deadline = Instant::now() + limit;
-        while let (Some(open), Some(parcel)) = (end.as_mut(), pending.as_mut()) {
-            if parcel.bytes().is_empty() {
-                *pending = None;
-                break;
-            }
-            match open.stream.write_within(parcel.bytes(), limit) {
-                Ok(count) if count > 0 => parcel.advance(count),
+    /// Writes what is left of frames, as far as there is room within the timeout.
+    fn write_pending(&self, outgoing: &mut Outgoing) -> Result<(), LinkError> {
+        let Outgoing { carrier: Carrier::Line { end }, pending, .. } = outgoing else { return Ok(()) };
+        let Some(line) = &self.line else { return Ok(()) };
+        let (mut limit, mut deadline) = (self.shared.send_timeout, None);
+        while let Some(open) = end.as_mut()
+            && !pending.is_empty()
+        {
+            match pending.write(|frames| open.stream.write_within(frames, limit)) {
+                Ok(count) if count > 0 => self.shared.counters.count_sent(pending.advance(count)),
                 Err(error) if error.kind() == ErrorKind::Interrupted => {}
                 Err(error) if matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::TimedOut) => break,
                 taken => {
-                    *pending = None;
-                    self.shared.counters.count_unsent();
+                    self.drop_pending(pending);
                     line.lose(end, &taken.map_or_else(|error| error, |_| ErrorKind::WriteZero.into()));
                     line.check()?;
                 }
             }
-            if limit == Duration::ZERO {
+            if limit == Duration::ZERO || pending.is_empty() {
                 break;
             }
-            limit = deadline.saturating_duration_since(Instant::now());
+            let now = Instant::now();
+            limit = deadline.get_or_insert(now + limit).saturating_duration_since(now);
         }
         Ok(())
+    }
+}
+
+/// Of the frames after the first `kept` ones, keeps those that are for who is at the other end of a connection; gives how many.
+fn address(carrier: &Carrier, pending: &mut Pending, kept: usize) -> usize {
+    match carrier {
+        Carrier::Line { end: Some(end) } => pending.keep_for(end.peer, kept),
+        _ => {
+            pending.clear();
+            0
+        }
     }
 }
 

@@ -1,7 +1,7 @@
 //! Serial ports.
 
 use std::boxed::Box;
-use std::io::{ErrorKind, Read, Result, Write};
+use std::io::{ErrorKind, IoSlice, Read, Result, Write};
 use std::path::Path;
 use std::string::String;
 use std::time::Duration;
@@ -22,9 +22,9 @@ impl Stream for Port {
         self.read(buffer)
     }
 
-    fn write_within(&mut self, bytes: &[u8], limit: Duration) -> Result<usize> {
+    fn write_within(&mut self, frames: &[IoSlice<'_>], limit: Duration) -> Result<usize> {
         self.set_timeout(limit)?;
-        self.write(bytes)
+        self.write_vectored(frames)
     }
 
     fn twin(&self) -> Result<Box<dyn Stream>> {

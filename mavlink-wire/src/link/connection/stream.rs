@@ -1,7 +1,7 @@
 //! What carries bytes both ways for those who block.
 
 use std::boxed::Box;
-use std::io::{Read, Result, Write};
+use std::io::{IoSlice, Read, Result, Write};
 use std::net::{Shutdown, TcpStream};
 use std::time::Duration;
 
@@ -31,8 +31,8 @@ pub(in crate::link) trait Stream: Shut {
     /// Reads what there is; waits so long for it. Nothing, without an error, is the end.
     fn read_within(&mut self, buffer: &mut [u8], limit: Duration) -> Result<usize>;
 
-    /// Writes what there is room for; waits so long for it.
-    fn write_within(&mut self, bytes: &[u8], limit: Duration) -> Result<usize>;
+    /// Writes what there is room for of these, one after the other; waits so long for it.
+    fn write_within(&mut self, frames: &[IoSlice<'_>], limit: Duration) -> Result<usize>;
 
     /// Another hand on the same.
     fn twin(&self) -> Result<Box<dyn Stream>>;
@@ -70,9 +70,13 @@ impl Stream for Tcp {
         self.stream.read(buffer)
     }
 
-    fn write_within(&mut self, bytes: &[u8], limit: Duration) -> Result<usize> {
+    fn write_within(&mut self, frames: &[IoSlice<'_>], limit: Duration) -> Result<usize> {
         self.writing.change(limit, |limit| self.stream.set_write_timeout(limit))?;
-        self.stream.write(bytes)
+        match frames {
+            // A cheaper call of the system.
+            [frame] => self.stream.write(frame),
+            _ => self.stream.write_vectored(frames),
+        }
     }
 
     fn twin(&self) -> Result<Box<dyn Stream>> {

@@ -2,7 +2,7 @@
 
 use core::task::{Context, Poll, ready};
 use std::boxed::Box;
-use std::io::{ErrorKind, Result};
+use std::io::{ErrorKind, IoSlice, Result};
 use std::sync::Arc;
 
 use ::tokio::net::TcpStream;
@@ -14,8 +14,8 @@ pub(super) trait Polled: Send + Sync {
     /// Reads what there is. Nothing, without an error, is the end.
     fn poll_read(&self, context: &mut Context<'_>, buffer: &mut [u8]) -> Poll<Result<usize>>;
 
-    /// Writes what there is room for.
-    fn poll_write(&self, context: &mut Context<'_>, bytes: &[u8]) -> Poll<Result<usize>>;
+    /// Writes what there is room for of these, one after the other.
+    fn poll_write(&self, context: &mut Context<'_>, frames: &[IoSlice<'_>]) -> Poll<Result<usize>>;
 }
 
 /// One hand on it.
@@ -61,10 +61,10 @@ impl Polled for TcpStream {
         }
     }
 
-    fn poll_write(&self, context: &mut Context<'_>, bytes: &[u8]) -> Poll<Result<usize>> {
+    fn poll_write(&self, context: &mut Context<'_>, frames: &[IoSlice<'_>]) -> Poll<Result<usize>> {
         loop {
             ready!(self.poll_write_ready(context))?;
-            match self.try_write(bytes) {
+            match self.try_write_vectored(frames) {
                 Err(error) if error.kind() == ErrorKind::WouldBlock => {}
                 written => return Poll::Ready(written),
             }
@@ -78,7 +78,7 @@ pub(super) mod serial {
 
     use core::pin::Pin;
     use core::task::{Context, Poll};
-    use std::io::Result;
+    use std::io::{IoSlice, Result};
     use std::string::String;
     use std::sync::{Mutex, PoisonError};
 
@@ -106,9 +106,9 @@ pub(super) mod serial {
             Pin::new(&mut *port).poll_read(context, &mut buffer).map_ok(|()| buffer.filled().len())
         }
 
-        fn poll_write(&self, context: &mut Context<'_>, bytes: &[u8]) -> Poll<Result<usize>> {
+        fn poll_write(&self, context: &mut Context<'_>, frames: &[IoSlice<'_>]) -> Poll<Result<usize>> {
             let mut port = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-            Pin::new(&mut *port).poll_write(context, bytes)
+            Pin::new(&mut *port).poll_write_vectored(context, frames)
         }
     }
 

@@ -1,7 +1,6 @@
 //! The half that sends.
 
 use core::future::poll_fn;
-use std::collections::VecDeque;
 use std::io::ErrorKind;
 use std::net::SocketAddr;
 use std::string::String;
@@ -18,7 +17,7 @@ use super::ends::{Hand, Opened};
 use crate::frame::key::SETUP_SIGNING;
 use crate::link::connection::{is_sent, of_sending};
 use crate::link::line::{End, Line};
-use crate::link::{LinkError, Outbox, Parcel, Peer};
+use crate::link::{LinkError, Outbox, Peer, Pending};
 use crate::{ComponentId, Encode, EncodeError, Frame, Sender, SystemId};
 
 /// The half of a [`Link`](super::Link) that sends. A clone is another handle of the same half: several tasks may send.
@@ -34,7 +33,21 @@ pub struct SendHalf {
 /// What carries frames, and those that it has not taken yet.
 struct Way {
     carrier: Carrier,
-    pending: VecDeque<Parcel>,
+    pending: Pending,
+}
+
+impl Way {
+    /// Of the frames after the first `kept` ones, keeps those that somebody gets; gives how many do.
+    fn address(&mut self, kept: usize) -> usize {
+        match &self.carrier {
+            Carrier::Datagrams(_) => self.pending.receivers(),
+            Carrier::Line { end: Some(end) } => self.pending.keep_for(end.peer, kept),
+            Carrier::Line { end: None } | Carrier::Nothing => {
+                self.pending.clear();
+                0
+            }
+        }
+    }
 }
 
 pub(super) enum Carrier {
@@ -48,7 +61,7 @@ pub(super) enum Carrier {
 
 impl SendHalf {
     pub(super) fn new(common: Arc<Common>, line: Option<Arc<Line<Opened>>>, outbox: Outbox, carrier: Carrier) -> Self {
-        let way = Arc::new(Mutex::new(Way { carrier, pending: VecDeque::new() }));
+        let way = Arc::new(Mutex::new(Way { carrier, pending: Pending::default() }));
         Self { common, line, outbox: Arc::new(Lock::new(outbox)), way }
     }
 
@@ -68,13 +81,47 @@ impl SendHalf {
     ///   which may reach anybody: name a peer with [`send_to`](Self::send_to).
     /// - [`LinkError::Closed`], or an error of the system.
     pub async fn send(&self, message: &(impl Encode + ?Sized)) -> Result<usize, LinkError> {
-        if message.info().id == SETUP_SIGNING && self.common.shared.is_open_to_all {
-            return Err(EncodeError::CarriesKey.into());
-        }
+        self.check_key(message)?;
         let mut way = self.ready().await?;
-        let made = self.lock().encode_to_all(message);
-        let sent = self.carry(&mut way, made.parcels).await;
-        made.error.map_or(sent, |error| Err(error.into()))
+        let made = self.lock().encode_to_all(message, &mut way.pending);
+        let sent = self.carry(&mut way).await;
+        made.map_or_else(|error| Err(error.into()), |()| sent)
+    }
+
+    /// As [`send`](Self::send), but a connection or device gets the message only with the next [`flush`](Self::flush) or send: several
+    /// messages then take one call of the system. When 64 messages are queued, they are written. UDP sends each at once.
+    /// Cancel safe: the message was not queued, or goes out before the next one.
+    ///
+    /// # Errors
+    ///
+    /// As of [`send`](Self::send).
+    pub async fn queue(&self, message: &(impl Encode + ?Sized)) -> Result<usize, LinkError> {
+        if self.line.is_none() {
+            return self.send(message).await;
+        }
+        self.check_key(message)?;
+        let mut way = self.current().await?;
+        if way.pending.is_full() {
+            self.write_pending(&mut way).await?;
+        }
+        if way.pending.is_full() {
+            return self.full();
+        }
+        let kept = way.pending.len();
+        self.lock().encode_to_all(message, &mut way.pending)?;
+        Ok(way.address(kept))
+    }
+
+    /// Writes what is [queued](Self::queue). Cancel safe: what is not written goes out before the next message.
+    ///
+    /// # Errors
+    ///
+    /// [`LinkError::Full`]: the buffer stayed full for the time in [`Options`](crate::link::Options). The rest goes out before the next
+    /// message. Else as of [`send`](Self::send).
+    pub async fn flush(&self) -> Result<(), LinkError> {
+        let mut way = self.current().await?;
+        self.write_pending(&mut way).await?;
+        if way.pending.is_empty() { Ok(()) } else { Err(LinkError::Full) }
     }
 
     /// Sends a message to one peer: one of [`peers`](Self::peers), or any address on UDP.
@@ -84,8 +131,8 @@ impl SendHalf {
     /// As of [`send`](Self::send); and [`LinkError::Unreachable`] if that is not who is at the other end.
     pub async fn send_to(&self, message: &(impl Encode + ?Sized), peer: Peer) -> Result<(), LinkError> {
         let mut way = self.ready().await?;
-        let parcel = self.lock().encode_to(message, peer)?;
-        self.carry(&mut way, [parcel].into()).await.and_then(|count| is_sent(count, peer))
+        self.lock().encode_to(message, peer, &mut way.pending)?;
+        self.carry(&mut way).await.and_then(|count| is_sent(count, peer))
     }
 
     /// Sends a received frame byte for byte, for routers. To give it a sequence number or a signature of this link, call
@@ -96,8 +143,8 @@ impl SendHalf {
     /// As of [`send`](Self::send). A frame with a [key](Frame::carries_key) is not forwarded.
     pub async fn send_frame(&self, frame: &Frame<'_>) -> Result<usize, LinkError> {
         let mut way = self.ready().await?;
-        let parcel = self.lock().forward_to_all(frame)?;
-        self.carry(&mut way, [parcel].into()).await
+        self.lock().forward_to_all(frame, &mut way.pending)?;
+        self.carry(&mut way).await
     }
 
     /// Sends a received frame as it came to one peer.
@@ -107,8 +154,8 @@ impl SendHalf {
     /// As of [`send_to`](Self::send_to).
     pub async fn send_frame_to(&self, frame: &Frame<'_>, peer: Peer) -> Result<(), LinkError> {
         let mut way = self.ready().await?;
-        let parcel = Outbox::forward(frame, [peer].into())?;
-        self.carry(&mut way, [parcel].into()).await.and_then(|count| is_sent(count, peer))
+        Outbox::forward_to(frame, peer, &mut way.pending)?;
+        self.carry(&mut way).await.and_then(|count| is_sent(count, peer))
     }
 
     /// Which system sends.
@@ -170,39 +217,49 @@ impl SendHalf {
         self.outbox.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Gets ready to send: connected if that is possible, and rid of what is left of the last frame.
+    /// Anybody may be at the other end of some links: no key goes to all.
+    fn check_key(&self, message: &(impl Encode + ?Sized)) -> Result<(), LinkError> {
+        let is_key = message.info().id == SETUP_SIGNING && self.common.shared.is_open_to_all;
+        if is_key { Err(EncodeError::CarriesKey.into()) } else { Ok(()) }
+    }
+
+    /// Gets ready to send: connected if that is possible, and rid of what is left of former frames.
     async fn ready(&self) -> Result<MutexGuard<'_, Way>, LinkError> {
+        let mut way = self.current().await?;
+        self.write_pending(&mut way).await?;
+        if way.pending.is_empty() { Ok(way) } else { self.full() }
+    }
+
+    /// Connected, if that is possible.
+    async fn current(&self) -> Result<MutexGuard<'_, Way>, LinkError> {
         let mut way = self.common.unless_closed(self.way.lock()).await?;
         let Way { carrier, pending } = &mut *way;
         if let (Carrier::Line { end }, Some(line)) = (carrier, &self.line)
             && line.refresh_writer(end)?
         {
             // The rest of a frame means nothing to somebody else.
-            pending.clear();
-        }
-        self.write_pending(&mut way).await?;
-        if !way.pending.is_empty() {
-            self.common.shared.counters.count_unsent();
-            return Err(LinkError::Full);
+            self.drop_pending(pending);
         }
         Ok(way)
     }
 
+    /// A message finds no room.
+    fn full<T>(&self) -> Result<T, LinkError> {
+        self.common.shared.counters.count_unsent(1);
+        Err(LinkError::Full)
+    }
+
+    fn drop_pending(&self, pending: &mut Pending) {
+        self.common.shared.counters.count_unsent(pending.len());
+        pending.clear();
+    }
+
     /// Sends frames to those that get them; gives to how many.
-    async fn carry(&self, way: &mut Way, parcels: Vec<Parcel>) -> Result<usize, LinkError> {
-        let there = match &way.carrier {
-            Carrier::Datagrams(_) => None,
-            Carrier::Line { end: Some(end) } => Some(end.peer),
-            Carrier::Line { end: None } | Carrier::Nothing => return Ok(0),
-        };
-        way.pending.extend(parcels);
-        way.pending.retain(|parcel| there.is_none_or(|there| parcel.to.contains(&there)));
-        let count = way.pending.iter().map(|parcel| parcel.to.len()).sum();
+    async fn carry(&self, way: &mut Way) -> Result<usize, LinkError> {
+        let count = way.address(0);
         self.write_pending(way).await?;
         // A connection that was lost meanwhile has taken nothing for sure.
-        let count = if matches!(way.carrier, Carrier::Line { end: None }) { 0 } else { count };
-        self.common.shared.counters.count_sent(count);
-        Ok(count)
+        Ok(if matches!(way.carrier, Carrier::Line { end: None }) { 0 } else { count })
     }
 
     /// Writes what is pending, as far as there is room within the timeout. What is not written stays, also if this is dropped.
@@ -223,18 +280,21 @@ impl SendHalf {
     }
 
     /// Sends each frame to each who gets it. What fails for one is still sent to the others; the first error is given.
-    async fn send_datagrams(&self, socket: &UdpSocket, pending: &mut VecDeque<Parcel>) -> Result<(), LinkError> {
+    async fn send_datagrams(&self, socket: &UdpSocket, pending: &mut Pending) -> Result<(), LinkError> {
         let mut error = None;
         while let Some(parcel) = pending.front_mut() {
             let Some(to) = parcel.to.last() else {
-                pending.pop_front();
+                pending.pop();
                 continue;
             };
-            if let Some(to) = to.address()
-                && let Err(reason) = socket.send_to(parcel.bytes(), to).await
-            {
-                self.common.shared.counters.count_unsent();
-                error.get_or_insert(of_sending(reason, to));
+            if let Some(to) = to.address() {
+                match socket.send_to(parcel.bytes(), to).await {
+                    Ok(_) => self.common.shared.counters.count_sent(1),
+                    Err(reason) => {
+                        self.common.shared.counters.count_unsent(1);
+                        error.get_or_insert(of_sending(reason, to));
+                    }
+                }
             }
             parcel.to.pop();
         }
@@ -246,19 +306,16 @@ impl SendHalf {
         &self,
         line: &Line<Opened>,
         end: &mut Option<End<Hand>>,
-        pending: &mut VecDeque<Parcel>,
+        pending: &mut Pending,
     ) -> Result<(), LinkError> {
-        while let (Some(open), Some(parcel)) = (end.as_mut(), pending.front_mut()) {
-            if parcel.bytes().is_empty() {
-                pending.pop_front();
-                continue;
-            }
-            match poll_fn(|context| open.stream.poll_write(context, parcel.bytes())).await {
-                Ok(count) if count > 0 => parcel.advance(count),
+        while let Some(open) = end.as_mut()
+            && !pending.is_empty()
+        {
+            match poll_fn(|context| pending.write(|frames| open.stream.poll_write(context, frames))).await {
+                Ok(count) if count > 0 => self.common.shared.counters.count_sent(pending.advance(count)),
                 Err(error) if error.kind() == ErrorKind::Interrupted => {}
                 taken => {
-                    pending.clear();
-                    self.common.shared.counters.count_unsent();
+                    self.drop_pending(pending);
                     line.lose(end, &taken.map_or_else(|error| error, |_| ErrorKind::WriteZero.into()));
                     line.check()?;
                 }

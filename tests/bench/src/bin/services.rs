@@ -4,10 +4,12 @@
 //! The same messages go over TCP both ways, a write for each: over UDP, a thousand datagrams without a pause would be lost in part, and
 //! what is measured would be timeouts.
 //!
-//! Run it on one processor (`taskset -c 1`): on several, the wake-ups between them are what is measured.
+//! Where the threads run decides more than what they do: to wake a thread on an idle processor takes several times as long as an
+//! exchange. So each place is measured by itself, the same for all contenders: both ends on one processor, an end on each of two, and
+//! wherever the system puts them.
 
 use std::error::Error;
-use std::io::{Read, Write};
+use std::io::{ErrorKind, Read, Write};
 use std::net::{TcpListener, TcpStream};
 use std::thread;
 use std::time::Duration;
@@ -24,24 +26,48 @@ use mavlink_services::vehicle::{Event, Vehicle};
 use mavlink_services::{Address, Instant, Output, Service, Station};
 use mavlink_wire::link::{Link, Options};
 use mavlink_wire::{Chars, Dialect, Encode, Frame, MAX_FRAME, Message, Parser, Sender, Targeted};
+use rustix::thread::{CpuSet, sched_getaffinity, sched_setaffinity};
 
 const PARAMETERS: u16 = 1000;
 const ITEMS: u16 = 300;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let vehicle = Link::connect("tcpin:127.0.0.1:0", Options::new(Common::TABLE, Sender::v2(1, 1)))?;
-    let address = format!("tcpout:{}", vehicle.local_addr().ok_or("a listener has an address")?);
-    thread::spawn(move || serve(vehicle));
-    let mut station = Station::connect(&address)?;
+    let allowed = sched_getaffinity(None)?;
+    let mut processors = (0..CpuSet::MAX_CPU).rev().filter(|&processor| allowed.is_set(processor));
+    let first = processors.next().ok_or("some processor")?;
+    measure("both ends on one processor", only(first), only(first))?;
+    if let Some(second) = processors.next() {
+        measure("an end on each of two processors", only(first), only(second))?;
+        measure("where the system puts them", allowed, allowed)?;
+    }
+    Ok(())
+}
+
+fn only(processor: usize) -> CpuSet {
+    let mut set = CpuSet::new();
+    set.set(processor);
+    set
+}
+
+/// Measures with the stations here and the vehicles there.
+fn measure(place: &str, stations: CpuSet, vehicles: CpuSet) -> Result<(), Box<dyn Error>> {
+    println!("{place}:");
+    sched_setaffinity(None, &stations)?;
+    let mut station = services(vehicles, true)?;
+    let mut one_by_one = services(vehicles, false)?;
     let listener = TcpListener::bind("127.0.0.1:0")?;
     let mut by_hand = ByHand::new(TcpStream::connect(listener.local_addr()?)?, 255)?;
     let (stream, _) = listener.accept()?;
-    thread::spawn(move || ByHand::new(stream, 1).map(ByHand::serve));
+    thread::spawn(move || {
+        sched_setaffinity(None, &vehicles)?;
+        ByHand::new(stream, 1)?.serve()
+    });
     let items: Vec<_> = (0..ITEMS).map(item).collect();
     compare(
         "1,000 parameters",
         vec![
             Contender::new("services", || station.params(|_, _| {}).map_or(0, |params| params.len())),
+            Contender::new("services, a write each", || one_by_one.params(|_, _| {}).map_or(0, |params| params.len())),
             Contender::new("by hand", || by_hand.list().unwrap_or(0)),
         ],
     );
@@ -55,6 +81,19 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
+/// A station of the services, whose vehicle runs there. It gathers its messages, or writes each for itself.
+fn services(vehicles: CpuSet, gathers: bool) -> Result<Station, Box<dyn Error>> {
+    // It ends with its station.
+    let options = Options::new(Common::TABLE, Sender::v2(1, 1)).without_reconnecting();
+    let vehicle = Link::connect("tcpin:127.0.0.1:0", options)?;
+    let address = format!("tcpout:{}", vehicle.local_addr().ok_or("a listener has an address")?);
+    thread::spawn(move || {
+        sched_setaffinity(None, &vehicles)?;
+        serve(vehicle, gathers)
+    });
+    Ok(Station::connect(&address)?)
+}
+
 fn item(seq: u16) -> MissionItem {
     MissionItem::at(MavCmd::NAV_WAYPOINT, 47.0 + f64::from(seq) / 1000.0, 8.0, 30.0)
 }
@@ -64,7 +103,7 @@ fn name(index: u16) -> Chars<16> {
 }
 
 /// The vehicle of the services.
-fn serve(mut link: Link) -> Result<(), Box<dyn Error + Send + Sync>> {
+fn serve(mut link: Link, gathers: bool) -> Result<(), Box<dyn Error + Send + Sync>> {
     let table: Vec<_> =
         (0..PARAMETERS).map(|index| Param { name: name(index), value: f32::from(index).into() }).collect();
     let plan = || Plan::new(vec![MissionItem::DEFAULT; ITEMS.into()], vec![MissionItem::DEFAULT; ITEMS.into()]);
@@ -80,6 +119,7 @@ fn serve(mut link: Link) -> Result<(), Box<dyn Error + Send + Sync>> {
         let now = Instant::ZERO + start.elapsed();
         while let Some(output) = vehicle.poll(now) {
             match output {
+                Output::Send(message) if gathers => drop(link.queue(&message)?),
                 Output::Send(message) => drop(link.send(&message)?),
                 Output::Event(Event::Command(request)) => {
                     vehicle.commands.finish(request.ticket, MavResult::UNSUPPORTED, now);
@@ -87,6 +127,7 @@ fn serve(mut link: Link) -> Result<(), Box<dyn Error + Send + Sync>> {
                 Output::Event(_) => {}
             }
         }
+        link.flush()?;
         let wait = vehicle.deadline().map_or(Duration::from_secs(1), |deadline| deadline - now);
         if let Some(frame) = link.receive_until(std::time::Instant::now() + wait)? {
             vehicle.handle(&frame, Instant::ZERO + start.elapsed());
@@ -117,6 +158,9 @@ impl ByHand {
         let mut send = |message: &dyn Encode| send(&mut out, sender, message);
         loop {
             let length = stream.read(&mut chunk)?;
+            if length == 0 {
+                return Err(ErrorKind::UnexpectedEof.into());
+            }
             let mut bytes = chunk.get(..length).unwrap_or_default();
             while let Some(frame) = parser.next(&mut bytes) {
                 if take(&frame, &mut send)? {

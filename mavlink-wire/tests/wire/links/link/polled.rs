@@ -68,6 +68,33 @@ async fn both_sides_talk() {
 }
 
 #[tokio::test]
+async fn what_is_queued_goes_out_with_the_flush_in_order() {
+    let (mut station, vehicle) = pair("tcpin", "tcpout").await;
+    vehicle.flush().await.unwrap();
+    for number in 0..10 {
+        assert_eq!(vehicle.queue(&message(number)).await.unwrap(), 1);
+    }
+    let a_while = Instant::now() + Duration::from_millis(50);
+    assert!(station.receive_until(a_while).await.unwrap().is_none(), "nothing goes out before");
+    // What is too much is not kept, and a message that is sent takes along what is queued.
+    for number in 10..199 {
+        vehicle.queue(&message(number)).await.unwrap();
+    }
+    vehicle.send(&message(199)).await.unwrap();
+    for expected in sent(0..200) {
+        assert_eq!(next(&mut station).await, expected);
+    }
+    vehicle.queue(&message(200)).await.unwrap();
+    vehicle.flush().await.unwrap();
+    assert_eq!(next(&mut station).await, sent(200..201)[0]);
+    assert_eq!(vehicle.statistics().sent, 201);
+    // A datagram goes out at once.
+    let (mut station, vehicle) = pair("udpin", "udpout").await;
+    assert_eq!(vehicle.queue(&message(0)).await.unwrap(), 1);
+    assert_eq!(next(&mut station).await, sent(0..1)[0]);
+}
+
+#[tokio::test]
 async fn a_listener_takes_the_next_client_and_a_client_the_next_listener() {
     let mut station = Link::connect("tcpin:127.0.0.1:0", station()).await.unwrap();
     let address = station.local_addr().unwrap();

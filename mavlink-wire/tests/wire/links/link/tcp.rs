@@ -125,6 +125,79 @@ fn a_full_buffer_is_told_and_tears_no_frame() {
 }
 
 #[test]
+fn what_is_queued_goes_out_with_the_flush_in_order() {
+    let (mut station, address) = listener(station());
+    let vehicle = Link::connect(&format!("tcpout:{address}"), vehicle()).unwrap();
+    vehicle.flush().unwrap();
+    for number in 0..10 {
+        assert_eq!(vehicle.queue(&message(number)).unwrap(), 1);
+    }
+    let a_while = std::time::Instant::now() + Duration::from_millis(50);
+    assert!(station.receive_until(a_while).unwrap().is_none(), "nothing goes out before");
+    assert_eq!(vehicle.statistics().sent, 0);
+    vehicle.flush().unwrap();
+    assert_eq!(vehicle.statistics().sent, 10);
+    // A message that is sent takes along what is queued, and what is too much is not kept.
+    for number in 10..13 {
+        vehicle.queue(&message(number)).unwrap();
+    }
+    vehicle.send(&message(13)).unwrap();
+    for number in 14..200 {
+        vehicle.queue(&message(number)).unwrap();
+    }
+    assert!(vehicle.statistics().sent >= 100, "{:?}", vehicle.statistics());
+    vehicle.flush().unwrap();
+    let received: Vec<_> = (0..200).map(|_| next(&mut station)).collect();
+    assert_eq!(received, sent(0..200));
+    assert_eq!(vehicle.statistics().sent, 200);
+}
+
+#[test]
+fn what_is_queued_for_a_connection_is_lost_with_it() {
+    let server = TcpListener::bind("127.0.0.1:0").unwrap();
+    let mut vehicle = Link::connect(&format!("tcpout:{}", server.local_addr().unwrap()), vehicle()).unwrap();
+    let (first, _) = server.accept().unwrap();
+    vehicle.queue(&message(0)).unwrap();
+    drop(first);
+    let accepted = thread::spawn(move || server.accept().unwrap().0);
+    while vehicle.statistics().connections < 2 {
+        assert!(vehicle.receive_until(std::time::Instant::now() + Duration::from_millis(20)).unwrap().is_none());
+    }
+    let mut second = accepted.join().unwrap();
+    send_surely(&vehicle, 1);
+    assert_eq!((vehicle.statistics().sent, vehicle.statistics().unsent), (1, 1));
+    drop(vehicle);
+    let mut bytes = vec![];
+    second.read_to_end(&mut bytes).unwrap();
+    let frame = mavlink_wire::Frame::parse(&bytes, Small::TABLE).unwrap();
+    assert_eq!((frame.message(), frame.bytes().len()), (sent(1..2)[0].1, bytes.len()));
+}
+
+#[test]
+fn a_queue_that_nobody_takes_is_full() {
+    let (mut station, address) = listener(station().with_send_timeout(Duration::from_millis(1)));
+    let mut client = TcpStream::connect(&address).unwrap();
+    client.write_all(&stream(Sender::v2(1, 1), 0..1)).unwrap();
+    next(&mut station);
+    let mut count: u32 = 0;
+    while station.queue(&message(count)).is_ok() {
+        count += 1;
+    }
+    assert!(matches!(station.queue(&message(count)), Err(LinkError::Full)));
+    assert!(matches!(station.flush(), Err(LinkError::Full)));
+    let reader = thread::spawn(move || {
+        let mut bytes = vec![];
+        client.read_to_end(&mut bytes).unwrap();
+        bytes
+    });
+    while matches!(station.flush(), Err(LinkError::Full)) {}
+    assert_eq!(station.statistics().sent, u64::from(count));
+    drop(station);
+    let (bytes, expected) = (reader.join().unwrap(), stream(Sender::v2(255, 190), 0..count));
+    assert!(bytes == expected, "{} bytes of {}", bytes.len(), expected.len());
+}
+
+#[test]
 fn garbage_costs_nothing_but_itself() {
     let (mut station, address) = listener(station());
     let mut client = TcpStream::connect(&address).unwrap();
