@@ -25,7 +25,8 @@ pub(crate) use message::{Default, Field, Frame, Gives, Seen, Struct, Target};
 pub(crate) use method::{Kind, Method, Param, Receiver, Sig};
 #[cfg(feature = "uorb")]
 pub(crate) use topic::{
-    Definition, Held, Move, Plain, Row, SameDefinition, Topic, TopicConstant, TopicField, TopicSlot, TopicType,
+    Definition, Held, Move, Part, Plain, Row, SameDefinition, Scalars, Topic, TopicConstant, TopicField, TopicSlot,
+    TopicType,
 };
 pub(crate) use tree::{Alias, Child, ChildAccess, Content, Export, File, Use};
 pub(crate) use ty::{AsInt, Element, EnumType, Error, Int, Literal, Shape, Through, Ty};

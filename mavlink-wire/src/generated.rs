@@ -14,8 +14,10 @@ pub use crate::reflect::fmt_message;
 
 #[cfg(feature = "uorb")]
 pub use crate::uorb::code::{
-    body, body_mut, boolean, booleans, each, elements, elements_mut, fill, first, is_blank, narrow, narrow_each,
+    body, body_mut, boolean, booleans, each, elements, elements_mut, fill, first, fit, narrow, narrow_each, record_mut,
 };
+#[cfg(feature = "uorb")]
+pub use crate::uorb::member::read_nested;
 
 #[cfg(feature = "bitflags")]
 #[doc(hidden)]

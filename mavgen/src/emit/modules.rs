@@ -58,7 +58,10 @@ fn used(of: &Use) -> Result<TokenStream, Internal> {
             let runtime = path(crate_path)?;
             quote!(#runtime as wire)
         }
-        Use::LoadAndStore => quote!(wire::generated::{get, put}),
+        Use::Generated(functions) => {
+            let functions = functions.iter().map(|name| ident(name));
+            quote!(wire::generated::{#(#functions),*})
+        }
     })
 }
 

@@ -10,33 +10,29 @@
 //! }
 //!
 //! impl PumpStatus {
-//!     /// Nothing is known.
+//!     /// A value of which nothing is known.
 //!     pub const UNKNOWN: Self = Self { timestamp: 0 };
 //!     /// Definition `main`: …
-//!     pub const MAIN: wire::uorb::Definition = wire::uorb::Definition::new("PumpStatus", "main")…;
+//!     pub const MAIN: uorb::Definition = uorb::Definition::new("PumpStatus", "main")…;
 //! }
 //!
-//! impl wire::uorb::Topic for PumpStatus {
+//! impl uorb::Topic for PumpStatus {
 //!     …
+//!     fn read_cdr(definition: usize, body: &[u8]) -> Result<Self, uorb::CdrError> {
+//!         let p = wire::generated::body::<8>(Self::DEFINITIONS, definition, body)?;
+//!         Ok(PumpStatus { timestamp: get(p, 0) })
+//!     }
 //! }
 //!
-//! impl wire::uorb::TopicByLength for PumpStatus {}
-//!
-//! fn read_main(p: &[u8; 8]) -> Result<PumpStatus, wire::uorb::CdrError> {
-//!     Ok(PumpStatus { timestamp: get(p, 0) })
-//! }
-//!
-//! fn store_main(topic: &PumpStatus, p: &mut [u8; 8]) -> Result<(), wire::uorb::CdrError> {
-//!     put(p, 0, topic.timestamp);
-//!     Ok(())
-//! }
+//! impl uorb::TopicByLength for PumpStatus {}
 //!
 //! wire::topic!(PumpStatus { timestamp });
 //! ```
+//!
+//! Of several definitions, each is read and written by functions of its own: `read_main`, `store_main`.
 
 mod field;
 mod load;
-mod record;
 mod store;
 
 use proc_macro2::TokenStream;
@@ -52,15 +48,18 @@ use crate::rust::{Definition, SameDefinition, Topic, TopicConstant};
 pub(super) fn topic(topic: &Topic<'_>) -> TokenStream {
     let name = ident(topic.ident);
     let (declaration, inherent, of_trait) = (declaration(topic), inherent(topic), of_trait(topic));
-    let by_length = topic.by_length.then(|| quote!(impl wire::uorb::TopicByLength for #name {}));
-    let functions = topic.definitions.iter().map(|definition| functions(topic, definition));
-    let fields = topic.fields.iter().map(|field| ident(field.slot.ident));
+    let by_length = topic.by_length.then(|| quote!(impl uorb::TopicByLength for #name {}));
+    let functions = match topic.definitions.as_slice() {
+        [_] => TokenStream::new(),
+        several => several.iter().map(|definition| functions(topic, definition)).collect(),
+    };
+    let fields = topic.fields.iter().map(field::bound);
     quote! {
         #declaration
         #inherent
         #of_trait
         #by_length
-        #(#functions)*
+        #functions
         wire::topic!(#name { #(#fields),* });
     }
 }
@@ -84,10 +83,9 @@ fn inherent(topic: &Topic<'_>) -> TokenStream {
     let definitions = topic.definitions.iter().map(|one| definition(topic, one));
     let also = topic.also.iter().map(|SameDefinition { constant, docs, of }| {
         let (docs, constant, of) = (doc::documentation(docs), ident(constant), ident(of));
-        quote!(#docs pub const #constant: wire::uorb::Definition = Self::#of;)
+        quote!(#docs pub const #constant: uorb::Definition = Self::#of;)
     });
     let methods = topic.methods.iter().map(method);
-    let is_blank = topic.asked_if_blank.then(|| store::is_blank(topic));
     quote! {
         impl #name {
             #(#constants)*
@@ -96,7 +94,6 @@ fn inherent(topic: &Topic<'_>) -> TokenStream {
             #(#definitions)*
             #(#also)*
             #(#methods)*
-            #is_blank
         }
     }
 }
@@ -108,14 +105,14 @@ fn constant(constant: &TopicConstant<'_>) -> TokenStream {
     quote!(#docs pub const #name: #ty = #value;)
 }
 
-/// `pub const MAIN: wire::uorb::Definition = …;`
+/// `pub const MAIN: uorb::Definition = …;`
 fn definition(topic: &Topic<'_>, definition: &Definition<'_>) -> TokenStream {
     let Definition { constant, docs, name, message_hash, type_hash, cdr_len, record_len, formats, .. } = definition;
     let (docs, constant, message) = (doc::documentation(docs), ident(constant), topic.name);
     let (message_hash, cdr_len, record_len) = (mask(*message_hash), decimal(*cdr_len), decimal(*record_len));
     quote! {
         #docs
-        pub const #constant: wire::uorb::Definition = wire::uorb::Definition::new(#message, #name)
+        pub const #constant: uorb::Definition = uorb::Definition::new(#message, #name)
             .hashes(#message_hash, #type_hash)
             .lengths(#cdr_len, #record_len)
             .formats(&[#(#formats),*]);
@@ -124,75 +121,92 @@ fn definition(topic: &Topic<'_>, definition: &Definition<'_>) -> TokenStream {
 
 fn of_trait(topic: &Topic<'_>) -> TokenStream {
     let Topic { name: message, topics, definitions, .. } = topic;
-    let (name, places) = (ident(topic.ident), decimal(topic.places() as u64));
+    let name = ident(topic.ident);
     let version = topic.version.map(decimal).map(|of| quote!(const VERSION: Option<u32> = Some(#of);));
     let queue = topic.queue.map(decimal).map(|of| quote!(const QUEUE: u32 = #of;));
     let constants = definitions.iter().map(|definition| ident(definition.constant));
-    let fields = topic.fields.iter().map(field::info);
-    let (read, store) = (record::read(topic), record::store(topic));
-    let (read_cdr, store_cdr) = (read_cdr(definitions), store_cdr(definitions));
+    let (read_cdr, store_cdr, store_record) = (read_cdr(definitions), store_cdr(definitions), store_record(topic));
     quote! {
-        impl wire::uorb::Topic for #name {
+        impl uorb::Topic for #name {
             const NAME: &'static str = #message;
             const TOPICS: &'static [&'static str] = &[#(#topics),*];
             #version
             #queue
-            const DEFINITIONS: &'static [wire::uorb::Definition] = &[#(Self::#constants),*];
-            const FIELDS: &'static [wire::uorb::Field] = &[#(#fields),*];
-            const UNKNOWN: Self = Self::UNKNOWN;
-            type Places = [wire::uorb::Place; #places];
-            const ABSENT: Self::Places = [wire::uorb::Place::ABSENT; #places];
-            #read
-            #store
-            #read_cdr
-            #store_cdr
+            const DEFINITIONS: &'static [uorb::Definition] = &[#(Self::#constants),*];
+            fn read_cdr(definition: usize, body: &[u8]) -> Result<Self, uorb::CdrError> {
+                #read_cdr
+            }
+            fn store_cdr(&self, definition: usize, body: &mut [u8]) -> Result<(), uorb::CdrError> {
+                #store_cdr
+            }
+            fn store_record(&self, record: &mut [u8]) -> Result<(), uorb::CdrError> {
+                #store_record
+            }
         }
     }
 }
 
 fn read_cdr(definitions: &[Definition<'_>]) -> TokenStream {
+    if let [one] = definitions {
+        let (length, loads) = (decimal(one.cdr_len), load::body(&one.cdr));
+        return quote! {
+            let p = wire::generated::body::<#length>(Self::DEFINITIONS, definition, body)?;
+            #loads
+        };
+    }
     let arms = definitions.iter().zip(0_u32..).map(|(definition, at)| {
         let (at, function) = (decimal(at), format_ident!("read_{}", definition.suffix));
-        quote!(#at => #function(wire::generated::body(body, <Self as wire::uorb::Topic>::DEFINITIONS)?),)
+        quote!(#at => #function(wire::generated::body(Self::DEFINITIONS, definition, body)?),)
     });
     quote! {
-        #[inline]
-        fn read_cdr(definition: usize, body: &[u8]) -> Result<Self, wire::uorb::CdrError> {
-            match definition {
-                #(#arms)*
-                _ => Err(wire::uorb::CdrError::Definition),
-            }
+        match definition {
+            #(#arms)*
+            _ => Err(uorb::CdrError::Definition),
         }
     }
 }
 
 fn store_cdr(definitions: &[Definition<'_>]) -> TokenStream {
+    if let [one] = definitions {
+        let (length, stores) = (decimal(one.cdr_len), store::all(&one.cdr, &quote!(self)));
+        return quote! {
+            let p = wire::generated::body_mut::<#length>(Self::DEFINITIONS, definition, body)?;
+            #stores
+            Ok(())
+        };
+    }
     let arms = definitions.iter().zip(0_u32..).map(|(definition, at)| {
         let (at, function) = (decimal(at), format_ident!("store_{}", definition.suffix));
-        quote!(#at => #function(self, wire::generated::body_mut(body)?),)
+        quote!(#at => #function(self, wire::generated::body_mut(Self::DEFINITIONS, definition, body)?),)
     });
     quote! {
-        #[inline]
-        fn store_cdr(&self, definition: usize, body: &mut [u8]) -> Result<(), wire::uorb::CdrError> {
-            match definition {
-                #(#arms)*
-                _ => Err(wire::uorb::CdrError::Definition),
-            }
+        match definition {
+            #(#arms)*
+            _ => Err(uorb::CdrError::Definition),
         }
     }
 }
 
-/// How a body of a definition is read and written.
+fn store_record(topic: &Topic<'_>) -> TokenStream {
+    let length = decimal(topic.definitions.first().map_or(0, |newest| newest.record_len));
+    let stores = store::all(&topic.record, &quote!(self));
+    quote! {
+        let p = wire::generated::record_mut::<#length>(record)?;
+        #stores
+        Ok(())
+    }
+}
+
+/// How a body of one of several definitions is read and written.
 fn functions(topic: &Topic<'_>, definition: &Definition<'_>) -> TokenStream {
     let (name, length) = (ident(topic.ident), decimal(definition.cdr_len));
     let (read, store) = (format_ident!("read_{}", definition.suffix), format_ident!("store_{}", definition.suffix));
-    let loads = load::body(topic.ident, definition);
-    let stores = store::all(&quote!(topic), &definition.cdr, 0);
+    let (loads, stores) = (load::body(&definition.cdr), store::all(&definition.cdr, &quote!(topic)));
     quote! {
-        fn #read(p: &[u8; #length]) -> Result<#name, wire::uorb::CdrError> {
+        fn #read(p: &[u8; #length]) -> Result<#name, uorb::CdrError> {
             #loads
         }
-        fn #store(topic: &#name, p: &mut [u8; #length]) -> Result<(), wire::uorb::CdrError> {
+        fn #store(topic: &#name, p: &mut [u8; #length]) -> Result<(), uorb::CdrError> {
             #stores
             Ok(())
         }

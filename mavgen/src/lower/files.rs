@@ -78,7 +78,7 @@ impl<'d> Maker<'_, 'd> {
         let (named, alias) = (Mentions::of_message(&item), alias(&item, &message.names.module));
         let mut uses = self.items.use_enums(&named)?;
         uses.push(self.runtime());
-        uses.extend((!item.fields.is_empty()).then_some(Use::LoadAndStore));
+        uses.extend((!item.fields.is_empty()).then(|| Use::Generated(vec!["get", "put"])));
         let file = File {
             path: self.path(&format!("messages/{}.rs", message.names.module)),
             header: self.header(&message.model.files())?,

@@ -5,6 +5,7 @@ mod docs;
 mod enums;
 mod fields;
 mod names;
+mod parts;
 mod tree;
 
 pub(crate) use names::{CONSTANTS, UnionNames};
@@ -66,7 +67,6 @@ impl<'d> Topics<'d> {
             also: self.same_definitions(index)?,
             by_length,
             record: self.record(index)?,
-            asked_if_blank: self.is_asked_if_blank(index),
             definitions,
         })
     }

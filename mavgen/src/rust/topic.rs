@@ -25,9 +25,7 @@ pub(crate) struct Topic<'d> {
     /// Whether the length of a CDR body tells which definition it is of.
     pub(crate) by_length: bool,
     /// How the newest definition is written as a record.
-    pub(crate) record: Vec<Move<'d>>,
-    /// Whether another topic asks if it says anything.
-    pub(crate) asked_if_blank: bool,
+    pub(crate) record: Part<'d>,
 }
 
 /// `pub const CONNECTED_ESC_MAX: u8 = 8;`
@@ -44,8 +42,8 @@ pub(crate) struct TopicConstant<'d> {
 pub(crate) struct TopicField<'d> {
     pub(crate) slot: TopicSlot<'d>,
     pub(crate) docs: Docs<'d>,
-    /// Its name in the definitions.
-    pub(crate) name: &'d str,
+    /// Its name in the definitions, where it is another.
+    pub(crate) named: Option<&'d str>,
     /// The name in older definitions.
     pub(crate) was: Option<&'d str>,
 }
@@ -54,6 +52,8 @@ pub(crate) struct TopicField<'d> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct TopicSlot<'d> {
     pub(crate) ident: &'d str,
+    /// Its name in the definitions.
+    pub(crate) name: &'d str,
     pub(crate) ty: TopicType<'d>,
     /// The length of an array.
     pub(crate) len: Option<u16>,
@@ -68,8 +68,8 @@ pub(crate) enum TopicType<'d> {
     Plain(Plain),
     /// An enum, whose integer is that of the field.
     Enum(EnumType<'d>),
-    /// Another topic, the name of its message, and how many places it takes.
-    Message { ident: &'d str, name: &'d str, places: usize },
+    /// Another topic.
+    Message(&'d str),
 }
 
 /// A scalar.
@@ -99,10 +99,8 @@ pub(crate) struct Definition<'d> {
     pub(crate) record_len: u32,
     /// The formats of a log, its own first.
     pub(crate) formats: Vec<String>,
-    /// Whether it has all fields.
-    pub(crate) is_whole: bool,
-    /// Where a CDR body has its fields.
-    pub(crate) cdr: Vec<Move<'d>>,
+    /// What a CDR body has.
+    pub(crate) cdr: Part<'d>,
 }
 
 /// A definition that is a newer one by another name.
@@ -114,55 +112,62 @@ pub(crate) struct SameDefinition<'d> {
     pub(crate) of: &'d str,
 }
 
+/// What a definition has of a message.
+#[derive(Clone, Debug)]
+pub(crate) struct Part<'d> {
+    /// The topic.
+    pub(crate) ident: &'d str,
+    pub(crate) fields: Vec<Move<'d>>,
+    /// Whether a literal of the fields that are not [`later`](Move::later) lacks some of the topic's.
+    pub(crate) lacks: bool,
+}
+
 /// A field, and where a definition has it.
 #[derive(Clone, Debug)]
 pub(crate) struct Move<'d> {
     pub(crate) slot: TopicSlot<'d>,
     pub(crate) at: u32,
     pub(crate) held: Held<'d>,
+    /// Whether it is read over what the field is where nothing is known, and not as a value of the literal.
+    pub(crate) later: bool,
 }
 
 /// What a definition has of a field.
 #[derive(Clone, Debug)]
 pub(crate) enum Held<'d> {
-    /// Scalars, which may be narrower and fewer than the field's.
-    Plain(Plain, Option<u16>),
-    /// Messages that lie in these ways, one after the other.
-    Messages(Vec<Row<'d>>),
+    Scalars(Scalars),
+    /// A message that is no array.
+    Message(Part<'d>),
+    /// As many messages as the field has, of one layout, none of which can be refused.
+    Each(Row<'d>),
+    /// Messages that lie in these ways, one after the other; how many there are if the field has more.
+    Rows(Vec<Row<'d>>, Option<u16>),
+}
+
+/// Scalars as a definition has them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Scalars {
+    pub(crate) stored: Plain,
+    /// The length of an array.
+    pub(crate) len: Option<u16>,
+    /// Whether the field's type is a wider one.
+    pub(crate) widens: bool,
+    /// Whether the field has more of them.
+    pub(crate) few: bool,
 }
 
 /// Nested messages of one layout.
 #[derive(Clone, Debug)]
 pub(crate) struct Row<'d> {
-    /// Which is the first.
-    pub(crate) first: u16,
-    pub(crate) count: u16,
+    /// How many of the field's elements stand before.
+    pub(crate) skip: u16,
+    /// How many there are, if more of the field's elements follow.
+    pub(crate) take: Option<u16>,
     pub(crate) at: u32,
     pub(crate) stride: u32,
     /// Bytes of one.
     pub(crate) len: u32,
-    /// The topic that is nested.
-    pub(crate) ident: &'d str,
-    /// Whether its definition has all fields.
-    pub(crate) is_whole: bool,
-    pub(crate) fields: Vec<Move<'d>>,
-}
-
-impl Topic<'_> {
-    /// How many places its fields take, and those of what it nests.
-    pub(crate) fn places(&self) -> usize {
-        self.fields.iter().map(|field| field.slot.places()).sum()
-    }
-}
-
-impl TopicSlot<'_> {
-    /// How many places it takes: its own, and those of what it nests.
-    pub(crate) fn places(&self) -> usize {
-        match self.ty {
-            TopicType::Message { places, .. } => 1 + places,
-            TopicType::Plain(_) | TopicType::Enum(_) => 1,
-        }
-    }
+    pub(crate) part: Part<'d>,
 }
 
 impl TopicType<'_> {
@@ -171,7 +176,7 @@ impl TopicType<'_> {
         match self {
             Self::Plain(plain) => Some(*plain),
             Self::Enum(one) => Some(Plain::Int(one.int)),
-            Self::Message { .. } => None,
+            Self::Message(_) => None,
         }
     }
 }

@@ -46,8 +46,8 @@ pub(crate) enum Use {
     All(String),
     /// The runtime, as `wire`.
     Runtime(String),
-    /// What fields are loaded and stored with.
-    LoadAndStore,
+    /// These functions that the runtime has for generated code.
+    Generated(Vec<&'static str>),
 }
 
 /// `mod heartbeat;`

@@ -67,7 +67,10 @@ impl<T, F: Fn(usize) -> Option<T>> Several<F> {
 }
 
 /// A name without the mark of a raw identifier.
-#[cfg_attr(not(any(feature = "serde", feature = "defmt")), allow(dead_code, reason = "only these features use it"))]
+#[cfg_attr(
+    not(any(feature = "serde", feature = "defmt", feature = "uorb")),
+    allow(dead_code, reason = "only these features use it")
+)]
 pub(crate) const fn plain_name(name: &'static str) -> &'static str {
     match name.as_bytes() {
         [b'r', b'#', ..] => name.split_at(2).1,

@@ -2,26 +2,45 @@
 //!
 //! All of it is total. Offsets and lengths are constants there, so that the compiler removes what can be checked once.
 
-use super::Definition;
 use super::cdr::CdrError;
+use super::{Definition, Member};
 
-/// The bytes of a body, which are at least as many as its definition has.
+/// The bytes of a body, which are at least the `N` of its definition.
 ///
 /// # Errors
 ///
-/// They are fewer.
+/// There is no such definition, or they are fewer.
 #[inline]
-pub fn body<'b, const N: usize>(bytes: &'b [u8], known: &'static [Definition]) -> Result<&'b [u8; N], CdrError> {
+pub fn body<'b, const N: usize>(
+    definitions: &'static [Definition],
+    definition: usize,
+    bytes: &'b [u8],
+) -> Result<&'b [u8; N], CdrError> {
+    let known = definitions.get(definition..=definition).ok_or(CdrError::Definition)?;
     bytes.first_chunk().ok_or(CdrError::Length { found: bytes.len(), known })
 }
 
-/// The bytes of a body or record that is written.
+/// The bytes of a body that is written.
+///
+/// # Errors
+///
+/// There is no such definition, or they are fewer.
+#[inline]
+pub fn body_mut<'b, const N: usize>(
+    definitions: &'static [Definition],
+    definition: usize,
+    bytes: &'b mut [u8],
+) -> Result<&'b mut [u8; N], CdrError> {
+    if definition < definitions.len() { record_mut(bytes) } else { Err(CdrError::Definition) }
+}
+
+/// The bytes of a record that is written.
 ///
 /// # Errors
 ///
 /// They are fewer.
 #[inline]
-pub fn body_mut<const N: usize>(bytes: &mut [u8]) -> Result<&mut [u8; N], CdrError> {
+pub fn record_mut<const N: usize>(bytes: &mut [u8]) -> Result<&mut [u8; N], CdrError> {
     bytes.first_chunk_mut().ok_or(CdrError::NoRoom { needed: N })
 }
 
@@ -179,75 +198,76 @@ pub fn narrow_each<T: Copy + Default, S: Narrow<T>, const N: usize>(
     Ok(narrowed)
 }
 
-/// A value that may say nothing.
-pub trait Blank: Copy {
-    /// Whether it is what a field is that nobody set.
-    fn is_blank(self) -> bool;
-}
-
-macro_rules! blank {
-    ($($type:ty)*) => {$(
-        impl Blank for $type {
-            #[inline]
-            fn is_blank(self) -> bool {
-                self == Self::default()
-            }
-        }
-    )*};
-}
-
-blank!(u8 i8 u16 i16 u32 i32 u64 i64 bool);
-
-macro_rules! blank_float {
-    ($($type:ty)*) => {$(
-        impl Blank for $type {
-            #[inline]
-            fn is_blank(self) -> bool {
-                self == 0.0 || self.is_nan()
-            }
-        }
-    )*};
-}
-
-blank_float!(f32 f64);
-
-impl<T: Blank, const N: usize> Blank for [T; N] {
-    #[inline]
-    fn is_blank(self) -> bool {
-        self.iter().all(|value| value.is_blank())
-    }
-}
-
-/// Whether a field says nothing.
+/// Whether a definition that has room for `room` elements has all that say something.
+///
+/// # Errors
+///
+/// It has not.
 #[inline]
-pub fn is_blank<T: Blank>(value: T) -> bool {
-    value.is_blank()
+pub fn fit<T: Member>(values: &[T], unknown: &[T], room: usize, field: &'static str) -> Result<(), CdrError> {
+    let mut rest = values.iter().zip(unknown).skip(room);
+    if rest.all(|(value, unknown)| value.is_blank(unknown)) { Ok(()) } else { Err(CdrError::DoesNotFit { field }) }
 }
 
 /// As many values as a definition has room for.
 ///
 /// # Errors
 ///
-/// The others say something else than that they are not known.
+/// The others say something.
 #[inline]
-pub fn first<T: Blank + PartialEq, const N: usize>(
-    values: &[T],
-    unknown: T,
-    field: &'static str,
-) -> Result<[T; N], CdrError> {
-    let is_blank = |value: &T| value.is_blank() || *value == unknown;
-    match values.split_first_chunk() {
-        Some((first, rest)) if rest.iter().all(is_blank) => Ok(*first),
-        _ => Err(CdrError::DoesNotFit { field }),
-    }
+pub fn first<T: Member, const N: usize>(values: &[T], unknown: &[T], field: &'static str) -> Result<[T; N], CdrError> {
+    fit(values, unknown, N, field)?;
+    values.first_chunk().copied().ok_or(CdrError::DoesNotFit { field })
 }
 
-/// Completes a generated topic: `Default`, which is its `UNKNOWN`, and what the optional features add.
+/// Completes a topic: `Default`, which is its `UNKNOWN`, [`Fields`](crate::uorb::Fields), and what the optional features add.
 ///
-/// `topic!(EscStatus { timestamp, counter, esc })` takes the type and all of its fields.
+/// `topic!(Light { timestamp, on, r#type })` takes the type and all of its fields. A field that the `.msg` file names otherwise, or
+/// that had another name in older definitions, says so: `topic!(Light { timestamp, self_ = "self", lux was "brightness" })`.
 #[macro_export]
 macro_rules! topic {
-    ($name:ident { $($field:ident),* }) => {
+    ($name:ident { $($field:ident $(= $named:literal)? $(was $was:literal)?),* $(,)? }) => {
+        impl $crate::uorb::Fields for $name {
+            const FIELDS: &'static [$crate::uorb::Field] = {
+                let unknown = &$name::UNKNOWN;
+                &[$(
+                    $crate::uorb::Field::like(::core::stringify!($field), &unknown.$field)$(.named($named))?$(.was($was))?
+                ),*]
+            };
+            const UNKNOWN: Self = Self::UNKNOWN;
+            type Places = [$crate::uorb::Place; $crate::uorb::places(<$name as $crate::uorb::Fields>::FIELDS)];
+            const ABSENT: Self::Places =
+                [$crate::uorb::Place::ABSENT; $crate::uorb::places(<$name as $crate::uorb::Fields>::FIELDS)];
+
+            #[inline]
+            fn visit<V: $crate::uorb::Visit>(&mut self, unknown: &Self, visit: &mut V) {
+                $(visit.field(&mut self.$field, &unknown.$field);)*
+            }
+        }
+
+        impl $crate::uorb::Member for $name {
+            const ELEMENT: $crate::uorb::Element = $crate::uorb::Element::Message {
+                name: <Self as $crate::uorb::Topic>::NAME,
+                fields: <Self as $crate::uorb::Fields>::FIELDS,
+            };
+
+            #[inline]
+            fn read(
+                &mut self,
+                place: &$crate::uorb::Place,
+                i: u16,
+                nested: &[$crate::uorb::Place],
+                record: &[u8],
+            ) {
+                $crate::generated::read_nested(self, (place, i), nested, record)
+            }
+
+            #[inline]
+            fn is_blank(&self, _: &Self) -> bool {
+                $crate::uorb::Fields::is_blank(self)
+            }
+        }
+
         impl ::core::default::Default for $name {
             #[inline]
             fn default() -> Self {
@@ -278,9 +298,10 @@ mod tests {
 
     #[test]
     fn what_is_left_out_says_nothing() {
-        assert_eq!(first::<_, 2>(&[1.0, 2.0, f32::NAN, 0.0], 0.0, "x"), Ok([1.0, 2.0]));
-        assert_eq!(first::<_, 2>(&[1_u8, 2, 3], 4, "x"), Err(CdrError::DoesNotFit { field: "x" }));
-        assert_eq!(first::<_, 2>(&[1_u8, 2, 4, 0], 4, "x"), Ok([1, 2]));
+        assert_eq!(first::<_, 2>(&[1.0, 2.0, f32::NAN, 0.0], &[0.0; 4], "x"), Ok([1.0, 2.0]));
+        assert_eq!(first::<_, 2>(&[1_u8, 2, 3], &[4; 3], "x"), Err(CdrError::DoesNotFit { field: "x" }));
+        assert_eq!(first::<_, 2>(&[1_u8, 2, 4, 0], &[4; 4], "x"), Ok([1, 2]));
+        assert_eq!(fit(&[1_u8, 2, 4, 0], &[4; 4], 1, "x"), Err(CdrError::DoesNotFit { field: "x" }));
     }
 
     #[test]

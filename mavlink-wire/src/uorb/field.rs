@@ -1,6 +1,7 @@
 //! What a generated topic says of its fields: names and types, flat, for binding by name.
 
-use super::Kind;
+use super::{Kind, Member};
+use crate::message::record::plain_name;
 
 /// A field of a topic or of a message nested in it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -18,22 +19,20 @@ pub struct Field {
 }
 
 impl Field {
-    /// A scalar.
+    /// A field of this name in Rust, and of the type of this value.
     #[must_use]
-    pub const fn new(name: &'static str, kind: Kind) -> Self {
-        Self { name, was: None, element: Element::Scalar(kind), len: 1, array: false }
+    pub const fn like<M: Member>(name: &'static str, _: &M) -> Self {
+        let (len, array) = match M::LEN {
+            Some(len) => (len, true),
+            None => (1, false),
+        };
+        Self { name: plain_name(name), was: None, element: M::ELEMENT, len, array }
     }
 
-    /// A nested message.
+    /// The same, whose name in the `.msg` file is another than in Rust.
     #[must_use]
-    pub const fn nested(name: &'static str, message: &'static str, fields: &'static [Self]) -> Self {
-        Self { name, was: None, element: Element::Message { name: message, fields }, len: 1, array: false }
-    }
-
-    /// The same as an array.
-    #[must_use]
-    pub const fn array(self, len: u16) -> Self {
-        Self { len, array: true, ..self }
+    pub const fn named(self, name: &'static str) -> Self {
+        Self { name, ..self }
     }
 
     /// The same, which had another name in older definitions.
@@ -67,9 +66,7 @@ pub enum Element {
 pub const fn places(fields: &[Field]) -> usize {
     let (mut rest, mut count) = (fields, fields.len());
     while let [field, others @ ..] = rest {
-        if let Element::Message { fields, .. } = field.element {
-            count += places(fields);
-        }
+        count += field.element.places();
         rest = others;
     }
     count

@@ -1,7 +1,5 @@
 //! The scalars of uORB messages, and which of them hold the values of which others.
 
-use crate::Chars;
-
 /// A scalar type of a uORB message.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
@@ -170,9 +168,9 @@ impl Value for bool {
     }
 }
 
-/// One byte of text, for [`Chars`]: a `char` widens to nothing else.
+/// One byte of text, for [`Chars`](crate::Chars): a `char` widens to nothing else.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Char(pub u8);
+pub(super) struct Char(pub(super) u8);
 
 impl Value for Char {
     const KIND: Kind = Kind::Char;
@@ -180,12 +178,6 @@ impl Value for Char {
     #[inline]
     fn read(bytes: &[u8], kind: Kind) -> Option<Self> {
         if kind == Kind::Char { bytes.first().copied().map(Self) } else { None }
-    }
-}
-
-impl<const N: usize> From<[Char; N]> for Chars<N> {
-    fn from(text: [Char; N]) -> Self {
-        Self(text.map(|byte| byte.0))
     }
 }
 

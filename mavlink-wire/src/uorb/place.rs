@@ -1,6 +1,6 @@
 //! Where a log's records have the fields of a topic.
 
-use super::{Kind, Topic, Value};
+use super::{Kind, Value};
 
 /// Where a record has a field: made by [`Binding::of`](super::ulog::Binding::of), read by generated code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,6 +29,12 @@ impl Place {
         self.len != 0
     }
 
+    /// Elements that the log has.
+    #[inline]
+    pub(super) const fn len(&self) -> u16 {
+        self.len
+    }
+
     /// The bytes from element `i` on; `None` if the log or this record has no such element.
     #[inline]
     fn element<'r>(&self, record: &'r [u8], i: u16) -> Option<&'r [u8]> {
@@ -39,21 +45,11 @@ impl Place {
         record.get(usize::try_from(at).ok()?..)
     }
 
-    /// The value of the field in a record.
+    /// The value of element `i`; `None` if the log or this record has no such element, or if it is no such value.
     #[inline]
     #[must_use]
-    pub fn get<T: Value>(&self, record: &[u8]) -> Option<T> {
-        T::read(self.element(record, 0)?, self.kind)
-    }
-
-    /// Puts the values of an array field over those that are there; the others stay.
-    #[inline]
-    pub fn get_each<T: Value>(&self, record: &[u8], values: &mut [T]) {
-        for (i, value) in (0..self.len).zip(values) {
-            if let Some(read) = self.element(record, i).and_then(|bytes| T::read(bytes, self.kind)) {
-                *value = read;
-            }
-        }
+    pub fn value<T: Value>(&self, record: &[u8], i: u16) -> Option<T> {
+        T::read(self.element(record, i)?, self.kind)
     }
 
     /// The bytes of the nested message `i`; `None` if the log has no such message.
@@ -61,33 +57,5 @@ impl Place {
     #[must_use]
     pub fn nested<'r>(&self, record: &'r [u8], i: u16) -> Option<&'r [u8]> {
         self.element(record, i)?.get(..usize::try_from(self.stride).ok()?)
-    }
-
-    /// The values of an array field; `unknown` for what the log does not have.
-    #[inline]
-    #[must_use]
-    pub fn array<T: Value, const N: usize>(&self, record: &[u8], unknown: T) -> [T; N] {
-        let mut values = [unknown; N];
-        self.get_each(record, &mut values);
-        values
-    }
-
-    /// A nested message, whose fields have these places.
-    #[inline]
-    #[must_use]
-    pub fn message<T: Topic>(&self, record: &[u8], places: &[Self]) -> T {
-        self.nested(record, 0).map_or(T::UNKNOWN, |record| T::read(places, record))
-    }
-
-    /// Nested messages, whose fields have these places.
-    #[inline]
-    #[must_use]
-    pub fn messages<T: Topic, const N: usize>(&self, record: &[u8], places: &[Self]) -> [T; N] {
-        let mut messages = [T::UNKNOWN; N];
-        for (i, message) in (0..u16::MAX).zip(&mut messages) {
-            let Some(record) = self.nested(record, i) else { break };
-            *message = T::read(places, record);
-        }
-        messages
     }
 }

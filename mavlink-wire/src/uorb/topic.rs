@@ -1,13 +1,13 @@
 //! What generated uORB messages implement.
 
 use super::cdr::{self, CdrError};
-use super::{Definition, Field, Place};
+use super::{Definition, Fields};
 
 /// A uORB message, made by `mavgen` of its `.msg` files.
 ///
 /// The struct is the union of its [`DEFINITIONS`](Self::DEFINITIONS): what a payload or a log does not have is read as
-/// [`UNKNOWN`](Self::UNKNOWN).
-pub trait Topic: Copy + 'static {
+/// [`UNKNOWN`](Fields::UNKNOWN).
+pub trait Topic: Fields {
     /// Name of the message, `EscStatus`.
     const NAME: &'static str;
 
@@ -23,21 +23,6 @@ pub trait Topic: Copy + 'static {
     /// What it was at different times, newest first.
     const DEFINITIONS: &'static [Definition];
 
-    /// Its fields, for binding by name.
-    const FIELDS: &'static [Field];
-
-    /// A value of which nothing is known.
-    const UNKNOWN: Self;
-
-    /// As many places as [`places`](super::places) says: `[Place; N]`.
-    type Places: Copy + AsRef<[Place]> + AsMut<[Place]> + 'static;
-
-    /// Places of a log that has none of the fields.
-    const ABSENT: Self::Places;
-
-    /// Reads a record of a log by its places: first those of the fields, then those of the fields of each nested message.
-    fn read(places: &[Place], record: &[u8]) -> Self;
-
     /// Writes a record of a log, of the newest definition; the rest of the bytes is left as it was.
     ///
     /// # Errors
@@ -49,14 +34,14 @@ pub trait Topic: Copy + 'static {
     ///
     /// # Errors
     ///
-    /// A `bool` that is neither 0 nor 1.
+    /// There is no such definition; the body is shorter; a `bool` is neither 0 nor 1.
     fn read_cdr(definition: usize, body: &[u8]) -> Result<Self, CdrError>;
 
     /// Writes a body of `DEFINITIONS[definition]` over zeros.
     ///
     /// # Errors
     ///
-    /// A field holds what this definition cannot.
+    /// There is no such definition; the body is shorter; a field holds what this definition cannot.
     fn store_cdr(&self, definition: usize, body: &mut [u8]) -> Result<(), CdrError>;
 
     /// Reads a payload of this definition.

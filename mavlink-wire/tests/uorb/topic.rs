@@ -2,7 +2,7 @@
 
 use mavlink_wire::generated::{get, put};
 use mavlink_wire::uorb::cdr::CdrError;
-use mavlink_wire::uorb::{Definition, Field, Kind, Place, Topic, TopicByLength};
+use mavlink_wire::uorb::{Definition, Topic, TopicByLength};
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct EscReport {
@@ -48,60 +48,63 @@ impl EscReport {
         esc_address: 0,
         esc_cmdcount: 0,
     };
-    const FIELDS: &'static [Field] = &[
-        Field::new("timestamp", Kind::U64),
-        Field::new("esc_errorcount", Kind::U32),
-        Field::new("esc_rpm", Kind::I32),
-        Field::new("esc_voltage", Kind::F32),
-        Field::new("esc_current", Kind::F32),
-        Field::new("esc_temperature", Kind::F32),
-        Field::new("motor_temperature", Kind::I16),
-        Field::new("esc_state", Kind::U8),
-        Field::new("actuator_function", Kind::U8),
-        Field::new("failures", Kind::U16),
-        Field::new("esc_power", Kind::I8),
-        Field::new("esc_address", Kind::U8),
-        Field::new("esc_cmdcount", Kind::U8),
-    ];
+}
 
-    fn read(places: &[Place], record: &[u8]) -> Self {
-        let [
-            timestamp,
-            esc_errorcount,
-            esc_rpm,
-            esc_voltage,
-            esc_current,
-            esc_temperature,
-            motor_temperature,
-            esc_state,
-            actuator_function,
-            failures,
-            esc_power,
-            esc_address,
-            esc_cmdcount,
-        ] = places
-        else {
-            return Self::UNKNOWN;
-        };
-        Self {
-            timestamp: timestamp.get(record).unwrap_or(0),
-            esc_errorcount: esc_errorcount.get(record).unwrap_or(0),
-            esc_rpm: esc_rpm.get(record).unwrap_or(0),
-            esc_voltage: esc_voltage.get(record).unwrap_or(f32::NAN),
-            esc_current: esc_current.get(record).unwrap_or(f32::NAN),
-            esc_temperature: esc_temperature.get(record).unwrap_or(f32::NAN),
-            motor_temperature: motor_temperature.get(record).unwrap_or(0),
-            esc_state: esc_state.get(record).unwrap_or(0),
-            actuator_function: actuator_function.get(record).unwrap_or(0),
-            failures: failures.get(record).unwrap_or(0),
-            esc_power: esc_power.get(record).unwrap_or(0),
-            esc_address: esc_address.get(record).unwrap_or(0),
-            esc_cmdcount: esc_cmdcount.get(record).unwrap_or(0),
-        }
+mavlink_wire::topic!(EscReport {
+    timestamp,
+    esc_errorcount,
+    esc_rpm,
+    esc_voltage,
+    esc_current,
+    esc_temperature,
+    motor_temperature,
+    esc_state,
+    actuator_function,
+    failures,
+    esc_power,
+    esc_address,
+    esc_cmdcount
+});
+
+/// Nested only: nothing is read or written of it alone.
+impl Topic for EscReport {
+    const NAME: &'static str = "EscReport";
+    const TOPICS: &'static [&'static str] = &["esc_report"];
+    const DEFINITIONS: &'static [Definition] = &[];
+
+    fn store_record(&self, _: &mut [u8]) -> Result<(), CdrError> {
+        Err(CdrError::Definition)
+    }
+
+    fn read_cdr(_: usize, _: &[u8]) -> Result<Self, CdrError> {
+        Err(CdrError::Definition)
+    }
+
+    fn store_cdr(&self, _: usize, _: &mut [u8]) -> Result<(), CdrError> {
+        Err(CdrError::Definition)
     }
 }
 
+mavlink_wire::topic!(EscStatus {
+    timestamp,
+    counter,
+    esc_count,
+    esc_connectiontype,
+    esc_online_flags,
+    esc_armed_flags,
+    esc
+});
+
 impl EscStatus {
+    pub(crate) const UNKNOWN: Self = Self {
+        timestamp: 0,
+        counter: 0,
+        esc_count: 0,
+        esc_connectiontype: 0,
+        esc_online_flags: 0,
+        esc_armed_flags: 0,
+        esc: [EscReport::UNKNOWN; 12],
+    };
     pub(crate) const MAIN: Definition = Definition::new("EscStatus", "main")
         .hashes(0x4d8f_7be2, "RIHS01_85dc04703b64002f2a39e5909078ae7b7301da32ef14a04329f4ca9e40e635a2")
         .lengths(491, 496)
@@ -124,48 +127,6 @@ impl Topic for EscStatus {
     const NAME: &'static str = "EscStatus";
     const TOPICS: &'static [&'static str] = &["esc_status"];
     const DEFINITIONS: &'static [Definition] = &[Self::MAIN, Self::V1_14];
-    const FIELDS: &'static [Field] = &[
-        Field::new("timestamp", Kind::U64),
-        Field::new("counter", Kind::U16),
-        Field::new("esc_count", Kind::U8),
-        Field::new("esc_connectiontype", Kind::U8),
-        Field::new("esc_online_flags", Kind::U16),
-        Field::new("esc_armed_flags", Kind::U16),
-        Field::nested("esc", "EscReport", EscReport::FIELDS).array(12),
-    ];
-    const UNKNOWN: Self = Self {
-        timestamp: 0,
-        counter: 0,
-        esc_count: 0,
-        esc_connectiontype: 0,
-        esc_online_flags: 0,
-        esc_armed_flags: 0,
-        esc: [EscReport::UNKNOWN; 12],
-    };
-    type Places = [Place; 20];
-    const ABSENT: Self::Places = [Place::ABSENT; 20];
-
-    fn read(places: &[Place], record: &[u8]) -> Self {
-        let [timestamp, counter, esc_count, esc_connectiontype, esc_online_flags, esc_armed_flags, esc, reports @ ..] =
-            places
-        else {
-            return Self::UNKNOWN;
-        };
-        let mut status = Self {
-            timestamp: timestamp.get(record).unwrap_or(0),
-            counter: counter.get(record).unwrap_or(0),
-            esc_count: esc_count.get(record).unwrap_or(0),
-            esc_connectiontype: esc_connectiontype.get(record).unwrap_or(0),
-            esc_online_flags: esc_online_flags.get(record).unwrap_or(0),
-            esc_armed_flags: esc_armed_flags.get(record).unwrap_or(0),
-            ..Self::UNKNOWN
-        };
-        for (i, report) in (0..).zip(&mut status.esc) {
-            let Some(nested) = esc.nested(record, i) else { break };
-            *report = EscReport::read(reports, nested);
-        }
-        status
-    }
 
     fn store_record(&self, p: &mut [u8]) -> Result<(), CdrError> {
         put(p, 0, self.timestamp);

@@ -1,7 +1,6 @@
 //! Logs that are written.
 #![cfg(feature = "std")]
 
-use mavlink_wire::uorb::Topic;
 use mavlink_wire::uorb::ulog::{End, Log, Writer};
 
 use crate::golden::{MAIN, read};

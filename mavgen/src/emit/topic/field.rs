@@ -1,4 +1,4 @@
-//! A field of a topic: its declaration, its value where nothing is known, and what binding by name needs.
+//! A field of a topic: its declaration, its value where nothing is known, and its names.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -34,7 +34,7 @@ pub(super) fn element(ty: TopicType<'_>) -> TokenStream {
             let name = ident(one.ident);
             quote!(#name)
         }
-        TopicType::Message { ident: name, .. } => {
+        TopicType::Message(name) => {
             let name = ident(name);
             quote!(#name)
         }
@@ -73,7 +73,7 @@ pub(super) fn unknown(field: &TopicField<'_>) -> TokenStream {
 }
 
 /// One element of which nothing is known.
-pub(super) fn unknown_element(slot: TopicSlot<'_>) -> TokenStream {
+fn unknown_element(slot: TopicSlot<'_>) -> TokenStream {
     match (slot.unknown, slot.ty) {
         (Some(Unknown::Is(sentinel)), _) => literal(sentinel),
         (Some(Unknown::NanF32), _) => quote!(f32::NAN),
@@ -85,47 +85,17 @@ pub(super) fn unknown_element(slot: TopicSlot<'_>) -> TokenStream {
             let name = ident(one.ident);
             if one.flags { quote!(#name::empty()) } else { quote!(#name(0)) }
         }
-        (None, TopicType::Message { ident: name, .. }) => {
+        (None, TopicType::Message(name)) => {
             let name = ident(name);
             quote!(#name::UNKNOWN)
         }
     }
 }
 
-/// `wire::uorb::Field::new("esc_rpm", wire::uorb::Kind::I32)`
-pub(super) fn info(field: &TopicField<'_>) -> TokenStream {
-    let TopicField { name, was, slot: TopicSlot { ty, len, .. }, .. } = field;
-    let new = match ty {
-        TopicType::Message { ident: nested, name: message, .. } => {
-            let nested = ident(nested);
-            quote!(nested(#name, #message, <#nested as wire::uorb::Topic>::FIELDS))
-        }
-        TopicType::Plain(_) | TopicType::Enum(_) => {
-            let kind = ident(ty.plain().map_or("U8", kind));
-            quote!(new(#name, wire::uorb::Kind::#kind))
-        }
-    };
-    let array = len.map(Literal::u16_unsuffixed).map(|len| quote!(.array(#len)));
-    let was = was.map(|was| quote!(.was(#was)));
-    quote!(wire::uorb::Field::#new #array #was)
-}
-
-/// The variant of `wire::uorb::Kind`.
-fn kind(plain: Plain) -> &'static str {
-    match plain {
-        Plain::Int(int) => match int.name() {
-            "u8" => "U8",
-            "i8" => "I8",
-            "u16" => "U16",
-            "i16" => "I16",
-            "u32" => "U32",
-            "i32" => "I32",
-            "i64" => "I64",
-            _ => "U64",
-        },
-        Plain::F32 => "F32",
-        Plain::F64 => "F64",
-        Plain::Bool => "Bool",
-        Plain::Char => "Char",
-    }
+/// `r#type`, `self_ = "self"`, `temperature was "temp"`: what binding by name needs beside the value where nothing is known.
+pub(super) fn bound(field: &TopicField<'_>) -> TokenStream {
+    let name = ident(field.slot.ident);
+    let named = field.named.map(|named| quote!(= #named));
+    let was = field.was.map(|was| quote!(was #was));
+    quote!(#name #named #was)
 }

@@ -1,21 +1,21 @@
-//! The definitions of a topic: their facts, and where each has the fields.
+//! The definitions of a topic, and their facts.
 
 use std::collections::BTreeSet;
 
 use super::{Named, Topics, docs};
 use crate::internal::Internal;
-use crate::rust::{Definition, Element, Held, Int, Move, Plain, Row, SameDefinition, TopicType};
+use crate::rust::{Definition, Element, Int, Plain, SameDefinition, TopicType};
 use crate::uorb::model::{self, MessageIndex, Package};
-use crate::uorb::placed::{self, Placed};
+use crate::uorb::placed;
 use crate::uorb::union::{Known, Message};
 use crate::uorb::{self, Scalar};
 
 /// A message in one of the definitions.
 #[derive(Clone, Copy)]
-struct InDefinition<'d> {
-    definition: usize,
-    package: &'d Package,
-    message: &'d model::Message,
+pub(super) struct InDefinition<'d> {
+    pub(super) definition: usize,
+    pub(super) package: &'d Package,
+    pub(super) message: &'d model::Message,
 }
 
 impl<'d> Topics<'d> {
@@ -42,8 +42,7 @@ impl<'d> Topics<'d> {
             cdr_len: message.cdr_len,
             record_len,
             formats: formats(model, own),
-            is_whole: is_whole(model, known),
-            cdr: self.moves(index, own, &placed::in_cdr(own.package, message))?,
+            cdr: self.part(index, own, &placed::in_cdr(own.package, message))?,
         })
     }
 
@@ -54,7 +53,7 @@ impl<'d> Topics<'d> {
         Ok((names, &one.name))
     }
 
-    fn in_definition(self, definition: usize, message: MessageIndex) -> Result<InDefinition<'d>, Internal> {
+    pub(super) fn in_definition(self, definition: usize, message: MessageIndex) -> Result<InDefinition<'d>, Internal> {
         let package = self.union.definitions.get(definition).map(|one| &one.package);
         let found = package.and_then(|package| Some((package, package.messages.get(message.0)?)));
         let (package, message) = found.ok_or_else(|| Internal::new("a definition lacks what it is known for"))?;
@@ -72,81 +71,6 @@ impl<'d> Topics<'d> {
         });
         same.collect()
     }
-
-    /// How the newest definition is written as a record.
-    pub(super) fn record(self, index: MessageIndex) -> Result<Vec<Move<'d>>, Internal> {
-        let Named { model, .. } = self.message(index)?;
-        let newest = model.known.first().ok_or_else(|| Internal::new("a topic without a definition"))?;
-        let own = self.in_definition(newest.definition, newest.message)?;
-        self.moves(index, own, &placed::in_record(own.package, own.message))
-    }
-
-    /// The fields of the union that a definition has, and where.
-    fn moves(self, index: MessageIndex, own: InDefinition<'d>, placed: &[Placed]) -> Result<Vec<Move<'d>>, Internal> {
-        let known = self.known(index, own.definition)?;
-        let moves = placed.iter().map(|Placed { field, at, held }| {
-            let union = known.fields.get(*field).ok_or_else(|| Internal::new("a field is none of the union's"))?;
-            let held = match held {
-                placed::Held::Scalars(scalar, len) => Held::Plain(plain(*scalar), *len),
-                placed::Held::Messages(nested, runs) => {
-                    let nested = self.in_definition(own.definition, *nested)?;
-                    Held::Messages(runs.iter().map(|run| self.row(nested, run)).collect::<Result<_, _>>()?)
-                }
-            };
-            Ok(Move { slot: self.slot(index, *union)?, at: *at, held })
-        });
-        moves.collect()
-    }
-
-    fn row(self, nested: InDefinition<'d>, run: &placed::Run) -> Result<Row<'d>, Internal> {
-        let at = self.union.messages.iter().position(|message| message.name == nested.message.name);
-        let index = MessageIndex(at.ok_or_else(|| Internal::new(format!("there is no {}", nested.message.name)))?);
-        let (Named { model, names }, known) = (self.message(index)?, self.known(index, nested.definition)?);
-        Ok(Row {
-            first: run.first,
-            count: run.count,
-            at: run.at,
-            stride: run.stride,
-            len: run.len,
-            ident: &names.ty,
-            is_whole: is_whole(model, known),
-            fields: self.moves(index, nested, &run.fields)?,
-        })
-    }
-
-    /// What a definition has of a message.
-    fn known(self, index: MessageIndex, definition: usize) -> Result<&'d Known, Internal> {
-        let mut known = self.message(index)?.model.known.iter();
-        let found = known.find(|known| known.definition == definition);
-        found.ok_or_else(|| Internal::new(format!("definition {definition} lacks message {}", index.0)))
-    }
-
-    /// Whether some definition has fewer of a message than fit into the union, here or where that is asked in turn.
-    pub(super) fn is_asked_if_blank(self, index: MessageIndex) -> bool {
-        let nests = |field: &crate::uorb::union::Field| field.element == model::Element::Message(index);
-        self.union.messages.iter().enumerate().any(|(at, message)| {
-            let mut fields = message.fields.iter().enumerate().filter(|(_, field)| nests(field));
-            fields.any(|(place, field)| {
-                let is_cut = message.known.iter().any(|known| self.array(known, place) < field.array);
-                is_cut || self.is_asked_if_blank(MessageIndex(at))
-            })
-        })
-    }
-
-    /// The length that a definition has of a field of the union; that of the union, if it has no such field.
-    fn array(self, known: &Known, place: usize) -> Option<u16> {
-        let at = known.fields.iter().position(|field| *field == place);
-        let own = self.in_definition(known.definition, known.message).ok();
-        match at.zip(own) {
-            Some((at, own)) => own.message.fields.get(at).and_then(|field| field.array),
-            None => Some(u16::MAX),
-        }
-    }
-}
-
-/// Whether a definition has all fields of the union.
-fn is_whole(message: &Message, known: &Known) -> bool {
-    (0..message.fields.len()).all(|at| known.fields.contains(&at))
 }
 
 /// The formats of a log: its own, then those of what it nests.
@@ -212,7 +136,7 @@ pub(super) fn element(ty: TopicType<'_>) -> Option<Element<'_>> {
         TopicType::Plain(Plain::F32) => Some(Element::F32),
         TopicType::Plain(Plain::F64) => Some(Element::F64),
         TopicType::Enum(one) => Some(Element::Enum(one)),
-        TopicType::Plain(Plain::Bool | Plain::Char) | TopicType::Message { .. } => None,
+        TopicType::Plain(Plain::Bool | Plain::Char) | TopicType::Message(_) => None,
     }
 }
 

@@ -5,7 +5,7 @@ use crate::docs::line;
 use crate::internal::Internal;
 use crate::ir::{Scope, Sentinel};
 use crate::lower::docs::capitalised;
-use crate::rust::{Cell, Definition, Docs, Move, Paragraph};
+use crate::rust::{Cell, Definition, Docs, Paragraph, Part};
 use crate::uorb::model::{Constant, Element, MessageIndex};
 use crate::uorb::union::{Enum, Field};
 
@@ -32,22 +32,26 @@ impl<'d> Topics<'d> {
 
     /// Where the definitions have the fields.
     fn layout(self, index: MessageIndex, definitions: &[Definition<'d>]) -> Result<Paragraph<'d>, Internal> {
-        let record = self.record(index)?;
+        let fields = &self.message(index)?.model.fields;
+        let has_units = fields.iter().any(|field| field.docs.units.is_some());
         let mut head: Vec<&'d str> = match definitions {
             [_] => vec!["CDR"],
             _ => definitions.iter().map(|one| one.name).collect(),
         };
-        head.extend(["record", "field", "type", "units"]);
-        let rows = self.message(index)?.model.fields.iter().enumerate().map(|(at, field)| {
+        head.extend(["record", "field", "type"]);
+        head.extend(has_units.then_some("units"));
+        let record = self.record(index)?;
+        let parts = || definitions.iter().map(|one| &one.cdr).chain([&record]);
+        let rows = fields.iter().enumerate().map(|(at, field)| {
             let slot = self.slot(index, at)?;
-            let place = |moves: &[Move<'_>]| {
-                let found = moves.iter().find(|one| one.slot.ident == slot.ident);
+            let place = |part: &Part<'_>| {
+                let found = part.fields.iter().find(|one| one.slot.ident == slot.ident);
                 Cell::Plain(found.map(|one| one.at.to_string()).unwrap_or_default())
             };
-            let mut row: Vec<Cell<'d>> = definitions.iter().map(|one| place(&one.cdr)).collect();
-            row.push(place(&record));
-            let units = field.docs.units.as_deref().map(line).unwrap_or_default();
-            row.extend([format!("`{}`", field.name), format!("`{}`", self.written(field)?), units].map(Cell::Plain));
+            let mut row: Vec<Cell<'d>> = parts().map(place).collect();
+            row.extend([format!("`{}`", field.name), format!("`{}`", self.written(field)?)].map(Cell::Plain));
+            let units = || Cell::Plain(field.docs.units.as_deref().map(line).unwrap_or_default());
+            row.extend(has_units.then(units));
             Ok(row)
         });
         Ok(Paragraph::Table(head, rows.collect::<Result<_, Internal>>()?))

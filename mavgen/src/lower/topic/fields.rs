@@ -7,7 +7,7 @@ use crate::ir::{Scope, Sentinel};
 use crate::lower::accessors::{Optional, known, optional};
 use crate::rust::{Extent, Literal, Method, Plain, TopicField, TopicSlot, TopicType, Unknown};
 use crate::uorb::model::{Element, MessageIndex};
-use crate::uorb::union::{Field, Message};
+use crate::uorb::union::Field;
 
 impl<'d> Topics<'d> {
     pub(super) fn fields(self, index: MessageIndex) -> Result<Vec<TopicField<'d>>, Internal> {
@@ -17,7 +17,8 @@ impl<'d> Topics<'d> {
 
     fn field(self, index: MessageIndex, at: usize) -> Result<TopicField<'d>, Internal> {
         let (field, slot) = (self.field_at(index, at)?, self.slot(index, at)?);
-        Ok(TopicField { slot, docs: self.field_docs(field)?, name: &field.name, was: field.was.as_deref() })
+        let named = (slot.ident != slot.name).then_some(slot.name);
+        Ok(TopicField { slot, docs: self.field_docs(field)?, named, was: field.was.as_deref() })
     }
 
     fn field_at(self, index: MessageIndex, at: usize) -> Result<&'d Field, Internal> {
@@ -32,24 +33,10 @@ impl<'d> Topics<'d> {
         let ty = match (self.union.typed(field), field.element) {
             (Some(one), _) => TopicType::Enum(self.enum_type(one)?),
             (None, Element::Scalar(scalar)) => TopicType::Plain(definitions::plain(scalar)),
-            (None, Element::Message(nested)) => {
-                let Named { model, names } = self.message(nested)?;
-                TopicType::Message { ident: &names.ty, name: &model.name, places: self.places(model)? }
-            }
+            (None, Element::Message(nested)) => TopicType::Message(&self.message(nested)?.names.ty),
         };
         let unknown = if has_accessors(field) { self.unknown(field, ty)? } else { None };
-        Ok(TopicSlot { ident, ty, len: field.array, unknown })
-    }
-
-    /// How many places the fields of a message take, and those of what it nests.
-    fn places(self, message: &Message) -> Result<usize, Internal> {
-        message.fields.iter().try_fold(0, |places, field| {
-            let nested = match field.element {
-                Element::Scalar(_) => 0,
-                Element::Message(nested) => self.places(self.message(nested)?.model)?,
-            };
-            Ok(places + 1 + nested)
-        })
+        Ok(TopicSlot { ident, name: &field.name, ty, len: field.array, unknown })
     }
 
     /// The value that means "not known", in the type that the field has.

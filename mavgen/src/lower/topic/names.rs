@@ -59,8 +59,8 @@ pub(crate) const CONSTANTS: [&str; 8] =
     ["ABSENT", "DEFINITIONS", "FIELDS", "NAME", "QUEUE", "TOPICS", "UNKNOWN", "VERSION"];
 
 /// Methods that every topic has beside those of messages.
-const METHODS: [&str; 8] =
-    ["from_cdr", "from_cdr_as", "is_blank", "read", "read_cdr", "store_cdr", "store_record", "to_cdr"];
+const METHODS: [&str; 9] =
+    ["from_cdr", "from_cdr_as", "is_blank", "read_cdr", "read_record", "store_cdr", "store_record", "to_cdr", "visit"];
 
 impl UnionNames {
     /// Names a package, and reports what collides.

@@ -8,7 +8,8 @@ use crate::internal::Internal;
 use crate::lower::docs::link;
 use crate::lower::files::{MARK, Options, ROOT_MARK};
 use crate::rust::{
-    Cell, Child, ChildAccess, Content, Docs, Export, File, Held, Move, Paragraph, Plain, Topic, TopicType, Use,
+    Cell, Child, ChildAccess, Content, Docs, Export, File, Held, Paragraph, Part, Plain, Scalars, Topic, TopicSlot,
+    TopicType, Use,
 };
 use crate::uorb::model::{EnumIndex, MessageIndex};
 use crate::uorb::union::Union;
@@ -119,8 +120,14 @@ fn module<'d, 'n>(
 
 fn topic<'d>(topics: Topics<'d>, index: MessageIndex, options: &Options) -> Result<File<'d>, Internal> {
     let (Named { model, names }, item) = (topics.message(index)?, topics.topic(index)?);
-    let mut uses = imports(&item);
-    uses.extend([Use::Runtime(options.runtime.clone()), Use::LoadAndStore]);
+    let mut named = Mentioned::default();
+    named.topic(&item);
+    let mut uses = named.imports();
+    uses.extend([
+        Use::Runtime(options.runtime.clone()),
+        Use::Generated(named.functions.into_iter().collect()),
+        Use::Names("wire".to_owned(), vec!["uorb".to_owned()]),
+    ]);
     Ok(File {
         path: format!("messages/{}.rs", names.module),
         header: header(&format!("{}.msg", model.name)),
@@ -130,47 +137,62 @@ fn topic<'d>(topics: Topics<'d>, index: MessageIndex, options: &Options) -> Resu
     })
 }
 
-/// The enums and the topics that a topic names.
-fn imports(topic: &Topic<'_>) -> Vec<Use> {
-    let mut named = Mentioned::default();
-    for field in &topic.fields {
-        match field.slot.ty {
-            TopicType::Enum(one) => named.enums.insert(one.ident.to_owned()),
-            TopicType::Message { ident, .. } => named.topics.insert(ident.to_owned()),
-            TopicType::Plain(_) => false,
-        };
-    }
-    topic.definitions.iter().for_each(|definition| named.nested(&definition.cdr));
-    let parts = [("super::super::enums", named.enums), ("super::super::messages", named.topics)];
-    let parts = parts.into_iter().filter(|(_, names)| !names.is_empty());
-    parts.map(|(module, names)| Use::Names(module.to_owned(), names.into_iter().collect())).collect()
-}
-
-/// Names of types.
-#[derive(Default)]
+/// What the code of a topic names.
 struct Mentioned {
     enums: BTreeSet<String>,
     topics: BTreeSet<String>,
+    /// Functions of the runtime.
+    functions: BTreeSet<&'static str>,
+}
+
+impl Default for Mentioned {
+    fn default() -> Self {
+        Self { enums: BTreeSet::new(), topics: BTreeSet::new(), functions: BTreeSet::from(["get", "put"]) }
+    }
 }
 
 impl Mentioned {
-    /// What literals of nested messages name, however deep.
-    fn nested(&mut self, moves: &[Move<'_>]) {
-        for one in moves {
-            let Held::Messages(rows) = &one.held else { continue };
-            for row in rows {
-                self.topics.insert(row.ident.to_owned());
-                row.fields.iter().for_each(|field| self.field(field));
-                self.nested(&row.fields);
+    fn topic(&mut self, topic: &Topic<'_>) {
+        for field in &topic.fields {
+            match field.slot.ty {
+                TopicType::Enum(one) => self.enums.insert(one.ident.to_owned()),
+                TopicType::Message(ident) => self.topics.insert(ident.to_owned()),
+                TopicType::Plain(_) => false,
+            };
+        }
+        topic.definitions.iter().for_each(|definition| self.fields(&definition.cdr));
+    }
+
+    /// What loading a message names, and the literals of what it nests, however deep.
+    fn fields(&mut self, part: &Part<'_>) {
+        for field in &part.fields {
+            match &field.held {
+                Held::Scalars(scalars) => self.scalars(field.slot, *scalars),
+                Held::Message(nested) => self.nested(nested),
+                Held::Each(row) => self.nested(&row.part),
+                Held::Rows(rows, _) => rows.iter().for_each(|row| self.nested(&row.part)),
             }
         }
     }
 
-    /// The enum that a field of a nested message is made of, where it is not loaded as it is.
-    fn field(&mut self, field: &Move<'_>) {
-        let (TopicType::Enum(one), Held::Plain(stored, len)) = (field.slot.ty, &field.held) else { return };
-        if *stored != Plain::Int(one.int) || *len != field.slot.len {
+    fn nested(&mut self, part: &Part<'_>) {
+        self.topics.insert(part.ident.to_owned());
+        self.fields(part);
+    }
+
+    /// The enum of a field is named where it is not loaded as it is.
+    fn scalars(&mut self, slot: TopicSlot<'_>, Scalars { stored, len, widens, few }: Scalars) {
+        if stored == Plain::Bool {
+            self.functions.insert(if len.is_some() { "booleans" } else { "boolean" });
+        }
+        if let (TopicType::Enum(one), true) = (slot.ty, widens || few) {
             self.enums.insert(one.ident.to_owned());
         }
+    }
+
+    fn imports(&self) -> Vec<Use> {
+        let parts = [("super::super::enums", &self.enums), ("super::super::messages", &self.topics)];
+        let parts = parts.into_iter().filter(|(_, names)| !names.is_empty());
+        parts.map(|(module, names)| Use::Names(module.to_owned(), names.iter().cloned().collect())).collect()
     }
 }

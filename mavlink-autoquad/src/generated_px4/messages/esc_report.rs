@@ -3,6 +3,7 @@
 use super::super::enums::EscFailures;
 use ::mavlink_wire as wire;
 use wire::generated::{get, put};
+use wire::uorb;
 
 /// What one motor controller (ESC) reports.
 ///
@@ -103,10 +104,7 @@ impl EscReport {
     };
 
     /// Definition `main`: 35 bytes as CDR, 35 in a log.
-    pub const MAIN: wire::uorb::Definition = wire::uorb::Definition::new(
-            "EscReport",
-            "main",
-        )
+    pub const MAIN: uorb::Definition = uorb::Definition::new("EscReport", "main")
         .hashes(
             0x16c7_55a1,
             "RIHS01_130a8d15dc9de33bf51236702851aea8277ab76b6ce54ab07e25ba79d8911dcb",
@@ -119,10 +117,7 @@ impl EscReport {
         );
 
     /// Definition `v2026_02`: 37 bytes as CDR, 37 in a log.
-    pub const V2026_02: wire::uorb::Definition = wire::uorb::Definition::new(
-            "EscReport",
-            "v2026_02",
-        )
+    pub const V2026_02: uorb::Definition = uorb::Definition::new("EscReport", "v2026_02")
         .hashes(
             0x676f_bbbe,
             "RIHS01_1603ec505d3499debecfeae5b0d106394fa22eeca39f678a484823e93e5a984a",
@@ -135,10 +130,7 @@ impl EscReport {
         );
 
     /// Definition `v1_14`: 35 bytes as CDR, 35 in a log.
-    pub const V1_14: wire::uorb::Definition = wire::uorb::Definition::new(
-            "EscReport",
-            "v1_14",
-        )
+    pub const V1_14: uorb::Definition = uorb::Definition::new("EscReport", "v1_14")
         .hashes(
             0x40e9_9bee,
             "RIHS01_0353f526dca2763e2ae262b6daaeda119b3d1e9da12c0f4987e3480b170c13bc",
@@ -185,82 +177,61 @@ impl EscReport {
     pub fn set_esc_temperature(&mut self, value: Option<f32>) {
         self.esc_temperature = value.unwrap_or(f32::NAN);
     }
-
-    /// Whether it says nothing.
-    pub(super) fn is_blank(&self) -> bool {
-        wire::generated::is_blank(self.timestamp)
-            && wire::generated::is_blank(self.esc_errorcount)
-            && wire::generated::is_blank(self.esc_rpm)
-            && wire::generated::is_blank(self.esc_voltage)
-            && wire::generated::is_blank(self.esc_current)
-            && wire::generated::is_blank(self.esc_temperature)
-            && wire::generated::is_blank(self.motor_temperature)
-            && wire::generated::is_blank(self.esc_state)
-            && wire::generated::is_blank(self.actuator_function)
-            && wire::generated::is_blank(self.failures.bits())
-            && wire::generated::is_blank(self.esc_power)
-            && wire::generated::is_blank(self.esc_address)
-            && wire::generated::is_blank(self.esc_cmdcount)
-    }
 }
 
-impl wire::uorb::Topic for EscReport {
+impl uorb::Topic for EscReport {
     const NAME: &'static str = "EscReport";
     const TOPICS: &'static [&'static str] = &["esc_report"];
 
-    const DEFINITIONS: &'static [wire::uorb::Definition] = &[
+    const DEFINITIONS: &'static [uorb::Definition] = &[
         Self::MAIN,
         Self::V2026_02,
         Self::V1_14,
     ];
 
-    const FIELDS: &'static [wire::uorb::Field] = &[
-        wire::uorb::Field::new("timestamp", wire::uorb::Kind::U64),
-        wire::uorb::Field::new("esc_errorcount", wire::uorb::Kind::U32),
-        wire::uorb::Field::new("esc_rpm", wire::uorb::Kind::I32),
-        wire::uorb::Field::new("esc_voltage", wire::uorb::Kind::F32),
-        wire::uorb::Field::new("esc_current", wire::uorb::Kind::F32),
-        wire::uorb::Field::new("esc_temperature", wire::uorb::Kind::F32),
-        wire::uorb::Field::new("motor_temperature", wire::uorb::Kind::I16),
-        wire::uorb::Field::new("esc_state", wire::uorb::Kind::U8),
-        wire::uorb::Field::new("actuator_function", wire::uorb::Kind::U8),
-        wire::uorb::Field::new("failures", wire::uorb::Kind::U16),
-        wire::uorb::Field::new("esc_power", wire::uorb::Kind::I8),
-        wire::uorb::Field::new("esc_address", wire::uorb::Kind::U8),
-        wire::uorb::Field::new("esc_cmdcount", wire::uorb::Kind::U8),
-    ];
-
-    const UNKNOWN: Self = Self::UNKNOWN;
-
-    type Places = [wire::uorb::Place; 13];
-
-    const ABSENT: Self::Places = [wire::uorb::Place::ABSENT; 13];
-
-    fn read(places: &[wire::uorb::Place], record: &[u8]) -> Self {
-        let Some((p, _)) = places.split_first_chunk::<13>() else {
-            return Self::UNKNOWN
-        };
-        Self {
-            timestamp: p[0].get(record).unwrap_or(0),
-            esc_errorcount: p[1].get(record).unwrap_or(0),
-            esc_rpm: p[2].get(record).unwrap_or(0),
-            esc_voltage: p[3].get(record).unwrap_or(f32::NAN),
-            esc_current: p[4].get(record).unwrap_or(f32::NAN),
-            esc_temperature: p[5].get(record).unwrap_or(f32::NAN),
-            motor_temperature: p[6].get(record).unwrap_or(0),
-            esc_state: p[7].get(record).unwrap_or(0),
-            actuator_function: p[8].get(record).unwrap_or(0),
-            failures: p[9]
-                .get(record)
-                .map_or(EscFailures::empty(), EscFailures::from_bits_retain),
-            esc_power: p[10].get(record).unwrap_or(0),
-            esc_address: p[11].get(record).unwrap_or(0),
-            esc_cmdcount: p[12].get(record).unwrap_or(0),
+    fn read_cdr(definition: usize, body: &[u8]) -> Result<Self, uorb::CdrError> {
+        match definition {
+            0 => read_main(wire::generated::body(Self::DEFINITIONS, definition, body)?),
+            1 => {
+                read_v2026_02(
+                    wire::generated::body(Self::DEFINITIONS, definition, body)?,
+                )
+            }
+            2 => read_v1_14(wire::generated::body(Self::DEFINITIONS, definition, body)?),
+            _ => Err(uorb::CdrError::Definition),
         }
     }
 
-    fn store_record(&self, record: &mut [u8]) -> Result<(), wire::uorb::CdrError> {
-        let p = wire::generated::body_mut::<35>(record)?;
+    fn store_cdr(
+        &self,
+        definition: usize,
+        body: &mut [u8],
+    ) -> Result<(), uorb::CdrError> {
+        match definition {
+            0 => {
+                store_main(
+                    self,
+                    wire::generated::body_mut(Self::DEFINITIONS, definition, body)?,
+                )
+            }
+            1 => {
+                store_v2026_02(
+                    self,
+                    wire::generated::body_mut(Self::DEFINITIONS, definition, body)?,
+                )
+            }
+            2 => {
+                store_v1_14(
+                    self,
+                    wire::generated::body_mut(Self::DEFINITIONS, definition, body)?,
+                )
+            }
+            _ => Err(uorb::CdrError::Definition),
+        }
+    }
+
+    fn store_record(&self, record: &mut [u8]) -> Result<(), uorb::CdrError> {
+        let p = wire::generated::record_mut::<35>(record)?;
         put(p, 0, self.timestamp);
         put(p, 8, self.esc_errorcount);
         put(p, 12, self.esc_rpm);
@@ -274,54 +245,9 @@ impl wire::uorb::Topic for EscReport {
         put(p, 34, self.esc_power);
         Ok(())
     }
-
-    #[inline]
-    fn read_cdr(definition: usize, body: &[u8]) -> Result<Self, wire::uorb::CdrError> {
-        match definition {
-            0 => {
-                read_main(
-                    wire::generated::body(
-                        body,
-                        <Self as wire::uorb::Topic>::DEFINITIONS,
-                    )?,
-                )
-            }
-            1 => {
-                read_v2026_02(
-                    wire::generated::body(
-                        body,
-                        <Self as wire::uorb::Topic>::DEFINITIONS,
-                    )?,
-                )
-            }
-            2 => {
-                read_v1_14(
-                    wire::generated::body(
-                        body,
-                        <Self as wire::uorb::Topic>::DEFINITIONS,
-                    )?,
-                )
-            }
-            _ => Err(wire::uorb::CdrError::Definition),
-        }
-    }
-
-    #[inline]
-    fn store_cdr(
-        &self,
-        definition: usize,
-        body: &mut [u8],
-    ) -> Result<(), wire::uorb::CdrError> {
-        match definition {
-            0 => store_main(self, wire::generated::body_mut(body)?),
-            1 => store_v2026_02(self, wire::generated::body_mut(body)?),
-            2 => store_v1_14(self, wire::generated::body_mut(body)?),
-            _ => Err(wire::uorb::CdrError::Definition),
-        }
-    }
 }
 
-fn read_main(p: &[u8; 35]) -> Result<EscReport, wire::uorb::CdrError> {
+fn read_main(p: &[u8; 35]) -> Result<EscReport, uorb::CdrError> {
     Ok(EscReport {
         timestamp: get(p, 0),
         esc_errorcount: get(p, 8),
@@ -338,7 +264,7 @@ fn read_main(p: &[u8; 35]) -> Result<EscReport, wire::uorb::CdrError> {
     })
 }
 
-fn store_main(topic: &EscReport, p: &mut [u8; 35]) -> Result<(), wire::uorb::CdrError> {
+fn store_main(topic: &EscReport, p: &mut [u8; 35]) -> Result<(), uorb::CdrError> {
     put(p, 0, topic.timestamp);
     put(p, 8, topic.esc_errorcount);
     put(p, 12, topic.esc_rpm);
@@ -353,7 +279,7 @@ fn store_main(topic: &EscReport, p: &mut [u8; 35]) -> Result<(), wire::uorb::Cdr
     Ok(())
 }
 
-fn read_v2026_02(p: &[u8; 37]) -> Result<EscReport, wire::uorb::CdrError> {
+fn read_v2026_02(p: &[u8; 37]) -> Result<EscReport, uorb::CdrError> {
     Ok(EscReport {
         timestamp: get(p, 0),
         esc_errorcount: get(p, 8),
@@ -371,10 +297,7 @@ fn read_v2026_02(p: &[u8; 37]) -> Result<EscReport, wire::uorb::CdrError> {
     })
 }
 
-fn store_v2026_02(
-    topic: &EscReport,
-    p: &mut [u8; 37],
-) -> Result<(), wire::uorb::CdrError> {
+fn store_v2026_02(topic: &EscReport, p: &mut [u8; 37]) -> Result<(), uorb::CdrError> {
     put(p, 0, topic.timestamp);
     put(p, 8, topic.esc_errorcount);
     put(p, 12, topic.esc_rpm);
@@ -391,7 +314,7 @@ fn store_v2026_02(
     Ok(())
 }
 
-fn read_v1_14(p: &[u8; 35]) -> Result<EscReport, wire::uorb::CdrError> {
+fn read_v1_14(p: &[u8; 35]) -> Result<EscReport, uorb::CdrError> {
     Ok(EscReport {
         timestamp: get(p, 0),
         esc_errorcount: get(p, 8),
@@ -409,7 +332,7 @@ fn read_v1_14(p: &[u8; 35]) -> Result<EscReport, wire::uorb::CdrError> {
     })
 }
 
-fn store_v1_14(topic: &EscReport, p: &mut [u8; 35]) -> Result<(), wire::uorb::CdrError> {
+fn store_v1_14(topic: &EscReport, p: &mut [u8; 35]) -> Result<(), uorb::CdrError> {
     put(p, 0, topic.timestamp);
     put(p, 8, topic.esc_errorcount);
     put(p, 12, topic.esc_rpm);

@@ -4,6 +4,7 @@ use super::super::enums::EscConnectionType;
 use super::super::messages::EscReport;
 use ::mavlink_wire as wire;
 use wire::generated::{get, put};
+use wire::uorb;
 
 /// What the motor controllers (ESCs) of a vehicle report: twelve at most, since March 2026.
 ///
@@ -55,10 +56,7 @@ impl EscStatus {
     };
 
     /// Definition `main`: 491 bytes as CDR, 496 in a log.
-    pub const MAIN: wire::uorb::Definition = wire::uorb::Definition::new(
-            "EscStatus",
-            "main",
-        )
+    pub const MAIN: uorb::Definition = uorb::Definition::new("EscStatus", "main")
         .hashes(
             0x4d8f_7be2,
             "RIHS01_85dc04703b64002f2a39e5909078ae7b7301da32ef14a04329f4ca9e40e635a2",
@@ -72,10 +70,7 @@ impl EscStatus {
         );
 
     /// Definition `v2026_02`: 333 bytes as CDR, 336 in a log.
-    pub const V2026_02: wire::uorb::Definition = wire::uorb::Definition::new(
-            "EscStatus",
-            "v2026_02",
-        )
+    pub const V2026_02: uorb::Definition = uorb::Definition::new("EscStatus", "v2026_02")
         .hashes(
             0x89ab_3c8a,
             "RIHS01_34a47bca3d35845da01c50a8ed5b8726d36a52edd7336fe636354aeaf344a6c9",
@@ -89,10 +84,7 @@ impl EscStatus {
         );
 
     /// Definition `v1_14`: 331 bytes as CDR, 336 in a log.
-    pub const V1_14: wire::uorb::Definition = wire::uorb::Definition::new(
-            "EscStatus",
-            "v1_14",
-        )
+    pub const V1_14: uorb::Definition = uorb::Definition::new("EscStatus", "v1_14")
         .hashes(
             0xabbd_16f2,
             "RIHS01_54a755e6c653baa5d7bb3ac111ec66819e45a281bb09c1abc90bff3bc5cca0d3",
@@ -106,54 +98,59 @@ impl EscStatus {
         );
 }
 
-impl wire::uorb::Topic for EscStatus {
+impl uorb::Topic for EscStatus {
     const NAME: &'static str = "EscStatus";
     const TOPICS: &'static [&'static str] = &["esc_status"];
 
-    const DEFINITIONS: &'static [wire::uorb::Definition] = &[
+    const DEFINITIONS: &'static [uorb::Definition] = &[
         Self::MAIN,
         Self::V2026_02,
         Self::V1_14,
     ];
 
-    const FIELDS: &'static [wire::uorb::Field] = &[
-        wire::uorb::Field::new("timestamp", wire::uorb::Kind::U64),
-        wire::uorb::Field::new("counter", wire::uorb::Kind::U16),
-        wire::uorb::Field::new("esc_count", wire::uorb::Kind::U8),
-        wire::uorb::Field::new("esc_connectiontype", wire::uorb::Kind::U8),
-        wire::uorb::Field::new("esc_online_flags", wire::uorb::Kind::U16),
-        wire::uorb::Field::new("esc_armed_flags", wire::uorb::Kind::U16),
-        wire::uorb::Field::nested(
-                "esc",
-                "EscReport",
-                <EscReport as wire::uorb::Topic>::FIELDS,
-            )
-            .array(12),
-    ];
-
-    const UNKNOWN: Self = Self::UNKNOWN;
-
-    type Places = [wire::uorb::Place; 20];
-
-    const ABSENT: Self::Places = [wire::uorb::Place::ABSENT; 20];
-
-    fn read(places: &[wire::uorb::Place], record: &[u8]) -> Self {
-        let Some((p, _)) = places.split_first_chunk::<7>() else { return Self::UNKNOWN };
-        Self {
-            timestamp: p[0].get(record).unwrap_or(0),
-            counter: p[1].get(record).unwrap_or(0),
-            esc_count: p[2].get(record).unwrap_or(0),
-            esc_connectiontype: p[3]
-                .get(record)
-                .map_or(EscConnectionType(0), EscConnectionType),
-            esc_online_flags: p[4].get(record).unwrap_or(0),
-            esc_armed_flags: p[5].get(record).unwrap_or(0),
-            esc: p[6].messages(record, places.get(7..20).unwrap_or_default()),
+    fn read_cdr(definition: usize, body: &[u8]) -> Result<Self, uorb::CdrError> {
+        match definition {
+            0 => read_main(wire::generated::body(Self::DEFINITIONS, definition, body)?),
+            1 => {
+                read_v2026_02(
+                    wire::generated::body(Self::DEFINITIONS, definition, body)?,
+                )
+            }
+            2 => read_v1_14(wire::generated::body(Self::DEFINITIONS, definition, body)?),
+            _ => Err(uorb::CdrError::Definition),
         }
     }
 
-    fn store_record(&self, record: &mut [u8]) -> Result<(), wire::uorb::CdrError> {
-        let p = wire::generated::body_mut::<496>(record)?;
+    fn store_cdr(
+        &self,
+        definition: usize,
+        body: &mut [u8],
+    ) -> Result<(), uorb::CdrError> {
+        match definition {
+            0 => {
+                store_main(
+                    self,
+                    wire::generated::body_mut(Self::DEFINITIONS, definition, body)?,
+                )
+            }
+            1 => {
+                store_v2026_02(
+                    self,
+                    wire::generated::body_mut(Self::DEFINITIONS, definition, body)?,
+                )
+            }
+            2 => {
+                store_v1_14(
+                    self,
+                    wire::generated::body_mut(Self::DEFINITIONS, definition, body)?,
+                )
+            }
+            _ => Err(uorb::CdrError::Definition),
+        }
+    }
+
+    fn store_record(&self, record: &mut [u8]) -> Result<(), uorb::CdrError> {
+        let p = wire::generated::record_mut::<496>(record)?;
         put(p, 0, self.timestamp);
         put(p, 8, self.counter);
         put(p, 10, self.esc_online_flags);
@@ -179,56 +176,11 @@ impl wire::uorb::Topic for EscStatus {
         }
         Ok(())
     }
-
-    #[inline]
-    fn read_cdr(definition: usize, body: &[u8]) -> Result<Self, wire::uorb::CdrError> {
-        match definition {
-            0 => {
-                read_main(
-                    wire::generated::body(
-                        body,
-                        <Self as wire::uorb::Topic>::DEFINITIONS,
-                    )?,
-                )
-            }
-            1 => {
-                read_v2026_02(
-                    wire::generated::body(
-                        body,
-                        <Self as wire::uorb::Topic>::DEFINITIONS,
-                    )?,
-                )
-            }
-            2 => {
-                read_v1_14(
-                    wire::generated::body(
-                        body,
-                        <Self as wire::uorb::Topic>::DEFINITIONS,
-                    )?,
-                )
-            }
-            _ => Err(wire::uorb::CdrError::Definition),
-        }
-    }
-
-    #[inline]
-    fn store_cdr(
-        &self,
-        definition: usize,
-        body: &mut [u8],
-    ) -> Result<(), wire::uorb::CdrError> {
-        match definition {
-            0 => store_main(self, wire::generated::body_mut(body)?),
-            1 => store_v2026_02(self, wire::generated::body_mut(body)?),
-            2 => store_v1_14(self, wire::generated::body_mut(body)?),
-            _ => Err(wire::uorb::CdrError::Definition),
-        }
-    }
 }
 
-impl wire::uorb::TopicByLength for EscStatus {}
+impl uorb::TopicByLength for EscStatus {}
 
-fn read_main(p: &[u8; 491]) -> Result<EscStatus, wire::uorb::CdrError> {
+fn read_main(p: &[u8; 491]) -> Result<EscStatus, uorb::CdrError> {
     Ok(EscStatus {
         timestamp: get(p, 0),
         counter: get(p, 8),
@@ -258,7 +210,7 @@ fn read_main(p: &[u8; 491]) -> Result<EscStatus, wire::uorb::CdrError> {
     })
 }
 
-fn store_main(topic: &EscStatus, p: &mut [u8; 491]) -> Result<(), wire::uorb::CdrError> {
+fn store_main(topic: &EscStatus, p: &mut [u8; 491]) -> Result<(), uorb::CdrError> {
     put(p, 0, topic.timestamp);
     put(p, 8, topic.counter);
     put(p, 10, topic.esc_count);
@@ -282,7 +234,7 @@ fn store_main(topic: &EscStatus, p: &mut [u8; 491]) -> Result<(), wire::uorb::Cd
     Ok(())
 }
 
-fn read_v2026_02(p: &[u8; 333]) -> Result<EscStatus, wire::uorb::CdrError> {
+fn read_v2026_02(p: &[u8; 333]) -> Result<EscStatus, uorb::CdrError> {
     let mut read = EscStatus {
         timestamp: get(p, 0),
         counter: get(p, 8),
@@ -317,10 +269,7 @@ fn read_v2026_02(p: &[u8; 333]) -> Result<EscStatus, wire::uorb::CdrError> {
     Ok(read)
 }
 
-fn store_v2026_02(
-    topic: &EscStatus,
-    p: &mut [u8; 333],
-) -> Result<(), wire::uorb::CdrError> {
+fn store_v2026_02(topic: &EscStatus, p: &mut [u8; 333]) -> Result<(), uorb::CdrError> {
     put(p, 0, topic.timestamp);
     put(p, 8, topic.counter);
     put(p, 10, topic.esc_count);
@@ -335,11 +284,7 @@ fn store_v2026_02(
         13,
         wire::generated::narrow::<u8, _>(topic.esc_armed_flags, "esc_armed_flags")?,
     );
-    if !topic.esc.iter().skip(8).all(EscReport::is_blank) {
-        return Err(wire::uorb::CdrError::DoesNotFit {
-            field: "esc",
-        });
-    }
+    wire::generated::fit(&topic.esc, &EscStatus::UNKNOWN.esc, 8, "esc")?;
     for (one, p) in topic
         .esc
         .iter()
@@ -363,7 +308,7 @@ fn store_v2026_02(
     Ok(())
 }
 
-fn read_v1_14(p: &[u8; 331]) -> Result<EscStatus, wire::uorb::CdrError> {
+fn read_v1_14(p: &[u8; 331]) -> Result<EscStatus, uorb::CdrError> {
     let mut read = EscStatus {
         timestamp: get(p, 0),
         counter: get(p, 8),
@@ -398,10 +343,7 @@ fn read_v1_14(p: &[u8; 331]) -> Result<EscStatus, wire::uorb::CdrError> {
     Ok(read)
 }
 
-fn store_v1_14(
-    topic: &EscStatus,
-    p: &mut [u8; 331],
-) -> Result<(), wire::uorb::CdrError> {
+fn store_v1_14(topic: &EscStatus, p: &mut [u8; 331]) -> Result<(), uorb::CdrError> {
     put(p, 0, topic.timestamp);
     put(p, 8, topic.counter);
     put(p, 10, topic.esc_count);
@@ -416,11 +358,7 @@ fn store_v1_14(
         13,
         wire::generated::narrow::<u8, _>(topic.esc_armed_flags, "esc_armed_flags")?,
     );
-    if !topic.esc.iter().skip(8).all(EscReport::is_blank) {
-        return Err(wire::uorb::CdrError::DoesNotFit {
-            field: "esc",
-        });
-    }
+    wire::generated::fit(&topic.esc, &EscStatus::UNKNOWN.esc, 8, "esc")?;
     for (one, p) in topic
         .esc
         .iter()

@@ -11,25 +11,19 @@ use crate::uorb::{Element, Field, Place, Topic, places};
 /// message id.
 ///
 /// ```
-/// # use mavlink_wire::uorb::{Definition, Field, Kind, Place, Topic, cdr::CdrError, ulog::Binding};
+/// # use mavlink_wire::uorb::{CdrError, Definition, Topic, ulog::Binding};
 /// # #[derive(Clone, Copy, Debug, PartialEq)]
 /// # struct CpuLoad { timestamp: u64, load: f32 }
+/// # impl CpuLoad { const UNKNOWN: Self = Self { timestamp: 0, load: f32::NAN }; }
 /// # impl Topic for CpuLoad {
 /// #     const NAME: &'static str = "Cpuload";
 /// #     const TOPICS: &'static [&'static str] = &["cpuload"];
 /// #     const DEFINITIONS: &'static [Definition] = &[];
-/// #     const FIELDS: &'static [Field] = &[Field::new("timestamp", Kind::U64), Field::new("load", Kind::F32)];
-/// #     const UNKNOWN: Self = Self { timestamp: 0, load: f32::NAN };
-/// #     type Places = [Place; 2];
-/// #     const ABSENT: [Place; 2] = [Place::ABSENT; 2];
-/// #     fn read(places: &[Place], record: &[u8]) -> Self {
-/// #         let [timestamp, load, ..] = places else { return Self::UNKNOWN };
-/// #         Self { timestamp: timestamp.get(record).unwrap_or(0), load: load.get(record).unwrap_or(f32::NAN) }
-/// #     }
 /// #     fn store_record(&self, _: &mut [u8]) -> Result<(), CdrError> { Ok(()) }
 /// #     fn read_cdr(_: usize, _: &[u8]) -> Result<Self, CdrError> { Err(CdrError::Definition) }
 /// #     fn store_cdr(&self, _: usize, _: &mut [u8]) -> Result<(), CdrError> { Err(CdrError::Definition) }
 /// # }
+/// # mavlink_wire::topic!(CpuLoad { timestamp, load });
 /// let formats = |name: &str| (name == "cpuload").then_some("uint64_t timestamp;float load;float ram_usage;");
 /// let binding = Binding::<CpuLoad>::of("cpuload", formats).ok_or("this log does not have it")?;
 /// let record = [7, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0x3f, 0, 0, 0, 0];
@@ -76,7 +70,9 @@ impl<T: Topic> Binding<T> {
         if record.len() < usize::try_from(self.needed).ok()? {
             return None;
         }
-        Some(T::read(self.places.as_ref(), record))
+        let mut topic = T::UNKNOWN;
+        topic.read_record(self.places.as_ref(), record);
+        Some(topic)
     }
 }
 
@@ -123,7 +119,7 @@ fn bind_field(
     let field = message.fields.get(i)?;
     let (size, place) = match (field.element, found.kind()) {
         (Element::Message { fields, .. }, None) if message.depth < DEEPEST => {
-            let before: usize = message.fields.iter().take(i).map(nested_places).sum();
+            let before: usize = message.fields.iter().take(i).map(|field| field.element.places()).sum();
             let places = message.places.get_mut(message.fields.len() + before..)?.get_mut(..places(fields))?;
             let nested = Message { fields, places, depth: message.depth + 1 };
             let size = bind(nested, formats.find(found.element)?, formats)?.size;
@@ -138,11 +134,4 @@ fn bind_field(
         *message.places.get_mut(i)? = place;
     }
     Some(size)
-}
-
-fn nested_places(field: &Field) -> usize {
-    match field.element {
-        Element::Scalar(_) => 0,
-        Element::Message { fields, .. } => places(fields),
-    }
 }

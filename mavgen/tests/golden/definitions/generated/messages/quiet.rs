@@ -2,6 +2,7 @@
 
 use ::mavlink_wire as wire;
 use wire::generated::{get, put};
+use wire::uorb;
 
 /// What has not changed.
 ///
@@ -25,7 +26,7 @@ impl Quiet {
     pub const UNKNOWN: Self = Self { timestamp: 0 };
 
     /// Definition `main`: 8 bytes as CDR, 8 in a log.
-    pub const MAIN: wire::uorb::Definition = wire::uorb::Definition::new("Quiet", "main")
+    pub const MAIN: uorb::Definition = uorb::Definition::new("Quiet", "main")
         .hashes(
             0x8ec1_61b7,
             "RIHS01_699ee6dd7dded73196eb47a806d66f759e2b43ff8e6f98209567d00bbadbc18f",
@@ -34,74 +35,36 @@ impl Quiet {
         .formats(&["quiet:uint64_t timestamp;"]);
 
     /// Definition `v2`, which is that of `main`.
-    pub const V2: wire::uorb::Definition = Self::MAIN;
+    pub const V2: uorb::Definition = Self::MAIN;
 }
 
-impl wire::uorb::Topic for Quiet {
+impl uorb::Topic for Quiet {
     const NAME: &'static str = "Quiet";
     const TOPICS: &'static [&'static str] = &["quiet"];
-    const DEFINITIONS: &'static [wire::uorb::Definition] = &[Self::MAIN];
+    const DEFINITIONS: &'static [uorb::Definition] = &[Self::MAIN];
 
-    const FIELDS: &'static [wire::uorb::Field] = &[
-        wire::uorb::Field::new("timestamp", wire::uorb::Kind::U64),
-    ];
-
-    const UNKNOWN: Self = Self::UNKNOWN;
-
-    type Places = [wire::uorb::Place; 1];
-
-    const ABSENT: Self::Places = [wire::uorb::Place::ABSENT; 1];
-
-    fn read(places: &[wire::uorb::Place], record: &[u8]) -> Self {
-        let Some((p, _)) = places.split_first_chunk::<1>() else { return Self::UNKNOWN };
-        Self {
-            timestamp: p[0].get(record).unwrap_or(0),
-        }
+    fn read_cdr(definition: usize, body: &[u8]) -> Result<Self, uorb::CdrError> {
+        let p = wire::generated::body::<8>(Self::DEFINITIONS, definition, body)?;
+        Ok(Quiet { timestamp: get(p, 0) })
     }
 
-    fn store_record(&self, record: &mut [u8]) -> Result<(), wire::uorb::CdrError> {
-        let p = wire::generated::body_mut::<8>(record)?;
-        put(p, 0, self.timestamp);
-        Ok(())
-    }
-
-    #[inline]
-    fn read_cdr(definition: usize, body: &[u8]) -> Result<Self, wire::uorb::CdrError> {
-        match definition {
-            0 => {
-                read_main(
-                    wire::generated::body(
-                        body,
-                        <Self as wire::uorb::Topic>::DEFINITIONS,
-                    )?,
-                )
-            }
-            _ => Err(wire::uorb::CdrError::Definition),
-        }
-    }
-
-    #[inline]
     fn store_cdr(
         &self,
         definition: usize,
         body: &mut [u8],
-    ) -> Result<(), wire::uorb::CdrError> {
-        match definition {
-            0 => store_main(self, wire::generated::body_mut(body)?),
-            _ => Err(wire::uorb::CdrError::Definition),
-        }
+    ) -> Result<(), uorb::CdrError> {
+        let p = wire::generated::body_mut::<8>(Self::DEFINITIONS, definition, body)?;
+        put(p, 0, self.timestamp);
+        Ok(())
+    }
+
+    fn store_record(&self, record: &mut [u8]) -> Result<(), uorb::CdrError> {
+        let p = wire::generated::record_mut::<8>(record)?;
+        put(p, 0, self.timestamp);
+        Ok(())
     }
 }
 
-impl wire::uorb::TopicByLength for Quiet {}
-
-fn read_main(p: &[u8; 8]) -> Result<Quiet, wire::uorb::CdrError> {
-    Ok(Quiet { timestamp: get(p, 0) })
-}
-
-fn store_main(topic: &Quiet, p: &mut [u8; 8]) -> Result<(), wire::uorb::CdrError> {
-    put(p, 0, topic.timestamp);
-    Ok(())
-}
+impl uorb::TopicByLength for Quiet {}
 
 wire::topic!(Quiet { timestamp });

@@ -3,7 +3,8 @@
 use super::super::enums::TankStatusState;
 use super::super::messages::Sensor;
 use ::mavlink_wire as wire;
-use wire::generated::{get, put};
+use wire::generated::{boolean, get, put};
+use wire::uorb;
 
 /// What is in a tank.
 ///
@@ -62,10 +63,7 @@ impl TankStatus {
     };
 
     /// Definition `main`: 252 bytes as CDR, 248 in a log.
-    pub const MAIN: wire::uorb::Definition = wire::uorb::Definition::new(
-            "TankStatus",
-            "main",
-        )
+    pub const MAIN: uorb::Definition = uorb::Definition::new("TankStatus", "main")
         .hashes(
             0x20b4_fe1b,
             "RIHS01_37d14ede4cb4b13b8adbaf2187c3b3cbbd92b1703fad105d1e98aa020aaab484",
@@ -79,10 +77,7 @@ impl TankStatus {
         );
 
     /// Definition `v2`: 69 bytes as CDR, 64 in a log.
-    pub const V2: wire::uorb::Definition = wire::uorb::Definition::new(
-            "TankStatus",
-            "v2",
-        )
+    pub const V2: uorb::Definition = uorb::Definition::new("TankStatus", "v2")
         .hashes(
             0xc897_710e,
             "RIHS01_90463d8aacaa7a2e9c8c3588e355273fc698e4bb0b397b51b11b253256370d5c",
@@ -96,10 +91,7 @@ impl TankStatus {
         );
 
     /// Definition `v1`: 90 bytes as CDR, 88 in a log.
-    pub const V1: wire::uorb::Definition = wire::uorb::Definition::new(
-            "TankStatus",
-            "v1",
-        )
+    pub const V1: uorb::Definition = uorb::Definition::new("TankStatus", "v1")
         .hashes(
             0xf54_bf1a,
             "RIHS01_7e723a5f736b524d77fbe1f21175d6f5a001147f429ea6bf4e61ae008bd1cd64",
@@ -125,56 +117,50 @@ impl TankStatus {
     }
 }
 
-impl wire::uorb::Topic for TankStatus {
+impl uorb::Topic for TankStatus {
     const NAME: &'static str = "TankStatus";
     const TOPICS: &'static [&'static str] = &["tank_status"];
+    const DEFINITIONS: &'static [uorb::Definition] = &[Self::MAIN, Self::V2, Self::V1];
 
-    const DEFINITIONS: &'static [wire::uorb::Definition] = &[
-        Self::MAIN,
-        Self::V2,
-        Self::V1,
-    ];
-
-    const FIELDS: &'static [wire::uorb::Field] = &[
-        wire::uorb::Field::new("timestamp", wire::uorb::Kind::U64),
-        wire::uorb::Field::new("valves", wire::uorb::Kind::U16),
-        wire::uorb::Field::new("temperature", wire::uorb::Kind::F32).was("temp"),
-        wire::uorb::Field::new("state", wire::uorb::Kind::U8),
-        wire::uorb::Field::nested(
-                "sensors",
-                "Sensor",
-                <Sensor as wire::uorb::Topic>::FIELDS,
-            )
-            .array(4),
-        wire::uorb::Field::new("levels", wire::uorb::Kind::U16).array(4),
-        wire::uorb::Field::new("label", wire::uorb::Kind::Char).array(12),
-        wire::uorb::Field::new("history", wire::uorb::Kind::F32).array(40),
-        wire::uorb::Field::new("height", wire::uorb::Kind::U8),
-    ];
-
-    const UNKNOWN: Self = Self::UNKNOWN;
-
-    type Places = [wire::uorb::Place; 14];
-
-    const ABSENT: Self::Places = [wire::uorb::Place::ABSENT; 14];
-
-    fn read(places: &[wire::uorb::Place], record: &[u8]) -> Self {
-        let Some((p, _)) = places.split_first_chunk::<9>() else { return Self::UNKNOWN };
-        Self {
-            timestamp: p[0].get(record).unwrap_or(0),
-            valves: p[1].get(record).unwrap_or(0),
-            temperature: p[2].get(record).unwrap_or(f32::NAN),
-            state: p[3].get(record).map_or(TankStatusState(0), TankStatusState),
-            sensors: p[4].messages(record, places.get(9..14).unwrap_or_default()),
-            levels: p[5].array(record, 0),
-            label: p[6].array::<_, 12>(record, wire::uorb::Char(0)).into(),
-            history: p[7].array(record, 0.0),
-            height: p[8].get(record).unwrap_or(0),
+    fn read_cdr(definition: usize, body: &[u8]) -> Result<Self, uorb::CdrError> {
+        match definition {
+            0 => read_main(wire::generated::body(Self::DEFINITIONS, definition, body)?),
+            1 => read_v2(wire::generated::body(Self::DEFINITIONS, definition, body)?),
+            2 => read_v1(wire::generated::body(Self::DEFINITIONS, definition, body)?),
+            _ => Err(uorb::CdrError::Definition),
         }
     }
 
-    fn store_record(&self, record: &mut [u8]) -> Result<(), wire::uorb::CdrError> {
-        let p = wire::generated::body_mut::<248>(record)?;
+    fn store_cdr(
+        &self,
+        definition: usize,
+        body: &mut [u8],
+    ) -> Result<(), uorb::CdrError> {
+        match definition {
+            0 => {
+                store_main(
+                    self,
+                    wire::generated::body_mut(Self::DEFINITIONS, definition, body)?,
+                )
+            }
+            1 => {
+                store_v2(
+                    self,
+                    wire::generated::body_mut(Self::DEFINITIONS, definition, body)?,
+                )
+            }
+            2 => {
+                store_v1(
+                    self,
+                    wire::generated::body_mut(Self::DEFINITIONS, definition, body)?,
+                )
+            }
+            _ => Err(uorb::CdrError::Definition),
+        }
+    }
+
+    fn store_record(&self, record: &mut [u8]) -> Result<(), uorb::CdrError> {
+        let p = wire::generated::record_mut::<248>(record)?;
         put(p, 0, self.timestamp);
         put(p, 8, self.temperature);
         put(p, 12, self.history);
@@ -182,11 +168,7 @@ impl wire::uorb::Topic for TankStatus {
         put(p, 174, self.levels);
         put(p, 182, self.state);
         put(p, 183, self.label);
-        if !self.sensors.iter().skip(3).all(Sensor::is_blank) {
-            return Err(wire::uorb::CdrError::DoesNotFit {
-                field: "sensors",
-            });
-        }
+        wire::generated::fit(&self.sensors, &TankStatus::UNKNOWN.sensors, 3, "sensors")?;
         for (one, p) in self
             .sensors
             .iter()
@@ -199,56 +181,11 @@ impl wire::uorb::Topic for TankStatus {
         }
         Ok(())
     }
-
-    #[inline]
-    fn read_cdr(definition: usize, body: &[u8]) -> Result<Self, wire::uorb::CdrError> {
-        match definition {
-            0 => {
-                read_main(
-                    wire::generated::body(
-                        body,
-                        <Self as wire::uorb::Topic>::DEFINITIONS,
-                    )?,
-                )
-            }
-            1 => {
-                read_v2(
-                    wire::generated::body(
-                        body,
-                        <Self as wire::uorb::Topic>::DEFINITIONS,
-                    )?,
-                )
-            }
-            2 => {
-                read_v1(
-                    wire::generated::body(
-                        body,
-                        <Self as wire::uorb::Topic>::DEFINITIONS,
-                    )?,
-                )
-            }
-            _ => Err(wire::uorb::CdrError::Definition),
-        }
-    }
-
-    #[inline]
-    fn store_cdr(
-        &self,
-        definition: usize,
-        body: &mut [u8],
-    ) -> Result<(), wire::uorb::CdrError> {
-        match definition {
-            0 => store_main(self, wire::generated::body_mut(body)?),
-            1 => store_v2(self, wire::generated::body_mut(body)?),
-            2 => store_v1(self, wire::generated::body_mut(body)?),
-            _ => Err(wire::uorb::CdrError::Definition),
-        }
-    }
 }
 
-impl wire::uorb::TopicByLength for TankStatus {}
+impl uorb::TopicByLength for TankStatus {}
 
-fn read_main(p: &[u8; 252]) -> Result<TankStatus, wire::uorb::CdrError> {
+fn read_main(p: &[u8; 252]) -> Result<TankStatus, uorb::CdrError> {
     let mut read = TankStatus {
         timestamp: get(p, 0),
         valves: get(p, 8),
@@ -275,19 +212,12 @@ fn read_main(p: &[u8; 252]) -> Result<TankStatus, wire::uorb::CdrError> {
     Ok(read)
 }
 
-fn store_main(
-    topic: &TankStatus,
-    p: &mut [u8; 252],
-) -> Result<(), wire::uorb::CdrError> {
+fn store_main(topic: &TankStatus, p: &mut [u8; 252]) -> Result<(), uorb::CdrError> {
     put(p, 0, topic.timestamp);
     put(p, 8, topic.valves);
     put(p, 12, topic.temperature);
     put(p, 16, topic.state);
-    if !topic.sensors.iter().skip(3).all(Sensor::is_blank) {
-        return Err(wire::uorb::CdrError::DoesNotFit {
-            field: "sensors",
-        });
-    }
+    wire::generated::fit(&topic.sensors, &TankStatus::UNKNOWN.sensors, 3, "sensors")?;
     for (one, p) in topic
         .sensors
         .iter()
@@ -304,7 +234,7 @@ fn store_main(
     Ok(())
 }
 
-fn read_v2(p: &[u8; 69]) -> Result<TankStatus, wire::uorb::CdrError> {
+fn read_v2(p: &[u8; 69]) -> Result<TankStatus, uorb::CdrError> {
     let mut read = TankStatus {
         timestamp: get(p, 0),
         valves: get::<u8>(p, 8).into(),
@@ -331,17 +261,13 @@ fn read_v2(p: &[u8; 69]) -> Result<TankStatus, wire::uorb::CdrError> {
     Ok(read)
 }
 
-fn store_v2(topic: &TankStatus, p: &mut [u8; 69]) -> Result<(), wire::uorb::CdrError> {
+fn store_v2(topic: &TankStatus, p: &mut [u8; 69]) -> Result<(), uorb::CdrError> {
     put(p, 0, topic.timestamp);
     put(p, 8, wire::generated::narrow::<u8, _>(topic.valves, "valves")?);
     put(p, 12, topic.temperature);
     put(p, 16, topic.state);
     put(p, 17, topic.height);
-    if !topic.sensors.iter().skip(2).all(Sensor::is_blank) {
-        return Err(wire::uorb::CdrError::DoesNotFit {
-            field: "sensors",
-        });
-    }
+    wire::generated::fit(&topic.sensors, &TankStatus::UNKNOWN.sensors, 2, "sensors")?;
     for (one, p) in topic
         .sensors
         .iter()
@@ -357,10 +283,10 @@ fn store_v2(topic: &TankStatus, p: &mut [u8; 69]) -> Result<(), wire::uorb::CdrE
     Ok(())
 }
 
-fn read_v1(p: &[u8; 90]) -> Result<TankStatus, wire::uorb::CdrError> {
+fn read_v1(p: &[u8; 90]) -> Result<TankStatus, uorb::CdrError> {
     let mut read = TankStatus {
         timestamp: get(p, 0),
-        valves: wire::generated::boolean(p, 8, "valves")?.into(),
+        valves: boolean(p, 8, "valves")?.into(),
         temperature: get::<u8>(p, 9).into(),
         ..TankStatus::UNKNOWN
     };
@@ -373,7 +299,7 @@ fn read_v1(p: &[u8; 90]) -> Result<TankStatus, wire::uorb::CdrError> {
             timestamp: get(p, 0),
             value: get(p, 8),
             address: get(p, 12),
-            wired: wire::generated::boolean(p, 13, "wired")?,
+            wired: boolean(p, 13, "wired")?,
             ..Sensor::UNKNOWN
         };
     }
@@ -382,7 +308,7 @@ fn read_v1(p: &[u8; 90]) -> Result<TankStatus, wire::uorb::CdrError> {
     Ok(read)
 }
 
-fn store_v1(topic: &TankStatus, p: &mut [u8; 90]) -> Result<(), wire::uorb::CdrError> {
+fn store_v1(topic: &TankStatus, p: &mut [u8; 90]) -> Result<(), uorb::CdrError> {
     put(p, 0, topic.timestamp);
     put(p, 8, u8::from(wire::generated::narrow::<bool, _>(topic.valves, "valves")?));
     put(p, 9, wire::generated::narrow::<u8, _>(topic.temperature, "temperature")?);
@@ -396,12 +322,26 @@ fn store_v1(topic: &TankStatus, p: &mut [u8; 90]) -> Result<(), wire::uorb::CdrE
         put(p, 12, one.address);
         put(p, 13, u8::from(one.wired));
     }
-    put(p, 78, wire::generated::first::<_, 2>(&topic.levels, 0, "levels")?);
-    put(p, 82, wire::generated::first::<_, 8>(&topic.label.0, 0, "label")?);
+    put(
+        p,
+        78,
+        wire::generated::first::<
+            _,
+            2,
+        >(&topic.levels, &TankStatus::UNKNOWN.levels, "levels")?,
+    );
+    put(
+        p,
+        82,
+        wire::generated::first::<
+            _,
+            8,
+        >(&topic.label.0, &TankStatus::UNKNOWN.label.0, "label")?,
+    );
     Ok(())
 }
 
 wire::topic!(
-    TankStatus { timestamp, valves, temperature, state, sensors, levels, label, history,
-    height }
+    TankStatus { timestamp, valves, temperature was "temp", state, sensors, levels,
+    label, history, height }
 );

@@ -3,7 +3,8 @@
 use super::super::enums::{PumpFaults, PumpStatusMode, PumpStatusTrend};
 use super::super::messages::Pump;
 use ::mavlink_wire as wire;
-use wire::generated::{get, put};
+use wire::generated::{boolean, booleans, get, put};
+use wire::uorb;
 
 /// What a pump station does.
 ///
@@ -90,10 +91,7 @@ impl PumpStatus {
     };
 
     /// Definition `main`: 114 bytes as CDR, 120 in a log.
-    pub const MAIN: wire::uorb::Definition = wire::uorb::Definition::new(
-            "PumpStatus",
-            "main",
-        )
+    pub const MAIN: uorb::Definition = uorb::Definition::new("PumpStatus", "main")
         .hashes(
             0x2120_fc6b,
             "RIHS01_e3c269f36b5bfef71c63c439003e36d6dc5e61aa5e4534127f26cf7a54e7ece4",
@@ -155,65 +153,110 @@ impl PumpStatus {
     }
 }
 
-impl wire::uorb::Topic for PumpStatus {
+impl uorb::Topic for PumpStatus {
     const NAME: &'static str = "PumpStatus";
     const TOPICS: &'static [&'static str] = &["pump_status", "pump_status_groundtruth"];
     const VERSION: Option<u32> = Some(2);
     const QUEUE: u32 = 4;
-    const DEFINITIONS: &'static [wire::uorb::Definition] = &[Self::MAIN];
+    const DEFINITIONS: &'static [uorb::Definition] = &[Self::MAIN];
 
-    const FIELDS: &'static [wire::uorb::Field] = &[
-        wire::uorb::Field::new("timestamp", wire::uorb::Kind::U64),
-        wire::uorb::Field::new("mode", wire::uorb::Kind::U8),
-        wire::uorb::Field::new("trend", wire::uorb::Kind::I8),
-        wire::uorb::Field::new("faults", wire::uorb::Kind::U16),
-        wire::uorb::Field::new("level", wire::uorb::Kind::F32),
-        wire::uorb::Field::new("flow", wire::uorb::Kind::F32).array(2),
-        wire::uorb::Field::new("latitude", wire::uorb::Kind::F64),
-        wire::uorb::Field::new("pressure", wire::uorb::Kind::U16),
-        wire::uorb::Field::new("open", wire::uorb::Kind::Bool),
-        wire::uorb::Field::new("running", wire::uorb::Kind::Bool).array(3),
-        wire::uorb::Field::new("name", wire::uorb::Kind::Char).array(10),
-        wire::uorb::Field::new("type", wire::uorb::Kind::U8),
-        wire::uorb::Field::new("modes", wire::uorb::Kind::U8).array(4),
-        wire::uorb::Field::nested("pumps", "Pump", <Pump as wire::uorb::Topic>::FIELDS)
-            .array(3),
-        wire::uorb::Field::nested("spare", "Pump", <Pump as wire::uorb::Topic>::FIELDS),
-    ];
-
-    const UNKNOWN: Self = Self::UNKNOWN;
-
-    type Places = [wire::uorb::Place; 21];
-
-    const ABSENT: Self::Places = [wire::uorb::Place::ABSENT; 21];
-
-    fn read(places: &[wire::uorb::Place], record: &[u8]) -> Self {
-        let Some((p, _)) = places.split_first_chunk::<15>() else {
-            return Self::UNKNOWN
+    fn read_cdr(definition: usize, body: &[u8]) -> Result<Self, uorb::CdrError> {
+        let p = wire::generated::body::<114>(Self::DEFINITIONS, definition, body)?;
+        let mut read = PumpStatus {
+            timestamp: get(p, 0),
+            mode: get(p, 8),
+            trend: get(p, 9),
+            faults: get(p, 10),
+            level: get(p, 12),
+            flow: get(p, 16),
+            latitude: get(p, 24),
+            pressure: get(p, 32),
+            open: boolean(p, 34, "open")?,
+            running: booleans::<3>(p, 35, "running")?,
+            name: get(p, 38),
+            r#type: get(p, 48),
+            modes: get(p, 49),
+            spare: Pump {
+                on: boolean(p, 98, "on")?,
+                timestamp: get(p, 104),
+                rpm: get(p, 112),
+            },
+            ..PumpStatus::UNKNOWN
         };
-        Self {
-            timestamp: p[0].get(record).unwrap_or(0),
-            mode: p[1].get(record).map_or(PumpStatusMode(0), PumpStatusMode),
-            trend: p[2].get(record).map_or(PumpStatusTrend(0), PumpStatusTrend),
-            faults: p[3]
-                .get(record)
-                .map_or(PumpFaults::empty(), PumpFaults::from_bits_retain),
-            level: p[4].get(record).unwrap_or(f32::NAN),
-            flow: p[5].array(record, -1.0),
-            latitude: p[6].get(record).unwrap_or(0.0),
-            pressure: p[7].get(record).unwrap_or(65535),
-            open: p[8].get(record).unwrap_or(false),
-            running: p[9].array(record, false),
-            name: p[10].array::<_, 10>(record, wire::uorb::Char(0)).into(),
-            r#type: p[11].get(record).unwrap_or(0),
-            modes: p[12].array(record, PumpStatusMode(0).0).map(PumpStatusMode),
-            pumps: p[13].messages(record, places.get(15..18).unwrap_or_default()),
-            spare: p[14].message(record, places.get(18..21).unwrap_or_default()),
+        for (one, p) in read
+            .pumps
+            .iter_mut()
+            .take(1)
+            .zip(wire::generated::elements::<13>(p, 53, 13))
+        {
+            *one = Pump {
+                on: boolean(p, 0, "on")?,
+                timestamp: get(p, 3),
+                rpm: get(p, 11),
+            };
         }
+        for (one, p) in read
+            .pumps
+            .iter_mut()
+            .skip(1)
+            .zip(wire::generated::elements::<16>(p, 66, 16))
+        {
+            *one = Pump {
+                on: boolean(p, 0, "on")?,
+                timestamp: get(p, 6),
+                rpm: get(p, 14),
+            };
+        }
+        Ok(read)
     }
 
-    fn store_record(&self, record: &mut [u8]) -> Result<(), wire::uorb::CdrError> {
-        let p = wire::generated::body_mut::<120>(record)?;
+    fn store_cdr(
+        &self,
+        definition: usize,
+        body: &mut [u8],
+    ) -> Result<(), uorb::CdrError> {
+        let p = wire::generated::body_mut::<114>(Self::DEFINITIONS, definition, body)?;
+        put(p, 0, self.timestamp);
+        put(p, 8, self.mode);
+        put(p, 9, self.trend);
+        put(p, 10, self.faults);
+        put(p, 12, self.level);
+        put(p, 16, self.flow);
+        put(p, 24, self.latitude);
+        put(p, 32, self.pressure);
+        put(p, 34, u8::from(self.open));
+        put(p, 35, self.running.map(u8::from));
+        put(p, 38, self.name);
+        put(p, 48, self.r#type);
+        put(p, 49, self.modes);
+        for (one, p) in self
+            .pumps
+            .iter()
+            .take(1)
+            .zip(wire::generated::elements_mut::<13>(p, 53, 13))
+        {
+            put(p, 0, u8::from(one.on));
+            put(p, 3, one.timestamp);
+            put(p, 11, one.rpm);
+        }
+        for (one, p) in self
+            .pumps
+            .iter()
+            .skip(1)
+            .zip(wire::generated::elements_mut::<16>(p, 66, 16))
+        {
+            put(p, 0, u8::from(one.on));
+            put(p, 6, one.timestamp);
+            put(p, 14, one.rpm);
+        }
+        put(p, 98, u8::from(self.spare.on));
+        put(p, 104, self.spare.timestamp);
+        put(p, 112, self.spare.rpm);
+        Ok(())
+    }
+
+    fn store_record(&self, record: &mut [u8]) -> Result<(), uorb::CdrError> {
+        let p = wire::generated::record_mut::<120>(record)?;
         put(p, 0, self.timestamp);
         put(p, 8, self.latitude);
         put(p, 16, self.level);
@@ -241,128 +284,9 @@ impl wire::uorb::Topic for PumpStatus {
         put(p, 114, u8::from(self.spare.on));
         Ok(())
     }
-
-    #[inline]
-    fn read_cdr(definition: usize, body: &[u8]) -> Result<Self, wire::uorb::CdrError> {
-        match definition {
-            0 => {
-                read_main(
-                    wire::generated::body(
-                        body,
-                        <Self as wire::uorb::Topic>::DEFINITIONS,
-                    )?,
-                )
-            }
-            _ => Err(wire::uorb::CdrError::Definition),
-        }
-    }
-
-    #[inline]
-    fn store_cdr(
-        &self,
-        definition: usize,
-        body: &mut [u8],
-    ) -> Result<(), wire::uorb::CdrError> {
-        match definition {
-            0 => store_main(self, wire::generated::body_mut(body)?),
-            _ => Err(wire::uorb::CdrError::Definition),
-        }
-    }
 }
 
-impl wire::uorb::TopicByLength for PumpStatus {}
-
-fn read_main(p: &[u8; 114]) -> Result<PumpStatus, wire::uorb::CdrError> {
-    let mut read = PumpStatus {
-        timestamp: get(p, 0),
-        mode: get(p, 8),
-        trend: get(p, 9),
-        faults: get(p, 10),
-        level: get(p, 12),
-        flow: get(p, 16),
-        latitude: get(p, 24),
-        pressure: get(p, 32),
-        open: wire::generated::boolean(p, 34, "open")?,
-        running: wire::generated::booleans::<3>(p, 35, "running")?,
-        name: get(p, 38),
-        r#type: get(p, 48),
-        modes: get(p, 49),
-        spare: Pump {
-            on: wire::generated::boolean(p, 98, "on")?,
-            timestamp: get(p, 104),
-            rpm: get(p, 112),
-        },
-        ..PumpStatus::UNKNOWN
-    };
-    for (one, p) in read
-        .pumps
-        .iter_mut()
-        .take(1)
-        .zip(wire::generated::elements::<13>(p, 53, 13))
-    {
-        *one = Pump {
-            on: wire::generated::boolean(p, 0, "on")?,
-            timestamp: get(p, 3),
-            rpm: get(p, 11),
-        };
-    }
-    for (one, p) in read
-        .pumps
-        .iter_mut()
-        .skip(1)
-        .zip(wire::generated::elements::<16>(p, 66, 16))
-    {
-        *one = Pump {
-            on: wire::generated::boolean(p, 0, "on")?,
-            timestamp: get(p, 6),
-            rpm: get(p, 14),
-        };
-    }
-    Ok(read)
-}
-
-fn store_main(
-    topic: &PumpStatus,
-    p: &mut [u8; 114],
-) -> Result<(), wire::uorb::CdrError> {
-    put(p, 0, topic.timestamp);
-    put(p, 8, topic.mode);
-    put(p, 9, topic.trend);
-    put(p, 10, topic.faults);
-    put(p, 12, topic.level);
-    put(p, 16, topic.flow);
-    put(p, 24, topic.latitude);
-    put(p, 32, topic.pressure);
-    put(p, 34, u8::from(topic.open));
-    put(p, 35, topic.running.map(u8::from));
-    put(p, 38, topic.name);
-    put(p, 48, topic.r#type);
-    put(p, 49, topic.modes);
-    for (one, p) in topic
-        .pumps
-        .iter()
-        .take(1)
-        .zip(wire::generated::elements_mut::<13>(p, 53, 13))
-    {
-        put(p, 0, u8::from(one.on));
-        put(p, 3, one.timestamp);
-        put(p, 11, one.rpm);
-    }
-    for (one, p) in topic
-        .pumps
-        .iter()
-        .skip(1)
-        .zip(wire::generated::elements_mut::<16>(p, 66, 16))
-    {
-        put(p, 0, u8::from(one.on));
-        put(p, 6, one.timestamp);
-        put(p, 14, one.rpm);
-    }
-    put(p, 98, u8::from(topic.spare.on));
-    put(p, 104, topic.spare.timestamp);
-    put(p, 112, topic.spare.rpm);
-    Ok(())
-}
+impl uorb::TopicByLength for PumpStatus {}
 
 wire::topic!(
     PumpStatus { timestamp, mode, trend, faults, level, flow, latitude, pressure, open,

@@ -1,0 +1,112 @@
+//! Where the definitions have the fields of a topic, and how they are read from there.
+
+use super::definitions::{InDefinition, plain};
+use super::{Named, Topics};
+use crate::internal::Internal;
+use crate::rust::{Held, Move, Part, Plain, Row, Scalars, TopicSlot};
+use crate::uorb::Scalar;
+use crate::uorb::model::MessageIndex;
+use crate::uorb::placed::{self, Placed, Run};
+use crate::uorb::union::Known;
+
+impl<'d> Topics<'d> {
+    /// How the newest definition is written as a record.
+    pub(super) fn record(self, index: MessageIndex) -> Result<Part<'d>, Internal> {
+        let Named { model, .. } = self.message(index)?;
+        let newest = model.known.first().ok_or_else(|| Internal::new("a topic without a definition"))?;
+        let own = self.in_definition(newest.definition, newest.message)?;
+        self.part(index, own, &placed::in_record(own.package, own.message))
+    }
+
+    /// The fields of a topic that a definition has, and where.
+    pub(super) fn part(
+        self,
+        index: MessageIndex,
+        own: InDefinition<'d>,
+        placed: &[Placed],
+    ) -> Result<Part<'d>, Internal> {
+        let (Named { model, names }, known) = (self.message(index)?, self.known(index, own.definition)?);
+        let fields = placed.iter().map(|Placed { field, at, held }| {
+            let union = known.fields.get(*field).ok_or_else(|| Internal::new("a field is none of the union's"))?;
+            let slot = self.slot(index, *union)?;
+            let held = match held {
+                placed::Held::Scalars(scalar, len) => Held::Scalars(scalars(slot, *scalar, *len)),
+                placed::Held::Messages(nested, runs) => {
+                    self.messages(slot, self.in_definition(own.definition, *nested)?, runs)?
+                }
+            };
+            Ok(Move { slot, at: *at, later: is_later(&held), held })
+        });
+        let fields = fields.collect::<Result<Vec<_>, Internal>>()?;
+        let lacks = fields.len() < model.fields.len() || fields.iter().any(|field| field.later);
+        Ok(Part { ident: &names.ty, fields, lacks })
+    }
+
+    fn messages(self, slot: TopicSlot<'d>, nested: InDefinition<'d>, runs: &[Run]) -> Result<Held<'d>, Internal> {
+        let at = self.union.messages.iter().position(|message| message.name == nested.message.name);
+        let index = MessageIndex(at.ok_or_else(|| Internal::new(format!("there is no {}", nested.message.name)))?);
+        let Some(len) = slot.len else {
+            let run = runs.first().ok_or_else(|| Internal::new(format!("`{}` lies nowhere", slot.name)))?;
+            return Ok(Held::Message(self.part(index, nested, &moved(&run.fields, run.at))?));
+        };
+        let rows = runs.iter().map(|run| {
+            let Run { first: skip, at, stride, len: bytes, .. } = *run;
+            let take = (skip + run.count < len).then_some(run.count);
+            Ok(Row { skip, take, at, stride, len: bytes, part: self.part(index, nested, &run.fields)? })
+        });
+        let mut rows = rows.collect::<Result<Vec<_>, Internal>>()?;
+        let room = runs.iter().map(|run| run.count).sum();
+        Ok(match rows.as_slice() {
+            [row] if room == len && is_total(&row.part) => Held::Each(rows.remove(0)),
+            _ => Held::Rows(rows, (room < len).then_some(room)),
+        })
+    }
+
+    /// What a definition has of a message.
+    fn known(self, index: MessageIndex, definition: usize) -> Result<&'d Known, Internal> {
+        let mut known = self.message(index)?.model.known.iter();
+        let found = known.find(|known| known.definition == definition);
+        found.ok_or_else(|| Internal::new(format!("definition {definition} lacks message {}", index.0)))
+    }
+}
+
+/// The fields of a message that begins at `base`, from where that is counted.
+fn moved(fields: &[Placed], base: u32) -> Vec<Placed> {
+    let fields = fields.iter().cloned();
+    fields.map(|field| Placed { at: base + field.at, held: moved_held(field.held, base), ..field }).collect()
+}
+
+fn moved_held(held: placed::Held, base: u32) -> placed::Held {
+    match held {
+        placed::Held::Messages(nested, runs) => {
+            let runs = runs.into_iter().map(|run| Run { at: base + run.at, ..run }).collect();
+            placed::Held::Messages(nested, runs)
+        }
+        scalars @ placed::Held::Scalars(..) => scalars,
+    }
+}
+
+fn scalars(slot: TopicSlot<'_>, scalar: Scalar, len: Option<u16>) -> Scalars {
+    let stored = plain(scalar);
+    Scalars { stored, len, widens: slot.ty.plain() != Some(stored), few: slot.len.unwrap_or(1) > len.unwrap_or(1) }
+}
+
+/// Whether a field is not one value: only some of its elements are there, or a loop reads them.
+fn is_later(held: &Held<'_>) -> bool {
+    match held {
+        Held::Scalars(scalars) => scalars.few,
+        Held::Message(part) => part.fields.iter().any(|field| field.later),
+        Held::Each(_) => false,
+        Held::Rows(..) => true,
+    }
+}
+
+/// Whether a message is one literal, and nothing in it is refused.
+fn is_total(part: &Part<'_>) -> bool {
+    part.fields.iter().all(|field| match &field.held {
+        Held::Scalars(scalars) => scalars.stored != Plain::Bool && !scalars.few,
+        Held::Message(nested) => is_total(nested),
+        Held::Each(_) => true,
+        Held::Rows(..) => false,
+    })
+}
