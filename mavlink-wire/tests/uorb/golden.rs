@@ -1,7 +1,7 @@
 //! Logs that another program wrote of known values, one for each of three definitions.
 
-use mavlink_wire::uorb::ulog::{End, Log};
 use mavlink_wire::uorb::Fields;
+use mavlink_wire::uorb::ulog::{End, Log};
 
 use crate::topic::{EscReport, EscStatus};
 

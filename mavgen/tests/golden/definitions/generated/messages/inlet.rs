@@ -2,6 +2,7 @@
 
 use ::mavlink_wire as wire;
 use wire::generated::{get, put};
+use wire::uorb;
 
 /// What flows in.
 ///
@@ -33,7 +34,7 @@ impl Inlet {
     };
 
     /// Definition `main`: 16 bytes as CDR, 14 in a log.
-    pub const MAIN: wire::uorb::Definition = wire::uorb::Definition::new("Inlet", "main")
+    pub const MAIN: uorb::Definition = uorb::Definition::new("Inlet", "main")
         .hashes(
             0xb679_9f02,
             "RIHS01_83885569994ce89ee61168a8301f14ccd0144fa6039db5541ea53a2f198700a5",
@@ -42,7 +43,7 @@ impl Inlet {
         .formats(&["inlet:uint64_t timestamp;float heat;uint16_t pressure;"]);
 
     /// Definition `v2`: 16 bytes as CDR, 16 in a log.
-    pub const V2: wire::uorb::Definition = wire::uorb::Definition::new("Inlet", "v2")
+    pub const V2: uorb::Definition = uorb::Definition::new("Inlet", "v2")
         .hashes(
             0xac31_3ca8,
             "RIHS01_0ff6ec5a47c8f360f5f8759eb8391659955445fe2bfd867b62f04d0941569ed3",
@@ -63,78 +64,51 @@ impl Inlet {
     }
 }
 
-impl wire::uorb::Topic for Inlet {
+impl uorb::Topic for Inlet {
     const NAME: &'static str = "Inlet";
     const TOPICS: &'static [&'static str] = &["inlet"];
-    const DEFINITIONS: &'static [wire::uorb::Definition] = &[Self::MAIN, Self::V2];
+    const DEFINITIONS: &'static [uorb::Definition] = &[Self::MAIN, Self::V2];
 
-    const FIELDS: &'static [wire::uorb::Field] = &[
-        wire::uorb::Field::new("timestamp", wire::uorb::Kind::U64),
-        wire::uorb::Field::new("pressure", wire::uorb::Kind::F32),
-        wire::uorb::Field::new("heat", wire::uorb::Kind::F32),
-    ];
-
-    const UNKNOWN: Self = Self::UNKNOWN;
-
-    type Places = [wire::uorb::Place; 3];
-
-    const ABSENT: Self::Places = [wire::uorb::Place::ABSENT; 3];
-
-    fn read(places: &[wire::uorb::Place], record: &[u8]) -> Self {
-        let Some((p, _)) = places.split_first_chunk::<3>() else { return Self::UNKNOWN };
-        Self {
-            timestamp: p[0].get(record).unwrap_or(0),
-            pressure: p[1].get(record).unwrap_or(65535.0),
-            heat: p[2].get(record).unwrap_or(0.0),
+    fn read_cdr(definition: usize, body: &[u8]) -> Result<Self, uorb::CdrError> {
+        match definition {
+            0 => read_main(wire::generated::body(Self::DEFINITIONS, definition, body)?),
+            1 => read_v2(wire::generated::body(Self::DEFINITIONS, definition, body)?),
+            _ => Err(uorb::CdrError::Definition),
         }
     }
 
-    fn store_record(&self, record: &mut [u8]) -> Result<(), wire::uorb::CdrError> {
-        let p = wire::generated::body_mut::<14>(record)?;
+    fn store_cdr(
+        &self,
+        definition: usize,
+        body: &mut [u8],
+    ) -> Result<(), uorb::CdrError> {
+        match definition {
+            0 => {
+                store_main(
+                    self,
+                    wire::generated::body_mut(Self::DEFINITIONS, definition, body)?,
+                )
+            }
+            1 => {
+                store_v2(
+                    self,
+                    wire::generated::body_mut(Self::DEFINITIONS, definition, body)?,
+                )
+            }
+            _ => Err(uorb::CdrError::Definition),
+        }
+    }
+
+    fn store_record(&self, record: &mut [u8]) -> Result<(), uorb::CdrError> {
+        let p = wire::generated::record_mut::<14>(record)?;
         put(p, 0, self.timestamp);
         put(p, 8, self.heat);
         put(p, 12, wire::generated::narrow::<u16, _>(self.pressure, "pressure")?);
         Ok(())
     }
-
-    #[inline]
-    fn read_cdr(definition: usize, body: &[u8]) -> Result<Self, wire::uorb::CdrError> {
-        match definition {
-            0 => {
-                read_main(
-                    wire::generated::body(
-                        body,
-                        <Self as wire::uorb::Topic>::DEFINITIONS,
-                    )?,
-                )
-            }
-            1 => {
-                read_v2(
-                    wire::generated::body(
-                        body,
-                        <Self as wire::uorb::Topic>::DEFINITIONS,
-                    )?,
-                )
-            }
-            _ => Err(wire::uorb::CdrError::Definition),
-        }
-    }
-
-    #[inline]
-    fn store_cdr(
-        &self,
-        definition: usize,
-        body: &mut [u8],
-    ) -> Result<(), wire::uorb::CdrError> {
-        match definition {
-            0 => store_main(self, wire::generated::body_mut(body)?),
-            1 => store_v2(self, wire::generated::body_mut(body)?),
-            _ => Err(wire::uorb::CdrError::Definition),
-        }
-    }
 }
 
-fn read_main(p: &[u8; 16]) -> Result<Inlet, wire::uorb::CdrError> {
+fn read_main(p: &[u8; 16]) -> Result<Inlet, uorb::CdrError> {
     Ok(Inlet {
         timestamp: get(p, 0),
         pressure: get::<u16>(p, 8).into(),
@@ -142,14 +116,14 @@ fn read_main(p: &[u8; 16]) -> Result<Inlet, wire::uorb::CdrError> {
     })
 }
 
-fn store_main(topic: &Inlet, p: &mut [u8; 16]) -> Result<(), wire::uorb::CdrError> {
+fn store_main(topic: &Inlet, p: &mut [u8; 16]) -> Result<(), uorb::CdrError> {
     put(p, 0, topic.timestamp);
     put(p, 8, wire::generated::narrow::<u16, _>(topic.pressure, "pressure")?);
     put(p, 12, topic.heat);
     Ok(())
 }
 
-fn read_v2(p: &[u8; 16]) -> Result<Inlet, wire::uorb::CdrError> {
+fn read_v2(p: &[u8; 16]) -> Result<Inlet, uorb::CdrError> {
     Ok(Inlet {
         timestamp: get(p, 0),
         pressure: get(p, 8),
@@ -157,7 +131,7 @@ fn read_v2(p: &[u8; 16]) -> Result<Inlet, wire::uorb::CdrError> {
     })
 }
 
-fn store_v2(topic: &Inlet, p: &mut [u8; 16]) -> Result<(), wire::uorb::CdrError> {
+fn store_v2(topic: &Inlet, p: &mut [u8; 16]) -> Result<(), uorb::CdrError> {
     put(p, 0, topic.timestamp);
     put(p, 8, topic.pressure);
     put(p, 12, topic.heat);
