@@ -8,8 +8,12 @@ use super::{Command, percent};
 use crate::common::{CommandAck, CommandCancel, MavCmd, MavResult};
 use crate::{Address, Instant, Outgoing, Output, Service, earliest};
 
-/// How long an answer is remembered, so that a command whose acknowledgement was lost is not carried out again.
-const REMEMBERED: Duration = Duration::from_secs(3);
+/// How long an answer is remembered after it was given, so that a command whose acknowledgement was lost is not carried out again: as
+/// long as a station lets a running command be silent, and six seconds for its tries.
+const REMEMBERED: Duration = Duration::from_secs(11);
+
+/// The same of a `COMMAND_INT`, which does not say whether it is sent again: two tries of a station. Who wants it once more takes longer.
+const REMEMBERED_INT: Duration = Duration::from_secs(2);
 
 /// How often the progress of a running command is reported if nothing changes.
 const REPORTED: Duration = Duration::from_secs(1);
@@ -19,7 +23,7 @@ const REPORTED: Duration = Duration::from_secs(1);
 /// ```text
 ///            command              finish
 ///   Free ───────────▶ Open ─────────────────▶ Finished ──▶ Free
-///                     │  ▲ │ progress            ▲  │ ▲   after 3 s, or when
+///                     │  ▲ │ progress            ▲  │ ▲   after 11 s, or when
 ///                     │  │ ▼ or the same again   │  │ │   the place is needed
 ///                     └▶ Running ────────────────┘  └─┘
 ///                        │ ▲   finish           the same again, or a cancel:
@@ -28,8 +32,8 @@ const REPORTED: Duration = Duration::from_secs(1);
 /// ```
 ///
 /// - Every [`Request`] needs an answer, sooner or later: [`finish`](Self::finish). Unknown commands are `UNSUPPORTED`.
-/// - A repeated `COMMAND_LONG` is recognised by its `confirmation`, and reported once even if the acknowledgement was lost. A
-///   `COMMAND_INT` has no `confirmation`: only a frame that the link doubled is recognised, within the same three seconds.
+/// - A repeated command is reported once even if the acknowledgement was lost, and gets the last answer again. A `COMMAND_LONG` is recognised
+///   by its `confirmation`, up to 11 s after that answer. A `COMMAND_INT` has none: the same one is a repetition up to 2 s after the answer.
 /// - The same command with other parameters while it runs, and a command without a free place, is `TEMPORARILY_REJECTED`.
 #[derive(Clone, Debug)]
 pub struct Component<const N: usize = 4> {
@@ -81,6 +85,8 @@ struct Slot {
     result: MavResult,
     progress: u8,
     result_param2: i32,
+    /// How long its answer is remembered.
+    remembered: Duration,
     /// When it is reported again, or forgotten.
     next: Instant,
     /// An acknowledgement is to be sent.
@@ -107,6 +113,7 @@ impl Slot {
         result: MavResult::IN_PROGRESS,
         progress: u8::MAX,
         result_param2: 0,
+        remembered: REMEMBERED,
         next: Instant::ZERO,
         due: false,
         cancel: false,
@@ -158,7 +165,7 @@ impl<const N: usize> Component<N> {
         }
         let Some(slot) = self.active(ticket) else { return false };
         (slot.result, slot.result_param2) = (result, result_param2);
-        (slot.state, slot.due, slot.next, slot.cancel) = (State::Finished, true, now + REMEMBERED, false);
+        (slot.state, slot.due, slot.next, slot.cancel) = (State::Finished, true, now + slot.remembered, false);
         if result == MavResult::ACCEPTED {
             slot.progress = 0;
         }
@@ -185,7 +192,7 @@ impl<const N: usize> Component<N> {
                 return;
             }
             if now < slot.next && slot.digest == digest && is_repeat(slot.brought, brought, &command) {
-                slot.due = true;
+                (slot.due, slot.next) = (true, now + slot.remembered);
                 return;
             }
             slot.state = State::Free;
@@ -202,8 +209,9 @@ impl<const N: usize> Component<N> {
             return;
         };
         let generation = slot.generation.wrapping_add(1);
-        *slot =
-            Slot { state: State::Open, command: command.command(), from, generation, digest, brought, ..Slot::FREE };
+        let remembered = if matches!(command, Command::Long(_)) { REMEMBERED } else { REMEMBERED_INT };
+        *slot = Slot { state: State::Open, from, generation, digest, brought, remembered, ..Slot::FREE };
+        slot.command = command.command();
         // More than 256 slots make no sense; those would never be reached.
         let ticket = Ticket { slot: u8::try_from(at).unwrap_or(u8::MAX), generation };
         self.request = Some(Request { ticket, from, command });
@@ -238,9 +246,9 @@ fn brought(command: &Command, frame: &Frame<'_>) -> (u8, u8) {
     (frame.sequence(), confirmation)
 }
 
-/// Whether a command is one that was there before: the same frame, or one that says that it is sent again.
+/// Whether a command is one that was there before: the same frame, one that says that it is sent again, or one that cannot say so.
 fn is_repeat(first: (u8, u8), again: (u8, u8), command: &Command) -> bool {
-    first.0 == again.0 || (matches!(command, Command::Long(_)) && again.1 > first.1)
+    first.0 == again.0 || again.1 > first.1 || matches!(command, Command::Int(_))
 }
 
 /// What tells a command from others of the same kind.

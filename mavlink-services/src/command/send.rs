@@ -14,10 +14,11 @@ use crate::{Address, Instant, Operation, Outgoing, Output, Retry, Service, Updat
 /// ```text
 ///   new                 ack: any other result
 ///  ─────▶ Asked ───────────────────────────────────▶ Done
-///         │ ▲ │ ack: IN_PROGRESS                      ▲
-///         └─┘ ▼                                       │
-///  no answer: Running ────────────────────────────────┤
-///  sent again │ ▲ │   ack: any other result, silence, │
+///         │ ▲ │ ▲ silence of a COMMAND_LONG:          ▲
+///         └─┘ │ │ sent again                          │
+///  no answer: ▼ │ IN_PROGRESS                         │
+///  sent again Running ────────────────────────────────┤
+///             │ ▲ │   ack: any other result, silence, │
 ///             └─┘ │   limit                           │
 ///   IN_PROGRESS   ▼ cancel                            │
 ///             Cancelling ─────────────────────────────┘
@@ -28,7 +29,9 @@ use crate::{Address, Instant, Operation, Outgoing, Output, Retry, Service, Updat
 ///
 /// - An answer counts if it comes from the peer, names the command, and is for this component or without a target (as in MAVLink 1).
 ///   Answers have no number: a late answer to an earlier command of the same kind is taken for the answer to this one.
-/// - While it runs, the command is not sent again. It times out after silence, and after the limit in spite of reported progress.
+/// - While it runs and reports, the command is not sent again. After silence, its last acknowledgement may have been lost: a `COMMAND_LONG`
+///   is sent again, because its `confirmation` says that it is no new one. A `COMMAND_INT` times out: the peer might carry it out twice.
+/// - It times out after the limit in spite of reported progress.
 /// - A command to component 0 is answered by all components; the first final answer counts.
 #[derive(Clone, Debug)]
 pub struct Send {
@@ -149,8 +152,12 @@ impl Send {
         if now >= self.limit {
             self.finish(Err(Failure::Endless { command, progress }));
         } else if !self.attempt.is_waiting(now) {
-            if self.stage != Stage::Running && self.attempt.again(now) {
+            let may_ask = self.stage != Stage::Running || matches!(self.command, Command::Long(_));
+            if may_ask && self.attempt.again(now) {
                 self.due = true;
+                if self.stage == Stage::Running {
+                    self.stage = Stage::Asked;
+                }
             } else {
                 self.finish(Err(Failure::Timeout { command, sent: self.attempt.asked(), progress }));
             }
