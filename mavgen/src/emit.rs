@@ -12,7 +12,6 @@ mod field;
 mod message;
 mod method;
 mod modules;
-mod secret;
 mod threads;
 mod token;
 #[cfg(feature = "uorb")]

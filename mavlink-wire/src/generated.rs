@@ -10,7 +10,7 @@ pub use crate::message::scale::raw_of;
 pub use crate::message::wire::{Wire, get, put, zero_extended};
 pub use crate::parser::table::{index, index_length};
 
-pub use crate::reflect::fmt_message;
+pub use crate::reflect::{debug_message, debug_variant, fmt_message};
 
 #[cfg(feature = "uorb")]
 pub use crate::uorb::code::{

@@ -175,7 +175,7 @@ pub trait Targeted: Message {
     }
 }
 
-/// Completes a message: `Default`, `Display` ([its text](crate::reflect#the-text)), and what the optional features add.
+/// Completes a message: `Default`, `Debug`, `Display` ([its text](crate::reflect#the-text)), and what the optional features add.
 ///
 /// `message!(AqEscTelemetry { each escs, maybe status })` also takes the getters of what overlays see in the message, each by what it
 /// gives: `one` value, `maybe` one under a condition, or `each` slot.
@@ -189,6 +189,18 @@ macro_rules! message {
             #[inline]
             fn default() -> Self {
                 <Self as $crate::Message>::DEFAULT
+            }
+        }
+
+        impl ::core::fmt::Debug for $name {
+            #[inline]
+            fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
+                $crate::generated::debug_message(
+                    self,
+                    ::core::stringify!($name),
+                    <Self as $crate::Message>::FIELDS,
+                    f,
+                )
             }
         }
 

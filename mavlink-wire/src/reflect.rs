@@ -62,6 +62,7 @@ use core::fmt;
 
 use crate::{Encode, FieldInfo, MAX_PAYLOAD, MessageInfo};
 
+use field::Plain;
 pub use field::{Element, Elements, Field, Value};
 pub use number::Number;
 
@@ -131,4 +132,54 @@ pub fn fmt_message(message: &dyn Encode, fields: &[FieldInfo], f: &mut fmt::Form
     let mut payload = [0; MAX_PAYLOAD];
     message.write(&mut payload);
     fmt::Display::fmt(&Reflected::new(message.info(), fields, &payload), f)
+}
+
+/// `Debug` of a message, as if it were derived; but fields have the names of the XML, a value without a name is a number, and a
+/// secret key is not shown. One function for all: derived for each message, it took a tenth of a dialect's compile time.
+///
+/// # Errors
+///
+/// Those of the formatter.
+#[doc(hidden)]
+pub fn debug_message(
+    message: &dyn Encode,
+    name: &str,
+    fields: &[FieldInfo],
+    f: &mut fmt::Formatter<'_>,
+) -> fmt::Result {
+    let mut payload = [0; MAX_PAYLOAD];
+    message.write(&mut payload);
+    let mut shown = f.debug_struct(name);
+    for info in fields {
+        shown.field(info.name, &Plain(Field::new(info, &payload)));
+    }
+    shown.finish()
+}
+
+/// `Debug` of a dialect's enum, whose variants are called like the messages in them.
+///
+/// # Errors
+///
+/// Those of the formatter.
+#[doc(hidden)]
+pub fn debug_variant(
+    message: &dyn Encode,
+    name: &str,
+    fields: &[FieldInfo],
+    f: &mut fmt::Formatter<'_>,
+) -> fmt::Result {
+    f.debug_tuple(name).field(&Inner { message, name, fields }).finish()
+}
+
+/// The message in a dialect's enum.
+struct Inner<'a> {
+    message: &'a dyn Encode,
+    name: &'a str,
+    fields: &'a [FieldInfo],
+}
+
+impl fmt::Debug for Inner<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        debug_message(self.message, self.name, self.fields, f)
+    }
 }

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! /// Any message of the `acme` dialect.
-//! #[derive(Clone, Copy, Debug, PartialEq)]
+//! #[derive(Clone, Copy, PartialEq)]
 //! #[non_exhaustive]
 //! #[allow(clippy::large_enum_variant, reason = "there is no allocator to box the large ones")]
 //! pub enum Acme {
@@ -30,7 +30,7 @@ pub(super) fn dialect(dialect: &DialectEnum<'_>) -> TokenStream {
     });
     quote! {
         #docs
-        #[derive(Clone, Copy, Debug, PartialEq)]
+        #[derive(Clone, Copy, PartialEq)]
         #[non_exhaustive]
         #[allow(clippy::large_enum_variant, reason = "there is no allocator to box the large ones")]
         pub enum #name { #(#variants),* }

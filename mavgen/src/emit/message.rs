@@ -3,7 +3,7 @@
 //! ```text
 //! /// Distance to an obstacle.
 //! /// …
-//! #[derive(Clone, Copy, Debug, PartialEq)]
+//! #[derive(Clone, Copy, PartialEq)]
 //! pub struct Sonar {
 //!     /// In cm; 65535 means not known.
 //!     pub distance: u16,
@@ -35,7 +35,7 @@ use quote::quote;
 
 use super::method::method;
 use super::token::{decimal, ident};
-use super::{doc, field, secret};
+use super::{doc, field};
 use crate::rust::{Frame, Gives, Seen, Struct, Target};
 
 /// The items of a message's file, without its imports.
@@ -73,15 +73,12 @@ fn seen(all: &[Seen<'_>]) -> Option<TokenStream> {
 fn declaration(message: &Struct<'_>) -> TokenStream {
     let Struct { ident: name, alias, docs, fields, .. } = message;
     let (docs, alias) = (doc::documentation(docs), doc::alias(*alias));
-    let secretive = fields.iter().any(|field| field.secret).then(|| secret::debug(message));
-    let debug = secretive.is_none().then(|| quote!(Debug,));
     let (name, fields) = (ident(name), fields.iter().map(field::declaration));
     quote! {
         #docs
         #alias
-        #[derive(Clone, Copy, #debug PartialEq)]
+        #[derive(Clone, Copy, PartialEq)]
         pub struct #name { #(#fields)* }
-        #secretive
     }
 }
 

@@ -6,7 +6,7 @@ use ::mavlink_wire as wire;
 /// Any message of the `autoquad` dialect.
 ///
 /// New messages are added without a breaking release; match with a `_` arm.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 #[allow(
     clippy::large_enum_variant,

@@ -52,7 +52,7 @@ pub fn decode_variant<M: Message, D: From<M>>(payload: &[u8]) -> Option<D> {
     Some(D::from(M::decode(payload)))
 }
 
-/// Completes a dialect's enum, whose variants have the names of the types in them: [`Dialect`], [`Encode`](crate::Encode),
+/// Completes a dialect's enum, whose variants have the names of the types in them: [`Dialect`], [`Encode`](crate::Encode), `Debug`,
 /// `From` each message, `TryFrom` back (the error is the enum, unchanged), and what the optional features add.
 ///
 /// `dialect!(Autoquad { Heartbeat, SysStatus })`; by id, so that a search in the table may halve.
@@ -122,6 +122,18 @@ macro_rules! dialect {
                 }
             }
         )*
+
+        // Inlined, as what has a use for the tables of all fields: they are compiled where someone prints.
+        impl ::core::fmt::Debug for $dialect {
+            #[inline]
+            fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
+                let name = match self {
+                    $(Self::$message(_) => ::core::stringify!($message),)*
+                };
+                let fields = <Self as $crate::Dialect>::fields($crate::Encode::info(self).id);
+                $crate::generated::debug_variant(self, name, fields.unwrap_or_default(), f)
+            }
+        }
 
         impl ::core::fmt::Display for $dialect {
             #[inline]

@@ -128,6 +128,36 @@ impl fmt::Display for Field<'_> {
     }
 }
 
+/// The value as `Debug` has it: numbers as they are, without units and without a word for those that are not known.
+pub(super) struct Plain<'a>(pub(super) Field<'a>);
+
+impl fmt::Debug for Plain<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.0.info.secret {
+            return fmt::Debug::fmt(SECRET, f);
+        }
+        match self.0.value() {
+            Value::Text(bytes) => chars::debug(bytes, f),
+            Value::One(element) => PlainElement(element).fmt(f),
+            Value::Array(elements) => f.debug_list().entries(elements.map(PlainElement)).finish(),
+        }
+    }
+}
+
+struct PlainElement<'a>(Element<'a>);
+
+impl fmt::Debug for PlainElement<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match (self.0.entry(), self.0.number()) {
+            (Some((values, value)), _) => fmt::Display::fmt(&values.display(value), f),
+            (None, Number::U64(number)) => fmt::Debug::fmt(&number, f),
+            (None, Number::I64(number)) => fmt::Debug::fmt(&number, f),
+            (None, Number::F32(number)) => fmt::Debug::fmt(&number, f),
+            (None, Number::F64(number)) => fmt::Debug::fmt(&number, f),
+        }
+    }
+}
+
 /// An element of an array, or the one number of a field that is none.
 #[derive(Clone, Copy, Debug)]
 pub struct Element<'a> {

@@ -47,7 +47,7 @@ pub(crate) struct Display(u64);
 static DISPLAY: wire::EnumInfo = wire::EnumInfo::bitmask("DISPLAY", &[(1 << 63, "DISPLAY_TOP")]);
 wire::flags!(Display, u64, DISPLAY);
 
-#[derive(Clone, Copy, PartialEq, Debug)]
+#[derive(Clone, Copy, PartialEq)]
 pub(crate) struct Copied {
     pub(crate) debug: Debug,
 }
@@ -75,7 +75,7 @@ impl Copied {
 
 wire::message!(Copied { one seen });
 
-#[derive(Clone, Copy, PartialEq, Debug)]
+#[derive(Clone, Copy, PartialEq)]
 pub(crate) enum Any {
     Copied(Copied),
 }

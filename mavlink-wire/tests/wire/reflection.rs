@@ -1,6 +1,6 @@
 //! Messages without their types: values, names, units, what is not known, and the text of it all.
 
-use mavlink_wire::generated::put;
+use mavlink_wire::generated::{get, put};
 use mavlink_wire::reflect::{Number, Reflected, Value};
 use mavlink_wire::{
     Chars, EnumInfo, FieldInfo, Frame, Invalid, Kind, MAX_FRAME, MAX_PAYLOAD, Message, MessageInfo, Sender, Sentinel,
@@ -292,3 +292,67 @@ fn a_text_is_set_whole_or_not_at_all() {
         "no such field in a payload"
     );
 }
+
+/// As if derived, but for values without a name, which are numbers; so that `{:#?}` and what numbers are printed with hold; of enums the names, and numbers without units.
+#[test]
+fn debug_is_as_if_derived() {
+    #[derive(Debug)]
+    #[expect(dead_code, reason = "it is printed")]
+    struct Statustext<'a> {
+        severity: MavSeverity,
+        text: &'a str,
+        id: u16,
+        chunk_seq: u8,
+    }
+    let sent = crate::small::Statustext {
+        severity: MavSeverity(0),
+        text: "a \"b\"".try_into().unwrap(),
+        id: 65535,
+        ..Message::DEFAULT
+    };
+    let derived = Statustext { severity: MavSeverity(0), text: "a \"b\"", id: 65535, chunk_seq: 0 };
+    assert_eq!(format!("{sent:?} {sent:#?}"), format!("{derived:?} {derived:#?}"));
+    assert_eq!(format!("{:?}", Small::from(sent)), format!("Statustext({derived:?})"));
+
+    let telemetry = AqEscTelemetry { status_age: [1, 0xffff, 0, 0], data0: [0xa, 0, 0, 0], ..Message::DEFAULT };
+    let text = format!("{telemetry:02x?}");
+    assert!(text.starts_with("AqEscTelemetry { time_boot_ms: 00, seq: 00,"), "{text}");
+    assert!(text.ends_with("status_age: [01, ffff, 00, 00], data_version: [00, 00, 00, 00], data0: [0a, 00, 00, 00], data1: [00, 00, 00, 00] }"), "{text}");
+    let beat =
+        Heartbeat { base_mode: MavModeFlag::from_bits_retain(0x82), system_status: MavState(200), ..Message::DEFAULT };
+    assert_eq!(
+        format!("{beat:?}"),
+        "Heartbeat { type: 0, autopilot: 0, base_mode: MAV_MODE_FLAG_SAFETY_ARMED | 0x2, custom_mode: 0, system_status: 200, mavlink_version: 3 }"
+    );
+    let reading = format!("{:.1?} {:?}", Plain(1.25, f64::NAN, -1), Plain(1.0, -0.0, i8::MIN));
+    assert_eq!(
+        reading,
+        "Plain { single: 1.2, double: NaN, signed: -1 } Plain { single: 1.0, double: -0.0, signed: -128 }"
+    );
+}
+
+#[derive(Clone, Copy, PartialEq)]
+struct Plain(f32, f64, i8);
+
+impl Message for Plain {
+    type Payload = [u8; 13];
+    const INFO: &'static MessageInfo = &MessageInfo::new(2, "PLAIN", 0, 13);
+    const FIELDS: &'static [FieldInfo] = &[
+        FieldInfo::new("single", Kind::F32, 8).units("m"),
+        FieldInfo::new("double", Kind::F64, 0).invalid(Invalid::Each(Sentinel::NotANumber)),
+        FieldInfo::new("signed", Kind::I8, 12),
+    ];
+    const DEFAULT: Self = Self(0.0, 0.0, 0);
+
+    fn read(p: &[u8; 13]) -> Self {
+        Self(get(p, 8), get(p, 0), get(p, 12))
+    }
+
+    fn store(&self, p: &mut [u8; 13]) {
+        put(p, 0, self.1);
+        put(p, 8, self.0);
+        put(p, 12, self.2);
+    }
+}
+
+mavlink_wire::message!(Plain);

@@ -14,7 +14,7 @@ pub(crate) struct Signed(pub(crate) i16);
 static SIGNED: wire::EnumInfo = wire::EnumInfo::new("SIGNED", &[(0, "ZERO"), (32767, "TOP")]);
 wire::open_enum!(Signed, i16, SIGNED);
 
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 struct Tagged {
     r#type: Signed,
     mavtype: u8,
@@ -77,7 +77,7 @@ fn fields_called_like_the_tag_have_other_keys() {
     assert_eq!(text, r#"{"mavtype":5,"mavmavtype":6,"mask":"MASK_ONE | 0x2"}"#);
 }
 
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 struct Crowded {
     views: u8,
 }

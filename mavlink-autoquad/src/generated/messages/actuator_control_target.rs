@@ -14,7 +14,7 @@ use wire::generated::{get, put};
 /// |      8 | `controls`  | `float[8]` |  |
 /// |     40 | `group_mlx` | `uint8_t`  |  |
 #[doc(alias = "ACTUATOR_CONTROL_TARGET")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct ActuatorControlTarget {
     /// Clock of the sender, counted from 1970 or from its boot; the size of the number shows which. In
     /// us.

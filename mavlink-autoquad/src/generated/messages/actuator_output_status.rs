@@ -14,7 +14,7 @@ use wire::generated::{get, put};
 /// |      8 | `active`    | `uint32_t`  |  |
 /// |     12 | `actuator`  | `float[32]` |  |
 #[doc(alias = "ACTUATOR_OUTPUT_STATUS")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct ActuatorOutputStatus {
     /// Clock of the sender, counted from 1970 or from its boot; the size of the number shows which. In
     /// us.

@@ -25,7 +25,7 @@ use wire::generated::{get, put};
 /// |     36 | `emitter_type`  | `uint8_t`  |  |
 /// |     37 | `tslc`          | `uint8_t`  | s |
 #[doc(alias = "ADSB_VEHICLE")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct AdsbVehicle {
     /// Address of the transponder, 24 bits.
     pub icao_address: u32,

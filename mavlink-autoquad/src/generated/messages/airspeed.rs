@@ -17,7 +17,7 @@ use wire::generated::{get, put};
 /// |     10 | `id`          | `uint8_t` |  |
 /// |     11 | `flags`       | `uint8_t` |  |
 #[doc(alias = "AIRSPEED")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Airspeed {
     /// Number of the sensor. Tells apart the instances that one sender reports.
     pub id: u8,

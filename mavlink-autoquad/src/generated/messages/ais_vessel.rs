@@ -29,7 +29,7 @@ use wire::generated::{get, put};
 /// |     31 | `callsign`            | `char[7]`  |  |
 /// |     38 | `name`                | `char[20]` |  |
 #[doc(alias = "AIS_VESSEL")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct AisVessel {
     /// Maritime Mobile Service Identity, nine decimal digits.
     pub mmsi: u32,

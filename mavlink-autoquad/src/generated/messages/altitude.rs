@@ -18,7 +18,7 @@ use wire::generated::{get, put};
 /// |     24 | `altitude_terrain`   | `float`    | m |
 /// |     28 | `bottom_clearance`   | `float`    | m |
 #[doc(alias = "ALTITUDE")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Altitude {
     /// Clock of the sender, counted from 1970 or from its boot; the size of the number shows which. In
     /// us.

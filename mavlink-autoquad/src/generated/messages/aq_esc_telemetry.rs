@@ -32,7 +32,7 @@ use wire::generated::{get, put};
 /// |     47 | `escid`        | `uint8_t[4]` |
 /// |     51 | `data_version` | `uint8_t[4]` |
 #[doc(alias = "AQ_ESC_TELEMETRY")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct AqEscTelemetry {
     /// Time since boot. It comes from a 32-bit microsecond clock, so it wraps at 2^32 microseconds:
     /// every 4294967 ms, or 71 minutes and 35 seconds.

@@ -59,7 +59,7 @@ use wire::generated::{get, put};
 /// |     76 | `value20` | `float` |
 /// |     80 | `Index`   | `uint16_t` |
 #[doc(alias = "AQ_TELEMETRY_F")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct AqTelemetryF {
     /// Number of the dataset, which decides what the values mean.
     pub index: u16,

@@ -17,7 +17,7 @@ use wire::generated::{get, put};
 /// |     32 | `z`                      | `float`     | m |
 /// |     36 | `covariance` (extension) | `float[21]` |  |
 #[doc(alias = "ATT_POS_MOCAP")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct AttPosMocap {
     /// Clock of the sender, counted from 1970 or from its boot; the size of the number shows which. In
     /// us.

@@ -18,7 +18,7 @@ use wire::generated::{get, put};
 /// |     20 | `pitchspeed`   | `float`    | rad/s |
 /// |     24 | `yawspeed`     | `float`    | rad/s |
 #[doc(alias = "ATTITUDE")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Attitude {
     /// Time since the sender booted; wraps after about 49.7 days. In ms.
     ///

@@ -21,7 +21,7 @@ use wire::generated::{get, put};
 /// |     28 | `yawspeed`                  | `float`    | rad/s |
 /// |     32 | `repr_offset_q` (extension) | `float[4]` |  |
 #[doc(alias = "ATTITUDE_QUATERNION")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct AttitudeQuaternion {
     /// Time since the sender booted; wraps after about 49.7 days. In ms.
     pub time_boot_ms: u32,

@@ -17,7 +17,7 @@ use wire::generated::{get, put};
 /// |     32 | `yawspeed`   | `float`    | rad/s |
 /// |     36 | `covariance` | `float[9]` |  |
 #[doc(alias = "ATTITUDE_QUATERNION_COV")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct AttitudeQuaternionCov {
     /// Clock of the sender, counted from 1970 or from its boot; the size of the number shows which. In
     /// us.

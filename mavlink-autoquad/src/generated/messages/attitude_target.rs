@@ -19,7 +19,7 @@ use wire::generated::{get, put};
 /// |     32 | `thrust`          | `float`    |  |
 /// |     36 | `type_mask`       | `uint8_t`  |  |
 #[doc(alias = "ATTITUDE_TARGET")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct AttitudeTarget {
     /// Time since the sender booted; wraps after about 49.7 days. In ms.
     pub time_boot_ms: u32,

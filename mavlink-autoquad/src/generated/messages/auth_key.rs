@@ -12,7 +12,7 @@ use wire::generated::{get, put};
 /// |-------:|-------|---|
 /// |      0 | `key` | `char[32]` |
 #[doc(alias = "AUTH_KEY")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct AuthKey {
     /// The key.
     pub key: wire::Chars<32>,

@@ -25,7 +25,7 @@ use wire::generated::{get, put};
 /// |     52 | `landed_state`                    | `uint8_t`  |  |
 /// |     53 | `angular_velocity_z` (extension)  | `float`    | rad/s |
 #[doc(alias = "AUTOPILOT_STATE_FOR_GIMBAL_DEVICE")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct AutopilotStateForGimbalDevice {
     /// Id of the system this is meant for; 0 is every system.
     pub target_system: u8,

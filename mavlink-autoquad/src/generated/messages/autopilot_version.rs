@@ -24,7 +24,7 @@ use wire::generated::{get, put};
 /// |     52 | `os_custom_version`         | `uint8_t[8]` |
 /// |     60 | `uid2` (extension)          | `uint8_t[18]` |
 #[doc(alias = "AUTOPILOT_VERSION")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct AutopilotVersion {
     /// What the component supports.
     pub capabilities: MavProtocolCapability,

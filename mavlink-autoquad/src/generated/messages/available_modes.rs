@@ -18,7 +18,7 @@ use wire::generated::{get, put};
 /// |     10 | `standard_mode` | `uint8_t` |
 /// |     11 | `mode_name`     | `char[35]` |
 #[doc(alias = "AVAILABLE_MODES")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct AvailableModes {
     /// How many modes there are.
     pub number_modes: u8,

@@ -12,7 +12,7 @@ use wire::generated::{get, put};
 /// |-------:|-------|---|
 /// |      0 | `seq` | `uint8_t` |
 #[doc(alias = "AVAILABLE_MODES_MONITOR")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct AvailableModesMonitor {
     /// Changes whenever the list should be fetched again.
     pub seq: u8,

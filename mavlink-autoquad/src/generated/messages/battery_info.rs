@@ -34,7 +34,7 @@ use wire::generated::{get, put};
 /// |     58 | `serial_number`                   | `char[32]` |  |
 /// |     90 | `name`                            | `char[50]` |  |
 #[doc(alias = "BATTERY_INFO")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct BatteryInfo {
     /// Number of the battery. Tells apart the instances that one sender reports.
     pub id: u8,

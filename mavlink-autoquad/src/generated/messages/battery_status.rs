@@ -29,7 +29,7 @@ use wire::generated::{get, put};
 /// |     49 | `mode` (extension)           | `uint8_t`      |  |
 /// |     50 | `fault_bitmask` (extension)  | `uint32_t`     |  |
 #[doc(alias = "BATTERY_STATUS")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct BatteryStatus {
     /// Number of the battery. Tells apart the instances that one sender reports.
     pub id: u8,

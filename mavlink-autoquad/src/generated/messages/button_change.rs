@@ -14,7 +14,7 @@ use wire::generated::{get, put};
 /// |      4 | `last_change_ms` | `uint32_t` | ms |
 /// |      8 | `state`          | `uint8_t`  |  |
 #[doc(alias = "BUTTON_CHANGE")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct ButtonChange {
     /// Time since the sender booted; wraps after about 49.7 days. In ms.
     pub time_boot_ms: u32,

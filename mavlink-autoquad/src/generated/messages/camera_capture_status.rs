@@ -19,7 +19,7 @@ use wire::generated::{get, put};
 /// |     18 | `image_count` (extension)      | `int32_t`  |  |
 /// |     22 | `camera_device_id` (extension) | `uint8_t`  |  |
 #[doc(alias = "CAMERA_CAPTURE_STATUS")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct CameraCaptureStatus {
     /// Time since the sender booted; wraps after about 49.7 days. In ms.
     pub time_boot_ms: u32,

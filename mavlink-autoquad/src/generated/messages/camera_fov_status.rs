@@ -22,7 +22,7 @@ use wire::generated::{get, put};
 /// |     48 | `vfov`                         | `float`    | deg |
 /// |     52 | `camera_device_id` (extension) | `uint8_t`  |  |
 #[doc(alias = "CAMERA_FOV_STATUS")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct CameraFovStatus {
     /// Time since the sender booted; wraps after about 49.7 days. In ms.
     pub time_boot_ms: u32,

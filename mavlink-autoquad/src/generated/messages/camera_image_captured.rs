@@ -23,7 +23,7 @@ use wire::generated::{get, put};
 /// |     49 | `capture_result` | `int8_t`    |  |
 /// |     50 | `file_url`       | `char[205]` |  |
 #[doc(alias = "CAMERA_IMAGE_CAPTURED")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct CameraImageCaptured {
     /// Time since the sender booted; wraps after about 49.7 days. In ms.
     pub time_boot_ms: u32,

@@ -27,7 +27,7 @@ use wire::generated::{get, put};
 /// |    235 | `gimbal_device_id` (extension) | `uint8_t`     |  |
 /// |    236 | `camera_device_id` (extension) | `uint8_t`     |  |
 #[doc(alias = "CAMERA_INFORMATION")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct CameraInformation {
     /// Time since the sender booted; wraps after about 49.7 days. In ms.
     pub time_boot_ms: u32,

@@ -17,7 +17,7 @@ use wire::generated::{get, put};
 /// |      9 | `focusLevel` (extension)       | `float`    |  |
 /// |     13 | `camera_device_id` (extension) | `uint8_t`  |  |
 #[doc(alias = "CAMERA_SETTINGS")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct CameraSettings {
     /// Time since the sender booted; wraps after about 49.7 days. In ms.
     pub time_boot_ms: u32,

@@ -20,7 +20,7 @@ use wire::generated::{get, put};
 /// |     28 | `stream_id`        | `uint8_t`  |  |
 /// |     29 | `camera_device_id` | `uint8_t`  |  |
 #[doc(alias = "CAMERA_THERMAL_RANGE")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct CameraThermalRange {
     /// Time since the sender booted; wraps after about 49.7 days. In ms.
     pub time_boot_ms: u32,

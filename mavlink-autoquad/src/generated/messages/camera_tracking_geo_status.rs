@@ -26,7 +26,7 @@ use wire::generated::{get, put};
 /// |     48 | `tracking_status`              | `uint8_t` |  |
 /// |     49 | `camera_device_id` (extension) | `uint8_t` |  |
 #[doc(alias = "CAMERA_TRACKING_GEO_STATUS")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct CameraTrackingGeoStatus {
     /// State of the tracking.
     pub tracking_status: CameraTrackingStatusFlags,

@@ -25,7 +25,7 @@ use wire::generated::{get, put};
 /// |     30 | `target_data`                  | `uint8_t` |
 /// |     31 | `camera_device_id` (extension) | `uint8_t` |
 #[doc(alias = "CAMERA_TRACKING_IMAGE_STATUS")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct CameraTrackingImageStatus {
     /// State of the tracking.
     pub tracking_status: CameraTrackingStatusFlags,

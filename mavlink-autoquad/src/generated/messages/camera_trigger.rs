@@ -13,7 +13,7 @@ use wire::generated::{get, put};
 /// |      0 | `time_usec` | `uint64_t` | us |
 /// |      8 | `seq`       | `uint32_t` |  |
 #[doc(alias = "CAMERA_TRIGGER")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct CameraTrigger {
     /// Clock of the sender, counted from 1970 or from its boot; the size of the number shows which. In
     /// us.

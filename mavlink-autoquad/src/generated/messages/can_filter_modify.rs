@@ -18,7 +18,7 @@ use wire::generated::{get, put};
 /// |     35 | `operation`        | `uint8_t` |
 /// |     36 | `num_ids`          | `uint8_t` |
 #[doc(alias = "CAN_FILTER_MODIFY")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct CanFilterModify {
     /// Id of the system this is meant for; 0 is every system.
     pub target_system: u8,

@@ -17,7 +17,7 @@ use wire::generated::{get, put};
 /// |      7 | `len`              | `uint8_t` |
 /// |      8 | `data`             | `uint8_t[8]` |
 #[doc(alias = "CAN_FRAME")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct CanFrame {
     /// Id of the system this is meant for; 0 is every system.
     pub target_system: u8,

@@ -17,7 +17,7 @@ use wire::generated::{get, put};
 /// |      7 | `len`              | `uint8_t` |
 /// |      8 | `data`             | `uint8_t[64]` |
 #[doc(alias = "CANFD_FRAME")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct CanfdFrame {
     /// Id of the system this is meant for; 0 is every system.
     pub target_system: u8,

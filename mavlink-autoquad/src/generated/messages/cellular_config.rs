@@ -20,7 +20,7 @@ use wire::generated::{get, put};
 /// |     82 | `roaming`    | `uint8_t` |
 /// |     83 | `response`   | `uint8_t` |
 #[doc(alias = "CELLULAR_CONFIG")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct CellularConfig {
     /// 0 leaves it as it is, 1 switches it off, 2 on.
     pub enable_lte: u8,

@@ -32,7 +32,7 @@ use wire::generated::{get, put};
 /// |     45 | `rx_quality` (extension)     | `float`    | dBm |
 /// |     49 | `sinr` (extension)           | `float`    | dB |
 #[doc(alias = "CELLULAR_STATUS")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct CellularStatus {
     /// State of the modem.
     pub status: CellularStatusFlag,

@@ -15,7 +15,7 @@ use wire::generated::{get, put};
 /// |      2 | `version`         | `uint8_t` |
 /// |      3 | `passkey`         | `char[25]` |
 #[doc(alias = "CHANGE_OPERATOR_CONTROL")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct ChangeOperatorControl {
     /// Id of the system this is meant for; 0 is every system.
     pub target_system: u8,

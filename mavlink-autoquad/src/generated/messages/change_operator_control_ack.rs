@@ -14,7 +14,7 @@ use wire::generated::{get, put};
 /// |      1 | `control_request` | `uint8_t` |
 /// |      2 | `ack`             | `uint8_t` |
 #[doc(alias = "CHANGE_OPERATOR_CONTROL_ACK")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct ChangeOperatorControlAck {
     /// Ground station that asked.
     pub gcs_system_id: u8,

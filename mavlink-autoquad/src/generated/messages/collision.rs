@@ -19,7 +19,7 @@ use wire::generated::{get, put};
 /// |     17 | `action`                   | `uint8_t`  |  |
 /// |     18 | `threat_level`             | `uint8_t`  |  |
 #[doc(alias = "COLLISION")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Collision {
     /// Where the data about the other object comes from.
     pub src: MavCollisionSrc,

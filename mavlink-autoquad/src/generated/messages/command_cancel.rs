@@ -17,7 +17,7 @@ use wire::generated::{get, put};
 /// |      2 | `target_system`    | `uint8_t` |
 /// |      3 | `target_component` | `uint8_t` |
 #[doc(alias = "COMMAND_CANCEL")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct CommandCancel {
     /// Id of the system this is meant for; 0 is every system.
     pub target_system: u8,

@@ -26,7 +26,7 @@ use wire::generated::{get, put};
 /// |     33 | `current`          | `uint8_t` |
 /// |     34 | `autocontinue`     | `uint8_t` |
 #[doc(alias = "COMMAND_INT")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct CommandInt {
     /// Id of the system this is meant for; 0 is every system.
     pub target_system: u8,

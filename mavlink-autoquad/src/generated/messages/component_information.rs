@@ -18,7 +18,7 @@ use wire::generated::{get, put};
 /// |     12 | `general_metadata_uri`          | `char[100]` |  |
 /// |    112 | `peripherals_metadata_uri`      | `char[100]` |  |
 #[doc(alias = "COMPONENT_INFORMATION")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct ComponentInformation {
     /// Time since the sender booted; wraps after about 49.7 days. In ms.
     pub time_boot_ms: u32,

@@ -20,7 +20,7 @@ use wire::generated::{get, put};
 /// |    104 | `hardware_version`   | `char[24]` |  |
 /// |    128 | `serial_number`      | `char[32]` |  |
 #[doc(alias = "COMPONENT_INFORMATION_BASIC")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct ComponentInformationBasic {
     /// Time since the sender booted; wraps after about 49.7 days. In ms.
     pub time_boot_ms: u32,

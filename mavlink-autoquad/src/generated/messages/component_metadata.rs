@@ -14,7 +14,7 @@ use wire::generated::{get, put};
 /// |      4 | `file_crc`     | `uint32_t`  |  |
 /// |      8 | `uri`          | `char[100]` |  |
 #[doc(alias = "COMPONENT_METADATA")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct ComponentMetadata {
     /// Time since the sender booted; wraps after about 49.7 days. In ms.
     pub time_boot_ms: u32,

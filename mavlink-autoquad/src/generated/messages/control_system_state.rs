@@ -28,7 +28,7 @@ use wire::generated::{get, put};
 /// |     92 | `pitch_rate`   | `float`    | rad/s |
 /// |     96 | `yaw_rate`     | `float`    | rad/s |
 #[doc(alias = "CONTROL_SYSTEM_STATE")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct ControlSystemState {
     /// Clock of the sender, counted from 1970 or from its boot; the size of the number shows which. In
     /// us.

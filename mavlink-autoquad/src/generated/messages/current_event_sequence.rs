@@ -16,7 +16,7 @@ use wire::generated::{get, put};
 /// |      0 | `sequence` | `uint16_t` |
 /// |      2 | `flags`    | `uint8_t` |
 #[doc(alias = "CURRENT_EVENT_SEQUENCE")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct CurrentEventSequence {
     /// Sequence number.
     pub sequence: u16,

@@ -15,7 +15,7 @@ use wire::generated::{get, put};
 /// |      4 | `intended_custom_mode` | `uint32_t` |
 /// |      8 | `standard_mode`        | `uint8_t` |
 #[doc(alias = "CURRENT_MODE")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct CurrentMode {
     /// Its meaning, where it is a standard mode.
     pub standard_mode: MavStandardMode,

@@ -17,7 +17,7 @@ use wire::generated::{get, put};
 /// |      2 | `stream_id`    | `uint8_t`  |  |
 /// |      3 | `on_off`       | `uint8_t`  |  |
 #[doc(alias = "DATA_STREAM")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct DataStream {
     /// Group of messages.
     pub stream_id: MavDataStream,

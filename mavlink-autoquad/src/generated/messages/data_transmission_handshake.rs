@@ -19,7 +19,7 @@ use wire::generated::{get, put};
 /// |     11 | `payload`     | `uint8_t`  | bytes |
 /// |     12 | `jpg_quality` | `uint8_t`  | % |
 #[doc(alias = "DATA_TRANSMISSION_HANDSHAKE")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct DataTransmissionHandshake {
     /// Image format.
     pub r#type: MavlinkDataStreamType,

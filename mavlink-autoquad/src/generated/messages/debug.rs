@@ -14,7 +14,7 @@ use wire::generated::{get, put};
 /// |      4 | `value`        | `float`    |  |
 /// |      8 | `ind`          | `uint8_t`  |  |
 #[doc(alias = "DEBUG")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Debug {
     /// Time since the sender booted; wraps after about 49.7 days. In ms.
     pub time_boot_ms: u32,

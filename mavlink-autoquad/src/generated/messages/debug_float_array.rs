@@ -15,7 +15,7 @@ use wire::generated::{get, put};
 /// |     10 | `name`             | `char[10]`  |  |
 /// |     20 | `data` (extension) | `float[58]` |  |
 #[doc(alias = "DEBUG_FLOAT_ARRAY")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct DebugFloatArray {
     /// Clock of the sender, counted from 1970 or from its boot; the size of the number shows which. In
     /// us.

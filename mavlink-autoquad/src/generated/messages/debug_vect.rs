@@ -16,7 +16,7 @@ use wire::generated::{get, put};
 /// |     16 | `z`         | `float`    |  |
 /// |     20 | `name`      | `char[10]` |  |
 #[doc(alias = "DEBUG_VECT")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct DebugVect {
     /// Name of the variable, up to 10 characters. Tells apart the instances that one sender reports.
     pub name: wire::Chars<10>,

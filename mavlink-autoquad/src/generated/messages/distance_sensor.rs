@@ -24,7 +24,7 @@ use wire::generated::{get, put};
 /// |     22 | `quaternion` (extension)     | `float[4]` |  |
 /// |     38 | `signal_quality` (extension) | `uint8_t`  | % |
 #[doc(alias = "DISTANCE_SENSOR")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct DistanceSensor {
     /// Time since the sender booted; wraps after about 49.7 days. In ms.
     pub time_boot_ms: u32,

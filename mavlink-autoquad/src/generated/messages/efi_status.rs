@@ -30,7 +30,7 @@ use wire::generated::{get, put};
 /// |     65 | `ignition_voltage` (extension) | `float`   | V |
 /// |     69 | `fuel_pressure` (extension)    | `float`   | kPa |
 #[doc(alias = "EFI_STATUS")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct EfiStatus {
     /// Health of the engine control, as it reports it.
     pub health: u8,

@@ -13,7 +13,7 @@ use wire::generated::{get, put};
 /// |      0 | `seqnr` | `uint16_t` |
 /// |      2 | `data`  | `uint8_t[253]` |
 #[doc(alias = "ENCAPSULATED_DATA")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct EncapsulatedData {
     /// Number of the packet, from 0.
     pub seqnr: u16,

@@ -23,7 +23,7 @@ use wire::generated::{get, put};
 /// |     44 | `connection_type` | `uint8_t`     |  |
 /// |     45 | `info`            | `uint8_t`     |  |
 #[doc(alias = "ESC_INFO")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct EscInfo {
     /// First motor controller of this message: 0, 4, 8 and so on, in motor order. Tells apart the
     /// instances that one sender reports.

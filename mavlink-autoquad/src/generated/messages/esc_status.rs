@@ -18,7 +18,7 @@ use wire::generated::{get, put};
 /// |     40 | `current`   | `float[4]`   | A |
 /// |     56 | `index`     | `uint8_t`    |  |
 #[doc(alias = "ESC_STATUS")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct EscStatus {
     /// First motor controller of this message: 0, 4, 8 and so on, in motor order. Tells apart the
     /// instances that one sender reports.

@@ -22,7 +22,7 @@ use wire::generated::{get, put};
 /// |     36 | `pos_vert_accuracy`  | `float`    | m |
 /// |     40 | `flags`              | `uint16_t` |  |
 #[doc(alias = "ESTIMATOR_STATUS")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct EstimatorStatus {
     /// Clock of the sender, counted from 1970 or from its boot; the size of the number shows which. In
     /// us.

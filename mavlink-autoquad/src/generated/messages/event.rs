@@ -20,7 +20,7 @@ use wire::generated::{get, put};
 /// |     12 | `log_levels`            | `uint8_t`     |  |
 /// |     13 | `arguments`             | `uint8_t[40]` |  |
 #[doc(alias = "EVENT")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Event {
     /// Component this is meant for; 0 is every component.
     pub destination_component: u8,

@@ -14,7 +14,7 @@ use wire::generated::{get, put};
 /// |      0 | `vtol_state`   | `uint8_t` |
 /// |      1 | `landed_state` | `uint8_t` |
 #[doc(alias = "EXTENDED_SYS_STATE")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct ExtendedSysState {
     /// Configuration; undefined if the vehicle is no VTOL.
     pub vtol_state: MavVtolState,

@@ -17,7 +17,7 @@ use wire::generated::{get, put};
 /// |      7 | `breach_type`                   | `uint8_t`  |  |
 /// |      8 | `breach_mitigation` (extension) | `uint8_t`  |  |
 #[doc(alias = "FENCE_STATUS")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct FenceStatus {
     /// 0 within the fence, 1 beyond it.
     pub breach_status: u8,

@@ -20,7 +20,7 @@ use wire::generated::{get, put};
 /// |     28 | `z`            | `float`    | m |
 /// |     32 | `frame`        | `uint8_t`  |  |
 #[doc(alias = "FIGURE_EIGHT_EXECUTION_STATUS")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct FigureEightExecutionStatus {
     /// Clock of the sender, counted from 1970 or from its boot; the size of the number shows which. In
     /// us.

@@ -15,7 +15,7 @@ use wire::generated::{get, put};
 /// |      2 | `target_component` | `uint8_t` |
 /// |      3 | `payload`          | `uint8_t[251]` |
 #[doc(alias = "FILE_TRANSFER_PROTOCOL")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct FileTransferProtocol {
     /// Network this is meant for; 0 is all.
     pub target_network: u8,

@@ -16,7 +16,7 @@ use wire::generated::{get, put};
 /// |     24 | `time_boot_ms`             | `uint32_t` | ms |
 /// |     28 | `landing_time` (extension) | `uint32_t` | ms |
 #[doc(alias = "FLIGHT_INFORMATION")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct FlightInformation {
     /// Time since the sender booted; wraps after about 49.7 days. In ms.
     pub time_boot_ms: u32,

@@ -22,7 +22,7 @@ use wire::generated::{get, put};
 /// |     80 | `position_cov`     | `float[3]` |  |
 /// |     92 | `est_capabilities` | `uint8_t`  |  |
 #[doc(alias = "FOLLOW_TARGET")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct FollowTarget {
     /// Time since boot. In ms.
     pub timestamp: u64,

@@ -20,7 +20,7 @@ use wire::generated::{get, put};
 /// |     24 | `id`                | `uint8_t`  |  |
 /// |     25 | `percent_remaining` | `uint8_t`  | % |
 #[doc(alias = "FUEL_STATUS")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct FuelStatus {
     /// Number of the tank. Tells apart the instances that one sender reports.
     pub id: u8,

@@ -23,7 +23,7 @@ use wire::generated::{get, put};
 /// |     38 | `rectifier_temperature`  | `int16_t`  | degC |
 /// |     40 | `generator_temperature`  | `int16_t`  | degC |
 #[doc(alias = "GENERATOR_STATUS")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct GeneratorStatus {
     /// State and faults.
     pub status: MavGeneratorStatusFlag,

@@ -24,7 +24,7 @@ use wire::generated::{get, put};
 /// |     44 | `delta_yaw_velocity` (extension) | `float`    | rad/s |
 /// |     48 | `gimbal_device_id` (extension)   | `uint8_t`  |  |
 #[doc(alias = "GIMBAL_DEVICE_ATTITUDE_STATUS")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct GimbalDeviceAttitudeStatus {
     /// Id of the system this is meant for; 0 is every system.
     pub target_system: u8,

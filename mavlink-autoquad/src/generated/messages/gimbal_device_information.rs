@@ -29,7 +29,7 @@ use wire::generated::{get, put};
 /// |    144 | `gimbal_device_id` (extension) | `uint8_t`  |  |
 /// |    145 | `cap_flags2` (extension)       | `uint32_t` |  |
 #[doc(alias = "GIMBAL_DEVICE_INFORMATION")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct GimbalDeviceInformation {
     /// Time since the sender booted; wraps after about 49.7 days. In ms.
     pub time_boot_ms: u32,

@@ -19,7 +19,7 @@ use wire::generated::{get, put};
 /// |     30 | `target_system`      | `uint8_t`  |  |
 /// |     31 | `target_component`   | `uint8_t`  |  |
 #[doc(alias = "GIMBAL_DEVICE_SET_ATTITUDE")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct GimbalDeviceSetAttitude {
     /// Id of the system this is meant for; 0 is every system.
     pub target_system: u8,

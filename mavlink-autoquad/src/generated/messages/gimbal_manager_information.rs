@@ -21,7 +21,7 @@ use wire::generated::{get, put};
 /// |     28 | `yaw_max`          | `float`    | rad |
 /// |     32 | `gimbal_device_id` | `uint8_t`  |  |
 #[doc(alias = "GIMBAL_MANAGER_INFORMATION")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct GimbalManagerInformation {
     /// Time since the sender booted; wraps after about 49.7 days. In ms.
     pub time_boot_ms: u32,

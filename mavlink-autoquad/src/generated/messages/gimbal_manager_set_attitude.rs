@@ -21,7 +21,7 @@ use wire::generated::{get, put};
 /// |     33 | `target_component`   | `uint8_t`  |  |
 /// |     34 | `gimbal_device_id`   | `uint8_t`  |  |
 #[doc(alias = "GIMBAL_MANAGER_SET_ATTITUDE")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct GimbalManagerSetAttitude {
     /// Id of the system this is meant for; 0 is every system.
     pub target_system: u8,

@@ -20,7 +20,7 @@ use wire::generated::{get, put};
 /// |     21 | `target_component` | `uint8_t`  |  |
 /// |     22 | `gimbal_device_id` | `uint8_t`  |  |
 #[doc(alias = "GIMBAL_MANAGER_SET_PITCHYAW")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct GimbalManagerSetPitchyaw {
     /// Id of the system this is meant for; 0 is every system.
     pub target_system: u8,

@@ -19,7 +19,7 @@ use wire::generated::{get, put};
 /// |     11 | `secondary_control_sysid`  | `uint8_t`  |  |
 /// |     12 | `secondary_control_compid` | `uint8_t`  |  |
 #[doc(alias = "GIMBAL_MANAGER_STATUS")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct GimbalManagerStatus {
     /// Time since the sender booted; wraps after about 49.7 days. In ms.
     pub time_boot_ms: u32,

@@ -21,7 +21,7 @@ use wire::generated::{get, put};
 /// |     24 | `vz`           | `int16_t`  | cm/s |
 /// |     26 | `hdg`          | `uint16_t` | cdeg |
 #[doc(alias = "GLOBAL_POSITION_INT")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct GlobalPositionInt {
     /// Time since the sender booted; wraps after about 49.7 days. In ms.
     pub time_boot_ms: u32,

@@ -22,7 +22,7 @@ use wire::generated::{get, put};
 /// |     36 | `covariance`     | `float[36]` |  |
 /// |    180 | `estimator_type` | `uint8_t`   |  |
 #[doc(alias = "GLOBAL_POSITION_INT_COV")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct GlobalPositionIntCov {
     /// Clock of the sender, counted from 1970 or from its boot; the size of the number shows which. In
     /// us.

@@ -25,7 +25,7 @@ use wire::generated::{get, put};
 /// |     39 | `source`           | `uint8_t`  |  |
 /// |     40 | `flags`            | `uint8_t`  |  |
 #[doc(alias = "GLOBAL_POSITION_SENSOR")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct GlobalPositionSensor {
     /// Id of the system this is meant for; 0 is every system.
     pub target_system: u8,

@@ -20,7 +20,7 @@ use wire::generated::{get, put};
 /// |     32 | `covariance` (extension)    | `float[21]` |  |
 /// |    116 | `reset_counter` (extension) | `uint8_t`   |  |
 #[doc(alias = "GLOBAL_VISION_POSITION_ESTIMATE")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct GlobalVisionPositionEstimate {
     /// Clock of the sender, counted from 1970 or from its boot. In us.
     pub usec: u64,

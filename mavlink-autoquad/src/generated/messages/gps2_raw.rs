@@ -30,7 +30,7 @@ use wire::generated::{get, put};
 /// |     49 | `vel_acc` (extension)       | `uint32_t` | mm/s |
 /// |     53 | `hdg_acc` (extension)       | `uint32_t` | degE5 |
 #[doc(alias = "GPS2_RAW")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Gps2Raw {
     /// Clock of the sender, counted from 1970 or from its boot; the size of the number shows which. In
     /// us.

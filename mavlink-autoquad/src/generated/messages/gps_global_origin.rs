@@ -15,7 +15,7 @@ use wire::generated::{get, put};
 /// |      8 | `altitude`              | `int32_t`  | mm |
 /// |     12 | `time_usec` (extension) | `uint64_t` | us |
 #[doc(alias = "GPS_GLOBAL_ORIGIN")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct GpsGlobalOrigin {
     /// Latitude, WGS84. In degE7.
     pub latitude: i32,

@@ -17,7 +17,7 @@ use wire::generated::{get, put};
 /// |      2 | `len`              | `uint8_t`      | bytes |
 /// |      3 | `data`             | `uint8_t[110]` |  |
 #[doc(alias = "GPS_INJECT_DATA")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct GpsInjectData {
     /// Id of the system this is meant for; 0 is every system.
     pub target_system: u8,

@@ -31,7 +31,7 @@ use wire::generated::{get, put};
 /// |     62 | `satellites_visible` | `uint8_t`  |  |
 /// |     63 | `yaw` (extension)    | `uint16_t` | cdeg |
 #[doc(alias = "GPS_INPUT")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct GpsInput {
     /// Clock of the sender, counted from 1970 or from its boot; the size of the number shows which. In
     /// us.

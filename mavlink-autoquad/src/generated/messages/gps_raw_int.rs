@@ -28,7 +28,7 @@ use wire::generated::{get, put};
 /// |     46 | `hdg_acc` (extension)       | `uint32_t` | degE5 |
 /// |     50 | `yaw` (extension)           | `uint16_t` | cdeg |
 #[doc(alias = "GPS_RAW_INT")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct GpsRawInt {
     /// Clock of the sender, counted from 1970 or from its boot; the size of the number shows which. In
     /// us.

@@ -14,7 +14,7 @@ use wire::generated::{get, put};
 /// |      1 | `len`   | `uint8_t`      | bytes |
 /// |      2 | `data`  | `uint8_t[180]` |  |
 #[doc(alias = "GPS_RTCM_DATA")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct GpsRtcmData {
     /// Bit 0: the data is one fragment of several. Bits 1 and 2: number of the fragment. Bits 3 to 7:
     /// sequence number that tells sets of fragments apart.

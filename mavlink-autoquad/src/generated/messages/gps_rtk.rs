@@ -25,7 +25,7 @@ use wire::generated::{get, put};
 /// |     33 | `nsats`                 | `uint8_t`  |  |
 /// |     34 | `baseline_coords_type`  | `uint8_t`  |  |
 #[doc(alias = "GPS_RTK")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct GpsRtk {
     /// Time since boot of the last baseline message. In ms.
     pub time_last_baseline_ms: u32,

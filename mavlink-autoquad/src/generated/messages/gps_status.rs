@@ -17,7 +17,7 @@ use wire::generated::{get, put};
 /// |     61 | `satellite_azimuth`   | `uint8_t[20]` | deg |
 /// |     81 | `satellite_snr`       | `uint8_t[20]` | dB |
 #[doc(alias = "GPS_STATUS")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct GpsStatus {
     /// Satellites in view; the number of array elements in use.
     pub satellites_visible: u8,

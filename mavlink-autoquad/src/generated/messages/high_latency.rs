@@ -38,7 +38,7 @@ use wire::generated::{get, put};
 /// |     38 | `failsafe`          | `uint8_t`  |  |
 /// |     39 | `wp_num`            | `uint8_t`  |  |
 #[doc(alias = "HIGH_LATENCY")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct HighLatency {
     /// Mode bits that mean the same everywhere.
     pub base_mode: MavModeFlag,

@@ -39,7 +39,7 @@ use wire::generated::{get, put};
 /// |     40 | `custom1`         | `int8_t`   |  |
 /// |     41 | `custom2`         | `int8_t`   |  |
 #[doc(alias = "HIGH_LATENCY2")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct HighLatency2 {
     /// Time since boot, or since 1970. In ms.
     pub timestamp: u32,

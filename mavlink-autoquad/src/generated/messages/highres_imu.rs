@@ -29,7 +29,7 @@ use wire::generated::{get, put};
 /// |     60 | `fields_updated` | `uint16_t` |  |
 /// |     62 | `id` (extension) | `uint8_t`  |  |
 #[doc(alias = "HIGHRES_IMU")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct HighresImu {
     /// Clock of the sender, counted from 1970 or from its boot; the size of the number shows which. In
     /// us.

@@ -16,7 +16,7 @@ use wire::generated::{get, put};
 /// |     16 | `controls`  | `float[16]` |  |
 /// |     80 | `mode`      | `uint8_t`   |  |
 #[doc(alias = "HIL_ACTUATOR_CONTROLS")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct HilActuatorControls {
     /// Clock of the sender, counted from 1970 or from its boot; the size of the number shows which. In
     /// us.

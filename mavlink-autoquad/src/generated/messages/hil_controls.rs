@@ -23,7 +23,7 @@ use wire::generated::{get, put};
 /// |     40 | `mode`           | `uint8_t`  |  |
 /// |     41 | `nav_mode`       | `uint8_t`  |  |
 #[doc(alias = "HIL_CONTROLS")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct HilControls {
     /// Clock of the sender, counted from 1970 or from its boot; the size of the number shows which. In
     /// us.

@@ -26,7 +26,7 @@ use wire::generated::{get, put};
 /// |     36 | `id` (extension)     | `uint8_t`  |  |
 /// |     37 | `yaw` (extension)    | `uint16_t` | cdeg |
 #[doc(alias = "HIL_GPS")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct HilGps {
     /// Clock of the sender, counted from 1970 or from its boot; the size of the number shows which. In
     /// us.

@@ -25,7 +25,7 @@ use wire::generated::{get, put};
 /// |     30 | `chan12_raw` | `uint16_t` | us |
 /// |     32 | `rssi`       | `uint8_t`  |  |
 #[doc(alias = "HIL_RC_INPUTS_RAW")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct HilRcInputsRaw {
     /// Clock of the sender, counted from 1970 or from its boot; the size of the number shows which. In
     /// us.

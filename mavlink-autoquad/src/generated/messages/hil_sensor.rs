@@ -28,7 +28,7 @@ use wire::generated::{get, put};
 /// |     60 | `fields_updated` | `uint32_t` |  |
 /// |     64 | `id` (extension) | `uint8_t`  |  |
 #[doc(alias = "HIL_SENSOR")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct HilSensor {
     /// Clock of the sender, counted from 1970 or from its boot; the size of the number shows which. In
     /// us.

@@ -29,7 +29,7 @@ use wire::generated::{get, put};
 /// |     52 | `yacc`       | `int16_t`  | mG |
 /// |     54 | `zacc`       | `int16_t`  | mG |
 #[doc(alias = "HIL_STATE")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct HilState {
     /// Clock of the sender, counted from 1970 or from its boot; the size of the number shows which. In
     /// us.

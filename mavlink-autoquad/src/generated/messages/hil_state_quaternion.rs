@@ -27,7 +27,7 @@ use wire::generated::{get, put};
 /// |     60 | `yacc`                | `int16_t`  | mG |
 /// |     62 | `zacc`                | `int16_t`  | mG |
 #[doc(alias = "HIL_STATE_QUATERNION")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct HilStateQuaternion {
     /// Clock of the sender, counted from 1970 or from its boot; the size of the number shows which. In
     /// us.

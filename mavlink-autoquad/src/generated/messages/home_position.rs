@@ -22,7 +22,7 @@ use wire::generated::{get, put};
 /// |     48 | `approach_z`            | `float`    | m |
 /// |     52 | `time_usec` (extension) | `uint64_t` | us |
 #[doc(alias = "HOME_POSITION")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct HomePosition {
     /// Latitude, WGS84. In degE7.
     pub latitude: i32,

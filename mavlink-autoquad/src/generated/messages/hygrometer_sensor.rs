@@ -14,7 +14,7 @@ use wire::generated::{get, put};
 /// |      2 | `humidity`    | `uint16_t` | c% |
 /// |      4 | `id`          | `uint8_t`  |  |
 #[doc(alias = "HYGROMETER_SENSOR")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct HygrometerSensor {
     /// Number of the sensor. Tells apart the instances that one sender reports.
     pub id: u8,

@@ -23,7 +23,7 @@ use wire::generated::{get, put};
 /// |     33 | `mode_bitmask`      | `uint8_t`  |  |
 /// |     34 | `mode`              | `uint8_t`  |  |
 #[doc(alias = "ILLUMINATOR_STATUS")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct IlluminatorStatus {
     /// Time since the light started. In ms.
     pub uptime_ms: u32,

@@ -19,7 +19,7 @@ use wire::generated::{get, put};
 /// |     22 | `tx_session_pending`  | `uint8_t`  |  |
 /// |     23 | `rx_session_pending`  | `uint8_t`  |  |
 #[doc(alias = "ISBD_LINK_STATUS")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct IsbdLinkStatus {
     /// Clock of the sender, counted from 1970 or from its boot. In us.
     pub timestamp: u64,

@@ -26,7 +26,7 @@ use wire::generated::{get, put};
 /// |     58 | `type` (extension)           | `uint8_t`  |  |
 /// |     59 | `position_valid` (extension) | `uint8_t`  |  |
 #[doc(alias = "LANDING_TARGET")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct LandingTarget {
     /// Clock of the sender, counted from 1970 or from its boot; the size of the number shows which. In
     /// us.

@@ -24,7 +24,7 @@ use wire::generated::{get, put};
 /// |     34 | `tx_buf`            | `uint8_t`  | % |
 /// |     35 | `rx_buf`            | `uint8_t`  | % |
 #[doc(alias = "LINK_NODE_STATUS")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct LinkNodeStatus {
     /// Time since boot. In ms.
     pub timestamp: u64,

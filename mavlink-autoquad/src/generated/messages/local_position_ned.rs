@@ -18,7 +18,7 @@ use wire::generated::{get, put};
 /// |     20 | `vy`           | `float`    | m/s |
 /// |     24 | `vz`           | `float`    | m/s |
 #[doc(alias = "LOCAL_POSITION_NED")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct LocalPositionNed {
     /// Time since the sender booted; wraps after about 49.7 days. In ms.
     pub time_boot_ms: u32,

@@ -24,7 +24,7 @@ use wire::generated::{get, put};
 /// |     44 | `covariance`     | `float[45]` |  |
 /// |    224 | `estimator_type` | `uint8_t`   |  |
 #[doc(alias = "LOCAL_POSITION_NED_COV")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct LocalPositionNedCov {
     /// Clock of the sender, counted from 1970 or from its boot; the size of the number shows which. In
     /// us.

@@ -18,7 +18,7 @@ use wire::generated::{get, put};
 /// |     20 | `pitch`        | `float`    | rad |
 /// |     24 | `yaw`          | `float`    | rad |
 #[doc(alias = "LOCAL_POSITION_NED_SYSTEM_GLOBAL_OFFSET")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct LocalPositionNedSystemGlobalOffset {
     /// Time since the sender booted; wraps after about 49.7 days. In ms.
     pub time_boot_ms: u32,

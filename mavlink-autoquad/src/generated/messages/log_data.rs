@@ -15,7 +15,7 @@ use wire::generated::{get, put};
 /// |      6 | `count` | `uint8_t`     | bytes |
 /// |      7 | `data`  | `uint8_t[90]` |  |
 #[doc(alias = "LOG_DATA")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct LogData {
     /// Number of the log.
     pub id: u16,

@@ -16,7 +16,7 @@ use wire::generated::{get, put};
 /// |     10 | `num_logs`     | `uint16_t` |  |
 /// |     12 | `last_log_num` | `uint16_t` |  |
 #[doc(alias = "LOG_ENTRY")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct LogEntry {
     /// Number of the log.
     pub id: u16,

@@ -13,7 +13,7 @@ use wire::generated::{get, put};
 /// |      0 | `target_system`    | `uint8_t` |
 /// |      1 | `target_component` | `uint8_t` |
 #[doc(alias = "LOG_ERASE")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct LogErase {
     /// Id of the system this is meant for; 0 is every system.
     pub target_system: u8,

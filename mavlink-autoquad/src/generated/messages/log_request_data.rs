@@ -16,7 +16,7 @@ use wire::generated::{get, put};
 /// |     10 | `target_system`    | `uint8_t`  |  |
 /// |     11 | `target_component` | `uint8_t`  |  |
 #[doc(alias = "LOG_REQUEST_DATA")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct LogRequestData {
     /// Id of the system this is meant for; 0 is every system.
     pub target_system: u8,

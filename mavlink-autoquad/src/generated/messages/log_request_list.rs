@@ -15,7 +15,7 @@ use wire::generated::{get, put};
 /// |      4 | `target_system`    | `uint8_t` |
 /// |      5 | `target_component` | `uint8_t` |
 #[doc(alias = "LOG_REQUEST_LIST")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct LogRequestList {
     /// Id of the system this is meant for; 0 is every system.
     pub target_system: u8,

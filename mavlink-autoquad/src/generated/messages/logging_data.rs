@@ -17,7 +17,7 @@ use wire::generated::{get, put};
 /// |      5 | `first_message_offset` | `uint8_t`      | bytes |
 /// |      6 | `data`                 | `uint8_t[249]` |  |
 #[doc(alias = "LOGGING_DATA")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct LoggingData {
     /// Id of the system this is meant for; 0 is every system.
     pub target_system: u8,

@@ -30,7 +30,7 @@ use wire::generated::{get, put};
 /// |     49 | `new_orientation` (extension)        | `uint8_t` |  |
 /// |     50 | `scale_factor` (extension)           | `float`   |  |
 #[doc(alias = "MAG_CAL_REPORT")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MagCalReport {
     /// Which compass. Tells apart the instances that one sender reports.
     pub compass_id: u8,

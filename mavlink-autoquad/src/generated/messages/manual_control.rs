@@ -27,7 +27,7 @@ use wire::generated::{get, put};
 /// |     26 | `aux5` (extension)               | `int16_t` |
 /// |     28 | `aux6` (extension)               | `int16_t` |
 #[doc(alias = "MANUAL_CONTROL")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct ManualControl {
     /// System to be controlled.
     pub target: u8,

@@ -18,7 +18,7 @@ use wire::generated::{get, put};
 /// |     20 | `mode_switch`            | `uint8_t`  |  |
 /// |     21 | `manual_override_switch` | `uint8_t`  |  |
 #[doc(alias = "MANUAL_SETPOINT")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct ManualSetpoint {
     /// Time since the sender booted; wraps after about 49.7 days. In ms.
     pub time_boot_ms: u32,

@@ -15,7 +15,7 @@ use wire::generated::{get, put};
 /// |      3 | `type`    | `uint8_t` |
 /// |      4 | `value`   | `int8_t[32]` |
 #[doc(alias = "MEMORY_VECT")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MemoryVect {
     /// First address.
     pub address: u16,

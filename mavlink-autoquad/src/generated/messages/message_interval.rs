@@ -13,7 +13,7 @@ use wire::generated::{get, put};
 /// |      0 | `interval_us` | `int32_t`  | us |
 /// |      4 | `message_id`  | `uint16_t` |  |
 #[doc(alias = "MESSAGE_INTERVAL")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MessageInterval {
     /// The message.
     pub message_id: u16,

@@ -15,7 +15,7 @@ use wire::generated::{get, put};
 /// |      1 | `target_component`         | `uint8_t` |
 /// |      2 | `mission_type` (extension) | `uint8_t` |
 #[doc(alias = "MISSION_CLEAR_ALL")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MissionClearAll {
     /// Id of the system this is meant for; 0 is every system.
     pub target_system: u8,

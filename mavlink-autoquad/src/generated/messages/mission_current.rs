@@ -19,7 +19,7 @@ use wire::generated::{get, put};
 /// |     10 | `fence_id` (extension)        | `uint32_t` |
 /// |     14 | `rally_points_id` (extension) | `uint32_t` |
 #[doc(alias = "MISSION_CURRENT")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MissionCurrent {
     /// Index of the active item.
     pub seq: u16,

@@ -18,7 +18,7 @@ use wire::generated::{get, put};
 /// |     12 | `yaw`                      | `float`    | deg |
 /// |     16 | `yaw_absolute` (extension) | `float`    | deg |
 #[doc(alias = "MOUNT_ORIENTATION")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MountOrientation {
     /// Time since the sender booted; wraps after about 49.7 days. In ms.
     pub time_boot_ms: u32,

@@ -14,7 +14,7 @@ use wire::generated::{get, put};
 /// |      4 | `value`        | `float`    |  |
 /// |      8 | `name`         | `char[10]` |  |
 #[doc(alias = "NAMED_VALUE_FLOAT")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct NamedValueFloat {
     /// Time since the sender booted; wraps after about 49.7 days. In ms.
     pub time_boot_ms: u32,

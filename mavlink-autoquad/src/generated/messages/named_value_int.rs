@@ -14,7 +14,7 @@ use wire::generated::{get, put};
 /// |      4 | `value`        | `int32_t`  |  |
 /// |      8 | `name`         | `char[10]` |  |
 #[doc(alias = "NAMED_VALUE_INT")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct NamedValueInt {
     /// Time since the sender booted; wraps after about 49.7 days. In ms.
     pub time_boot_ms: u32,

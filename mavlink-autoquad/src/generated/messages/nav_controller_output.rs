@@ -19,7 +19,7 @@ use wire::generated::{get, put};
 /// |     22 | `target_bearing` | `int16_t`  | deg |
 /// |     24 | `wp_dist`        | `uint16_t` | m |
 #[doc(alias = "NAV_CONTROLLER_OUTPUT")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct NavControllerOutput {
     /// Demanded roll. In deg.
     pub nav_roll: f32,

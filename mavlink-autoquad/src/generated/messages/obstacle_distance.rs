@@ -21,7 +21,7 @@ use wire::generated::{get, put};
 /// |    162 | `angle_offset` (extension) | `float`        | deg |
 /// |    166 | `frame` (extension)        | `uint8_t`      |  |
 #[doc(alias = "OBSTACLE_DISTANCE")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct ObstacleDistance {
     /// Clock of the sender, counted from 1970 or from its boot; the size of the number shows which. In
     /// us.

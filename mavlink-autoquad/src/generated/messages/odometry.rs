@@ -30,7 +30,7 @@ use wire::generated::{get, put};
 /// |    231 | `estimator_type` (extension) | `uint8_t`   |  |
 /// |    232 | `quality` (extension)        | `int8_t`    | % |
 #[doc(alias = "ODOMETRY")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Odometry {
     /// Clock of the sender, counted from 1970 or from its boot; the size of the number shows which. In
     /// us.

@@ -33,7 +33,7 @@ use wire::generated::{get, put};
 /// |    230 | `temperature_core`         | `int8_t[8]`   | degC |
 /// |    238 | `status_flags` (extension) | `uint16_t`    |  |
 #[doc(alias = "ONBOARD_COMPUTER_STATUS")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct OnboardComputerStatus {
     /// Clock of the sender, counted from 1970 or from its boot; the size of the number shows which. In
     /// us.

@@ -14,7 +14,7 @@ use wire::generated::{get, put};
 /// |      0 | `status` | `uint8_t` |
 /// |      1 | `error`  | `char[50]` |
 #[doc(alias = "OPEN_DRONE_ID_ARM_STATUS")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct OpenDroneIdArmStatus {
     /// `status`, a `uint8_t`.
     pub status: MavOdidArmStatus,

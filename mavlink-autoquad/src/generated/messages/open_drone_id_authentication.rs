@@ -21,7 +21,7 @@ use wire::generated::{get, put};
 /// |     29 | `length`              | `uint8_t`     | bytes |
 /// |     30 | `authentication_data` | `uint8_t[23]` |  |
 #[doc(alias = "OPEN_DRONE_ID_AUTHENTICATION")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct OpenDroneIdAuthentication {
     /// Id of the system this is meant for; 0 is every system.
     pub target_system: u8,

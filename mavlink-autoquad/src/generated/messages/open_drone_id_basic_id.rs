@@ -18,7 +18,7 @@ use wire::generated::{get, put};
 /// |     23 | `ua_type`          | `uint8_t` |
 /// |     24 | `uas_id`           | `uint8_t[20]` |
 #[doc(alias = "OPEN_DRONE_ID_BASIC_ID")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct OpenDroneIdBasicId {
     /// Id of the system this is meant for; 0 is every system.
     pub target_system: u8,

@@ -34,7 +34,7 @@ use wire::generated::{get, put};
 /// |     57 | `speed_accuracy`      | `uint8_t`     |  |
 /// |     58 | `timestamp_accuracy`  | `uint8_t`     |  |
 #[doc(alias = "OPEN_DRONE_ID_LOCATION")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct OpenDroneIdLocation {
     /// Id of the system this is meant for; 0 is every system.
     pub target_system: u8,

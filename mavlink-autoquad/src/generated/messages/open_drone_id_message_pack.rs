@@ -17,7 +17,7 @@ use wire::generated::{get, put};
 /// |     23 | `msg_pack_size`       | `uint8_t`      |  |
 /// |     24 | `messages`            | `uint8_t[225]` |  |
 #[doc(alias = "OPEN_DRONE_ID_MESSAGE_PACK")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct OpenDroneIdMessagePack {
     /// Id of the system this is meant for; 0 is every system.
     pub target_system: u8,

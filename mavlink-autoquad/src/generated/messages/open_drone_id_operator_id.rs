@@ -17,7 +17,7 @@ use wire::generated::{get, put};
 /// |     22 | `operator_id_type` | `uint8_t` |
 /// |     23 | `operator_id`      | `char[20]` |
 #[doc(alias = "OPEN_DRONE_ID_OPERATOR_ID")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct OpenDroneIdOperatorId {
     /// Id of the system this is meant for; 0 is every system.
     pub target_system: u8,

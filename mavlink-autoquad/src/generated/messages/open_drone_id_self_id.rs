@@ -17,7 +17,7 @@ use wire::generated::{get, put};
 /// |     22 | `description_type` | `uint8_t` |
 /// |     23 | `description`      | `char[23]` |
 #[doc(alias = "OPEN_DRONE_ID_SELF_ID")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct OpenDroneIdSelfId {
     /// Id of the system this is meant for; 0 is every system.
     pub target_system: u8,

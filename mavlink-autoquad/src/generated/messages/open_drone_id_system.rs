@@ -30,7 +30,7 @@ use wire::generated::{get, put};
 /// |     52 | `category_eu`            | `uint8_t`     |  |
 /// |     53 | `class_eu`               | `uint8_t`     |  |
 #[doc(alias = "OPEN_DRONE_ID_SYSTEM")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct OpenDroneIdSystem {
     /// Id of the system this is meant for; 0 is every system.
     pub target_system: u8,

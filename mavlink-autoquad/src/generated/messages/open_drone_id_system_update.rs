@@ -17,7 +17,7 @@ use wire::generated::{get, put};
 /// |     16 | `target_system`         | `uint8_t`  |  |
 /// |     17 | `target_component`      | `uint8_t`  |  |
 #[doc(alias = "OPEN_DRONE_ID_SYSTEM_UPDATE")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct OpenDroneIdSystemUpdate {
     /// Id of the system this is meant for; 0 is every system.
     pub target_system: u8,

@@ -21,7 +21,7 @@ use wire::generated::{get, put};
 /// |     26 | `flow_rate_x` (extension) | `float`    | rad/s |
 /// |     30 | `flow_rate_y` (extension) | `float`    | rad/s |
 #[doc(alias = "OPTICAL_FLOW")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct OpticalFlow {
     /// Clock of the sender, counted from 1970 or from its boot; the size of the number shows which. In
     /// us.

@@ -23,7 +23,7 @@ use wire::generated::{get, put};
 /// |     42 | `sensor_id`              | `uint8_t`  |  |
 /// |     43 | `quality`                | `uint8_t`  |  |
 #[doc(alias = "OPTICAL_FLOW_RAD")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct OpticalFlowRad {
     /// Clock of the sender, counted from 1970 or from its boot; the size of the number shows which. In
     /// us.

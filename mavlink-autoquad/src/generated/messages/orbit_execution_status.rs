@@ -18,7 +18,7 @@ use wire::generated::{get, put};
 /// |     20 | `z`         | `float`    | m |
 /// |     24 | `frame`     | `uint8_t`  |  |
 #[doc(alias = "ORBIT_EXECUTION_STATUS")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct OrbitExecutionStatus {
     /// Clock of the sender, counted from 1970 or from its boot; the size of the number shows which. In
     /// us.

@@ -16,7 +16,7 @@ use wire::generated::{get, put};
 /// |    144 | `param_type`   | `uint8_t` |
 /// |    145 | `param_result` | `uint8_t` |
 #[doc(alias = "PARAM_EXT_ACK")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct ParamExtAck {
     /// Name, up to 16 characters; NUL ends it only where it is shorter.
     pub param_id: wire::Chars<16>,

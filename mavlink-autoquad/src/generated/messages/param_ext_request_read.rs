@@ -15,7 +15,7 @@ use wire::generated::{get, put};
 /// |      3 | `target_component` | `uint8_t` |
 /// |      4 | `param_id`         | `char[16]` |
 #[doc(alias = "PARAM_EXT_REQUEST_READ")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct ParamExtRequestRead {
     /// Id of the system this is meant for; 0 is every system.
     pub target_system: u8,

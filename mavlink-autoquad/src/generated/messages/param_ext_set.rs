@@ -17,7 +17,7 @@ use wire::generated::{get, put};
 /// |     18 | `param_value`      | `char[128]` |
 /// |    146 | `param_type`       | `uint8_t` |
 #[doc(alias = "PARAM_EXT_SET")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct ParamExtSet {
     /// Id of the system this is meant for; 0 is every system.
     pub target_system: u8,

@@ -17,7 +17,7 @@ use wire::generated::{get, put};
 /// |     20 | `param_value` | `char[128]` |
 /// |    148 | `param_type`  | `uint8_t` |
 #[doc(alias = "PARAM_EXT_VALUE")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct ParamExtValue {
     /// Name, up to 16 characters; NUL ends it only where it is shorter.
     pub param_id: wire::Chars<16>,

@@ -20,7 +20,7 @@ use wire::generated::{get, put};
 /// |     20 | `param_id`                   | `char[16]` |
 /// |     36 | `parameter_rc_channel_index` | `uint8_t` |
 #[doc(alias = "PARAM_MAP_RC")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct ParamMapRc {
     /// Id of the system this is meant for; 0 is every system.
     pub target_system: u8,

@@ -18,7 +18,7 @@ use wire::generated::{get, put};
 /// |      6 | `param_id`         | `char[16]` |
 /// |     22 | `param_type`       | `uint8_t` |
 #[doc(alias = "PARAM_SET")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct ParamSet {
     /// Id of the system this is meant for; 0 is every system.
     pub target_system: u8,

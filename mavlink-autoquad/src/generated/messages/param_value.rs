@@ -18,7 +18,7 @@ use wire::generated::{get, put};
 /// |      8 | `param_id`    | `char[16]` |
 /// |     24 | `param_type`  | `uint8_t` |
 #[doc(alias = "PARAM_VALUE")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct ParamValue {
     /// Name, up to 16 characters; NUL ends it only where it is shorter.
     pub param_id: wire::Chars<16>,

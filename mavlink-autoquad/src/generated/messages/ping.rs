@@ -18,7 +18,7 @@ use wire::generated::{get, put};
 /// |     12 | `target_system`    | `uint8_t`  |  |
 /// |     13 | `target_component` | `uint8_t`  |  |
 #[doc(alias = "PING")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Ping {
     /// Clock of the sender, counted from 1970 or from its boot; the size of the number shows which. In
     /// us.

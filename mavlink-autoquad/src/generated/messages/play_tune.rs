@@ -17,7 +17,7 @@ use wire::generated::{get, put};
 /// |      2 | `tune`              | `char[30]` |
 /// |     32 | `tune2` (extension) | `char[200]` |
 #[doc(alias = "PLAY_TUNE")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct PlayTune {
     /// Id of the system this is meant for; 0 is every system.
     pub target_system: u8,

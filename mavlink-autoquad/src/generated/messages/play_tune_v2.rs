@@ -16,7 +16,7 @@ use wire::generated::{get, put};
 /// |      5 | `target_component` | `uint8_t` |
 /// |      6 | `tune`             | `char[248]` |
 #[doc(alias = "PLAY_TUNE_V2")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct PlayTuneV2 {
     /// Id of the system this is meant for; 0 is every system.
     pub target_system: u8,

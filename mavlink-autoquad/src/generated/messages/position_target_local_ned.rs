@@ -26,7 +26,7 @@ use wire::generated::{get, put};
 /// |     48 | `type_mask`        | `uint16_t` |  |
 /// |     50 | `coordinate_frame` | `uint8_t`  |  |
 #[doc(alias = "POSITION_TARGET_LOCAL_NED")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct PositionTargetLocalNed {
     /// Time since the sender booted; wraps after about 49.7 days. In ms.
     pub time_boot_ms: u32,

@@ -15,7 +15,7 @@ use wire::generated::{get, put};
 /// |      2 | `Vservo` | `uint16_t` | mV |
 /// |      4 | `flags`  | `uint16_t` |  |
 #[doc(alias = "POWER_STATUS")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct PowerStatus {
     /// Main 5 V rail. In mV.
     pub vcc: u16,

@@ -18,7 +18,7 @@ use wire::generated::{get, put};
 /// |      6 | `spec_version_hash`    | `uint8_t[8]` |
 /// |     14 | `library_version_hash` | `uint8_t[8]` |
 #[doc(alias = "PROTOCOL_VERSION")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct ProtocolVersion {
     /// Version in use, times 100: 200 is MAVLink 2.
     pub version: u16,

@@ -18,7 +18,7 @@ use wire::generated::{get, put};
 /// |      7 | `noise`    | `uint8_t`  |  |
 /// |      8 | `remnoise` | `uint8_t`  |  |
 #[doc(alias = "RADIO_STATUS")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct RadioStatus {
     /// Local signal strength, in units of the radio. 255 means not known.
     pub rssi: u8,

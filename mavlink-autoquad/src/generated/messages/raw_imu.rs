@@ -23,7 +23,7 @@ use wire::generated::{get, put};
 /// |     26 | `id` (extension)          | `uint8_t`  |  |
 /// |     27 | `temperature` (extension) | `int16_t`  | cdegC |
 #[doc(alias = "RAW_IMU")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct RawImu {
     /// Clock of the sender, counted from 1970 or from its boot; the size of the number shows which. In
     /// us.

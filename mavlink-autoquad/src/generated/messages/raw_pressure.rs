@@ -16,7 +16,7 @@ use wire::generated::{get, put};
 /// |     12 | `press_diff2` | `int16_t`  |  |
 /// |     14 | `temperature` | `int16_t`  |  |
 #[doc(alias = "RAW_PRESSURE")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct RawPressure {
     /// Clock of the sender, counted from 1970 or from its boot; the size of the number shows which. In
     /// us.

@@ -13,7 +13,7 @@ use wire::generated::{get, put};
 /// |      0 | `frequency` | `float`   | rpm |
 /// |      4 | `index`     | `uint8_t` |  |
 #[doc(alias = "RAW_RPM")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct RawRpm {
     /// Number of the sensor, from 0.
     pub index: u8,

@@ -32,7 +32,7 @@ use wire::generated::{get, put};
 /// |     40 | `chancount`    | `uint8_t`  |  |
 /// |     41 | `rssi`         | `uint8_t`  |  |
 #[doc(alias = "RC_CHANNELS")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct RcChannels {
     /// Time since the sender booted; wraps after about 49.7 days. In ms.
     pub time_boot_ms: u32,

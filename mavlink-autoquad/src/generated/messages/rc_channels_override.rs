@@ -32,7 +32,7 @@ use wire::generated::{get, put};
 /// |     34 | `chan17_raw` (extension) | `uint16_t` | us |
 /// |     36 | `chan18_raw` (extension) | `uint16_t` | us |
 #[doc(alias = "RC_CHANNELS_OVERRIDE")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct RcChannelsOverride {
     /// Id of the system this is meant for; 0 is every system.
     pub target_system: u8,

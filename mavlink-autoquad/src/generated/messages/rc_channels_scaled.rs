@@ -22,7 +22,7 @@ use wire::generated::{get, put};
 /// |     20 | `port`         | `uint8_t`  |  |
 /// |     21 | `rssi`         | `uint8_t`  |  |
 #[doc(alias = "RC_CHANNELS_SCALED")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct RcChannelsScaled {
     /// Time since the sender booted; wraps after about 49.7 days. In ms.
     pub time_boot_ms: u32,

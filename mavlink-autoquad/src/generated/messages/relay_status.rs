@@ -14,7 +14,7 @@ use wire::generated::{get, put};
 /// |      4 | `on`           | `uint16_t` |  |
 /// |      6 | `present`      | `uint16_t` |  |
 #[doc(alias = "RELAY_STATUS")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct RelayStatus {
     /// Time since the sender booted; wraps after about 49.7 days. In ms.
     pub time_boot_ms: u32,

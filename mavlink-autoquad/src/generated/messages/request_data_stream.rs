@@ -19,7 +19,7 @@ use wire::generated::{get, put};
 /// |      4 | `req_stream_id`    | `uint8_t`  |  |
 /// |      5 | `start_stop`       | `uint8_t`  |  |
 #[doc(alias = "REQUEST_DATA_STREAM")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct RequestDataStream {
     /// Id of the system this is meant for; 0 is every system.
     pub target_system: u8,

@@ -16,7 +16,7 @@ use wire::generated::{get, put};
 /// |    122 | `transfer_type` | `uint8_t` |
 /// |    123 | `storage`       | `uint8_t[120]` |
 #[doc(alias = "RESOURCE_REQUEST")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct ResourceRequest {
     /// Number of the request, repeated in the answer.
     pub request_id: u8,

@@ -19,7 +19,7 @@ use wire::generated::{get, put};
 /// |      5 | `target_component`          | `uint8_t` |
 /// |      6 | `reason`                    | `uint8_t` |
 #[doc(alias = "RESPONSE_EVENT_ERROR")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct ResponseEventError {
     /// Id of the system this is meant for; 0 is every system.
     pub target_system: u8,

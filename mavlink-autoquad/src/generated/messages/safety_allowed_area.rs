@@ -19,7 +19,7 @@ use wire::generated::{get, put};
 /// |     20 | `p2z`   | `float`   | m |
 /// |     24 | `frame` | `uint8_t` |  |
 #[doc(alias = "SAFETY_ALLOWED_AREA")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct SafetyAllowedArea {
     /// Frame of both corners.
     pub frame: MavFrame,

@@ -21,7 +21,7 @@ use wire::generated::{get, put};
 /// |     25 | `target_component` | `uint8_t` |  |
 /// |     26 | `frame`            | `uint8_t` |  |
 #[doc(alias = "SAFETY_SET_ALLOWED_AREA")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct SafetySetAllowedArea {
     /// Id of the system this is meant for; 0 is every system.
     pub target_system: u8,

@@ -22,7 +22,7 @@ use wire::generated::{get, put};
 /// |     20 | `zmag`                    | `int16_t`  | mgauss |
 /// |     22 | `temperature` (extension) | `int16_t`  | cdegC |
 #[doc(alias = "SCALED_IMU")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct ScaledImu {
     /// Time since the sender booted; wraps after about 49.7 days. In ms.
     ///

@@ -16,7 +16,7 @@ use wire::generated::{get, put};
 /// |     12 | `temperature`                        | `int16_t`  | cdegC |
 /// |     14 | `temperature_press_diff` (extension) | `int16_t`  | cdegC |
 #[doc(alias = "SCALED_PRESSURE3")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct ScaledPressure3 {
     /// Time since the sender booted; wraps after about 49.7 days. In ms.
     pub time_boot_ms: u32,

@@ -20,7 +20,7 @@ use wire::generated::{get, put};
 /// |     79 | `target_system` (extension)    | `uint8_t`     |  |
 /// |     80 | `target_component` (extension) | `uint8_t`     |  |
 #[doc(alias = "SERIAL_CONTROL")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct SerialControl {
     /// Port or shell.
     pub device: SerialControlDev,

@@ -29,7 +29,7 @@ use wire::generated::{get, put};
 /// |     33 | `servo15_raw` (extension) | `uint16_t` | us |
 /// |     35 | `servo16_raw` (extension) | `uint16_t` | us |
 #[doc(alias = "SERVO_OUTPUT_RAW")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct ServoOutputRaw {
     /// Clock of the sender; 32 bits only, so it wraps after 71.6 minutes. In us.
     pub time_usec: u32,

@@ -16,7 +16,7 @@ use wire::generated::{get, put};
 /// |     41 | `target_system`    | `uint8_t`  |  |
 /// |     42 | `target_component` | `uint8_t`  |  |
 #[doc(alias = "SET_ACTUATOR_CONTROL_TARGET")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct SetActuatorControlTarget {
     /// Clock of the sender, counted from 1970 or from its boot; the size of the number shows which. In
     /// us.

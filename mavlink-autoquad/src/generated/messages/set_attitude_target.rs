@@ -22,7 +22,7 @@ use wire::generated::{get, put};
 /// |     38 | `type_mask`               | `uint8_t`  |  |
 /// |     39 | `thrust_body` (extension) | `float[3]` |  |
 #[doc(alias = "SET_ATTITUDE_TARGET")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct SetAttitudeTarget {
     /// Time since the sender booted; wraps after about 49.7 days. In ms.
     pub time_boot_ms: u32,

@@ -18,7 +18,7 @@ use wire::generated::{get, put};
 /// |     12 | `target_system`         | `uint8_t`  |  |
 /// |     13 | `time_usec` (extension) | `uint64_t` | us |
 #[doc(alias = "SET_GPS_GLOBAL_ORIGIN")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct SetGpsGlobalOrigin {
     /// Id of the system this is meant for; 0 is every system.
     pub target_system: u8,

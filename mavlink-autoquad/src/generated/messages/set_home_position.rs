@@ -25,7 +25,7 @@ use wire::generated::{get, put};
 /// |     52 | `target_system`         | `uint8_t`  |  |
 /// |     53 | `time_usec` (extension) | `uint64_t` | us |
 #[doc(alias = "SET_HOME_POSITION")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct SetHomePosition {
     /// Id of the system this is meant for; 0 is every system.
     pub target_system: u8,

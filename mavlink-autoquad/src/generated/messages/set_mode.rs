@@ -17,7 +17,7 @@ use wire::generated::{get, put};
 /// |      4 | `target_system` | `uint8_t` |
 /// |      5 | `base_mode`     | `uint8_t` |
 #[doc(alias = "SET_MODE")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct SetMode {
     /// Id of the system this is meant for; 0 is every system.
     pub target_system: u8,

@@ -28,7 +28,7 @@ use wire::generated::{get, put};
 /// |     51 | `target_component` | `uint8_t`  |  |
 /// |     52 | `coordinate_frame` | `uint8_t`  |  |
 #[doc(alias = "SET_POSITION_TARGET_GLOBAL_INT")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct SetPositionTargetGlobalInt {
     /// Time since the sender booted; wraps after about 49.7 days. In ms.
     pub time_boot_ms: u32,

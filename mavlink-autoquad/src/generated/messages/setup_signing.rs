@@ -29,17 +29,6 @@ pub struct SetupSigning {
     pub initial_timestamp: u64,
 }
 
-impl core::fmt::Debug for SetupSigning {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.debug_struct("SetupSigning")
-            .field("target_system", &self.target_system)
-            .field("target_component", &self.target_component)
-            .field("secret_key", &"secret")
-            .field("initial_timestamp", &self.initial_timestamp)
-            .finish()
-    }
-}
-
 impl wire::Message for SetupSigning {
     type Payload = [u8; 42];
 

@@ -34,7 +34,7 @@ use wire::generated::{get, put};
 /// |     84 | `lat_int` (extension) | `int32_t` | degE7 |
 /// |     88 | `lon_int` (extension) | `int32_t` | degE7 |
 #[doc(alias = "SIM_STATE")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct SimState {
     /// True attitude quaternion, in the order w, x, y, z.
     pub q1: f32,

@@ -31,7 +31,7 @@ use wire::generated::{get, put};
 /// |     94 | `discharge_maximum_burst_current` (extension) | `uint32_t` | mA |
 /// |     98 | `manufacture_date` (extension)                | `char[11]` |  |
 #[doc(alias = "SMART_BATTERY_INFO")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct SmartBatteryInfo {
     /// Number of the battery. Tells apart the instances that one sender reports.
     pub id: u8,

@@ -24,7 +24,7 @@ use wire::generated::{get, put};
 /// |     28 | `name` (extension)          | `char[32]` |  |
 /// |     60 | `storage_usage` (extension) | `uint8_t`  |  |
 #[doc(alias = "STORAGE_INFORMATION")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct StorageInformation {
     /// Time since the sender booted; wraps after about 49.7 days. In ms.
     pub time_boot_ms: u32,

@@ -15,7 +15,7 @@ use wire::generated::{get, put};
 /// |      4 | `target_system`    | `uint8_t` |
 /// |      5 | `target_component` | `uint8_t` |
 #[doc(alias = "SUPPORTED_TUNES")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct SupportedTunes {
     /// Id of the system this is meant for; 0 is every system.
     pub target_system: u8,

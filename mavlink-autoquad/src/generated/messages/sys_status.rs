@@ -29,7 +29,7 @@ use wire::generated::{get, put};
 /// |     35 | `onboard_control_sensors_enabled_extended` (extension) | `uint32_t` |  |
 /// |     39 | `onboard_control_sensors_health_extended` (extension)  | `uint32_t` |  |
 #[doc(alias = "SYS_STATUS")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct SysStatus {
     /// Subsystems the vehicle has.
     pub onboard_control_sensors_present: MavSysStatusSensor,

@@ -13,7 +13,7 @@ use wire::generated::{get, put};
 /// |      0 | `time_unix_usec` | `uint64_t` | us |
 /// |      8 | `time_boot_ms`   | `uint32_t` | ms |
 #[doc(alias = "SYSTEM_TIME")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct SystemTime {
     /// Time since 1970, in UTC; 0 while unknown. In us.
     pub time_unix_usec: u64,

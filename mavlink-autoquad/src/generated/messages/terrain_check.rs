@@ -13,7 +13,7 @@ use wire::generated::{get, put};
 /// |      0 | `lat` | `int32_t` | degE7 |
 /// |      4 | `lon` | `int32_t` | degE7 |
 #[doc(alias = "TERRAIN_CHECK")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct TerrainCheck {
     /// Latitude of the point. In degE7.
     pub lat: i32,

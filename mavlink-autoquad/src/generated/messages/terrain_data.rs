@@ -16,7 +16,7 @@ use wire::generated::{get, put};
 /// |     10 | `data`         | `int16_t[16]` | m |
 /// |     42 | `gridbit`      | `uint8_t`     |  |
 #[doc(alias = "TERRAIN_DATA")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct TerrainData {
     /// Latitude of the south-west corner of the grid. In degE7.
     pub lat: i32,

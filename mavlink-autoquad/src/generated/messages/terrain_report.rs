@@ -18,7 +18,7 @@ use wire::generated::{get, put};
 /// |     18 | `pending`        | `uint16_t` |  |
 /// |     20 | `loaded`         | `uint16_t` |  |
 #[doc(alias = "TERRAIN_REPORT")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct TerrainReport {
     /// Latitude of the point. In degE7.
     pub lat: i32,

@@ -15,7 +15,7 @@ use wire::generated::{get, put};
 /// |     12 | `lon`          | `int32_t`  | degE7 |
 /// |     16 | `grid_spacing` | `uint16_t` | m |
 #[doc(alias = "TERRAIN_REQUEST")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct TerrainRequest {
     /// Latitude of the south-west corner of the grid. In degE7.
     pub lat: i32,

@@ -18,7 +18,7 @@ use wire::generated::{get, put};
 /// |     12 | `mission_end`       | `int32_t` | s |
 /// |     16 | `commanded_action`  | `int32_t` | s |
 #[doc(alias = "TIME_ESTIMATE_TO_TARGET")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct TimeEstimateToTarget {
     /// Time to the safe landing place. In s.
     pub safe_return: i32,

@@ -15,7 +15,7 @@ use wire::generated::{get, put};
 /// |     16 | `target_system` (extension)    | `uint8_t` |  |
 /// |     17 | `target_component` (extension) | `uint8_t` |  |
 #[doc(alias = "TIMESYNC")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Timesync {
     /// 0 in a request; in an answer, the answering component's clock. In ns.
     pub tc1: i64,

@@ -20,7 +20,7 @@ use wire::generated::{get, put};
 /// |     88 | `pos_yaw`      | `float[5]` | rad |
 /// |    108 | `valid_points` | `uint8_t`  |  |
 #[doc(alias = "TRAJECTORY_REPRESENTATION_BEZIER")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct TrajectoryRepresentationBezier {
     /// Clock of the sender, counted from 1970 or from its boot; the size of the number shows which. In
     /// us.

@@ -28,7 +28,7 @@ use wire::generated::{get, put};
 /// |    228 | `command`      | `uint16_t[5]` |  |
 /// |    238 | `valid_points` | `uint8_t`     |  |
 #[doc(alias = "TRAJECTORY_REPRESENTATION_WAYPOINTS")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct TrajectoryRepresentationWaypoints {
     /// Clock of the sender, counted from 1970 or from its boot; the size of the number shows which. In
     /// us.

@@ -17,7 +17,7 @@ use wire::generated::{get, put};
 /// |      4 | `payload_length`   | `uint8_t` |
 /// |      5 | `payload`          | `uint8_t[128]` |
 #[doc(alias = "TUNNEL")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Tunnel {
     /// Id of the system this is meant for; 0 is every system.
     pub target_system: u8,

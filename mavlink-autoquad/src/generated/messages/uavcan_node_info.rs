@@ -20,7 +20,7 @@ use wire::generated::{get, put};
 /// |    114 | `sw_version_major` | `uint8_t`     |  |
 /// |    115 | `sw_version_minor` | `uint8_t`     |  |
 #[doc(alias = "UAVCAN_NODE_INFO")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct UavcanNodeInfo {
     /// Clock of the sender, counted from 1970 or from its boot; the size of the number shows which. In
     /// us.

@@ -18,7 +18,7 @@ use wire::generated::{get, put};
 /// |     15 | `mode`                        | `uint8_t`  |  |
 /// |     16 | `sub_mode`                    | `uint8_t`  |  |
 #[doc(alias = "UAVCAN_NODE_STATUS")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct UavcanNodeStatus {
     /// Clock of the sender, counted from 1970 or from its boot; the size of the number shows which. In
     /// us.

@@ -30,7 +30,7 @@ use wire::generated::{get, put};
 /// |     68 | `flight_state` | `uint8_t`     |  |
 /// |     69 | `flags`        | `uint8_t`     |  |
 #[doc(alias = "UTM_GLOBAL_POSITION")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct UtmGlobalPosition {
     /// When the position was valid, since 1970. In us.
     pub time: u64,

@@ -16,7 +16,7 @@ use wire::generated::{get, put};
 /// |      4 | `target_component` | `uint8_t` |
 /// |      5 | `payload`          | `uint8_t[249]` |
 #[doc(alias = "V2_EXTENSION")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct V2Extension {
     /// Network this is meant for; 0 is all.
     pub target_network: u8,

@@ -17,7 +17,7 @@ use wire::generated::{get, put};
 /// |     16 | `heading`     | `int16_t`  | deg |
 /// |     18 | `throttle`    | `uint16_t` | % |
 #[doc(alias = "VFR_HUD")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct VfrHud {
     /// Airspeed as the vehicle uses it, indicated or true according to type. In m/s.
     pub airspeed: f32,

@@ -18,7 +18,7 @@ use wire::generated::{get, put};
 /// |     24 | `clipping_1`  | `uint32_t` |  |
 /// |     28 | `clipping_2`  | `uint32_t` |  |
 #[doc(alias = "VIBRATION")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Vibration {
     /// Clock of the sender, counted from 1970 or from its boot; the size of the number shows which. In
     /// us.

@@ -19,7 +19,7 @@ use wire::generated::{get, put};
 /// |     28 | `yaw`                    | `float`     | rad |
 /// |     32 | `covariance` (extension) | `float[21]` |  |
 #[doc(alias = "VICON_POSITION_ESTIMATE")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct ViconPositionEstimate {
     /// Clock of the sender, counted from 1970 or from its boot. In us.
     pub usec: u64,

@@ -26,7 +26,7 @@ use wire::generated::{get, put};
 /// |    213 | `encoding` (extension)         | `uint8_t`   |  |
 /// |    214 | `camera_device_id` (extension) | `uint8_t`   |  |
 #[doc(alias = "VIDEO_STREAM_INFORMATION")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct VideoStreamInformation {
     /// Number of the stream, from 1. Tells apart the instances that one sender reports.
     pub stream_id: u8,

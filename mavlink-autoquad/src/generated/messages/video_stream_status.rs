@@ -21,7 +21,7 @@ use wire::generated::{get, put};
 /// |     18 | `stream_id`                    | `uint8_t`  |  |
 /// |     19 | `camera_device_id` (extension) | `uint8_t`  |  |
 #[doc(alias = "VIDEO_STREAM_STATUS")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct VideoStreamStatus {
     /// Number of the stream, from 1. Tells apart the instances that one sender reports.
     pub stream_id: u8,

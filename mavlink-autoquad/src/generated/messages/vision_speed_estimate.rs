@@ -17,7 +17,7 @@ use wire::generated::{get, put};
 /// |     20 | `covariance` (extension)    | `float[9]` |  |
 /// |     56 | `reset_counter` (extension) | `uint8_t`  |  |
 #[doc(alias = "VISION_SPEED_ESTIMATE")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct VisionSpeedEstimate {
     /// Clock of the sender, counted from 1970 or from its boot. In us.
     pub usec: u64,

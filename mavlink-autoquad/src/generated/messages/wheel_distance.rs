@@ -14,7 +14,7 @@ use wire::generated::{get, put};
 /// |      8 | `distance`  | `double[16]` | m |
 /// |    136 | `count`     | `uint8_t`    |  |
 #[doc(alias = "WHEEL_DISTANCE")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct WheelDistance {
     /// Clock of the sender, counted from 1970 or from its boot; the size of the number shows which. In
     /// us.

@@ -16,7 +16,7 @@ use wire::generated::{get, put};
 /// |     96 | `mode` (extension)     | `int8_t` |
 /// |     97 | `response` (extension) | `int8_t` |
 #[doc(alias = "WIFI_CONFIG_AP")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct WifiConfigAp {
     /// Network name; empty leaves it as it is.
     pub ssid: wire::Chars<32>,

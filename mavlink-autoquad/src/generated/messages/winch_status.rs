@@ -20,7 +20,7 @@ use wire::generated::{get, put};
 /// |     28 | `status`      | `uint32_t` |  |
 /// |     32 | `temperature` | `int16_t`  | degC |
 #[doc(alias = "WINCH_STATUS")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct WinchStatus {
     /// Clock of the sender, counted from 1970 or from its boot; the size of the number shows which. In
     /// us.

@@ -20,7 +20,7 @@ use wire::generated::{get, put};
 /// |     32 | `horiz_accuracy` | `float`    | m/s |
 /// |     36 | `vert_accuracy`  | `float`    | m/s |
 #[doc(alias = "WIND_COV")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct WindCov {
     /// Clock of the sender, counted from 1970 or from its boot; the size of the number shows which. In
     /// us.

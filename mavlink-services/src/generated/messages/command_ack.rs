@@ -18,7 +18,7 @@ use wire::generated::{get, put};
 /// |      8 | `target_system` (extension)    | `uint8_t`  |  |
 /// |      9 | `target_component` (extension) | `uint8_t`  |  |
 #[doc(alias = "COMMAND_ACK")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct CommandAck {
     /// The command this answers.
     pub command: MavCmd,

@@ -23,7 +23,7 @@ use wire::generated::{get, put};
 /// |     31 | `target_component` | `uint8_t` |
 /// |     32 | `confirmation`     | `uint8_t` |
 #[doc(alias = "COMMAND_LONG")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct CommandLong {
     /// Id of the system this is meant for; 0 is every system.
     pub target_system: u8,

@@ -19,7 +19,7 @@ use wire::generated::{get, put};
 /// |      7 | `system_status`   | `uint8_t` |
 /// |      8 | `mavlink_version` | `uint8_t_mavlink_version` |
 #[doc(alias = "HEARTBEAT")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Heartbeat {
     /// What the sender is; the reliable way to tell a camera or gimbal from a vehicle.
     pub r#type: MavType,

@@ -17,7 +17,7 @@ use wire::generated::{get, put};
 /// |      3 | `mission_type` (extension) | `uint8_t` |
 /// |      4 | `opaque_id` (extension)    | `uint32_t` |
 #[doc(alias = "MISSION_ACK")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MissionAck {
     /// Id of the system this is meant for; 0 is every system.
     pub target_system: u8,

@@ -17,7 +17,7 @@ use wire::generated::{get, put};
 /// |      4 | `mission_type` (extension) | `uint8_t` |
 /// |      5 | `opaque_id` (extension)    | `uint32_t` |
 #[doc(alias = "MISSION_COUNT")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MissionCount {
     /// Id of the system this is meant for; 0 is every system.
     pub target_system: u8,

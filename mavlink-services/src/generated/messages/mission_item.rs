@@ -30,7 +30,7 @@ use wire::generated::{get, put};
 /// |     36 | `autocontinue`             | `uint8_t` |
 /// |     37 | `mission_type` (extension) | `uint8_t` |
 #[doc(alias = "MISSION_ITEM")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MissionItem {
     /// Id of the system this is meant for; 0 is every system.
     pub target_system: u8,

@@ -12,7 +12,7 @@ use wire::generated::{get, put};
 /// |-------:|-------|---|
 /// |      0 | `seq` | `uint16_t` |
 #[doc(alias = "MISSION_ITEM_REACHED")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MissionItemReached {
     /// Index of the item that was reached.
     pub seq: u16,

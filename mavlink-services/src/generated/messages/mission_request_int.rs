@@ -16,7 +16,7 @@ use wire::generated::{get, put};
 /// |      3 | `target_component`         | `uint8_t` |
 /// |      4 | `mission_type` (extension) | `uint8_t` |
 #[doc(alias = "MISSION_REQUEST_INT")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MissionRequestInt {
     /// Id of the system this is meant for; 0 is every system.
     pub target_system: u8,

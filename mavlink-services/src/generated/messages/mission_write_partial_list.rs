@@ -17,7 +17,7 @@ use wire::generated::{get, put};
 /// |      5 | `target_component`         | `uint8_t` |
 /// |      6 | `mission_type` (extension) | `uint8_t` |
 #[doc(alias = "MISSION_WRITE_PARTIAL_LIST")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MissionWritePartialList {
     /// Id of the system this is meant for; 0 is every system.
     pub target_system: u8,

@@ -19,7 +19,7 @@ use wire::generated::{get, put};
 /// |      4 | `param_id`         | `char[16]` |
 /// |     20 | `error`            | `uint8_t` |
 #[doc(alias = "PARAM_ERROR")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct ParamError {
     /// System that made the request.
     pub target_system: u8,

@@ -13,7 +13,7 @@ use wire::generated::{get, put};
 /// |      0 | `target_system`    | `uint8_t` |
 /// |      1 | `target_component` | `uint8_t` |
 #[doc(alias = "PARAM_REQUEST_LIST")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct ParamRequestList {
     /// Id of the system this is meant for; 0 is every system.
     pub target_system: u8,

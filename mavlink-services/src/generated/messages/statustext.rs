@@ -16,7 +16,7 @@ use wire::generated::{get, put};
 /// |     51 | `id` (extension)        | `uint16_t` |
 /// |     53 | `chunk_seq` (extension) | `uint8_t` |
 #[doc(alias = "STATUSTEXT")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Statustext {
     /// How important it is.
     pub severity: MavSeverity,

@@ -21,7 +21,7 @@ const VIEWS: &str = "views";
 /// ```
 /// # mod acme {
 /// #     use mavlink_wire as wire;
-/// #     #[derive(Clone, Copy, Debug, PartialEq)]
+/// #     #[derive(Clone, Copy, PartialEq)]
 /// #     pub struct Sonar { pub distance: u8 }
 /// #     impl wire::Message for Sonar {
 /// #         type Payload = [u8; 1];

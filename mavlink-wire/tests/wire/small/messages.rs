@@ -2,7 +2,7 @@ use mavlink_wire as wire;
 
 use super::enums::{MavModeFlag, MavSeverity, MavState};
 
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub(crate) struct Heartbeat {
     pub(crate) r#type: u8,
     pub(crate) autopilot: u8,
@@ -57,7 +57,7 @@ impl wire::Message for Heartbeat {
 
 wire::message!(Heartbeat);
 
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub(crate) struct AqEscTelemetry {
     pub(crate) time_boot_ms: u32,
     pub(crate) seq: u8,
@@ -127,7 +127,7 @@ impl wire::Message for AqEscTelemetry {
 
 wire::message!(AqEscTelemetry);
 
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub(crate) struct Statustext {
     pub(crate) severity: MavSeverity,
     pub(crate) text: wire::Chars<50>,

@@ -8,7 +8,7 @@ use mavlink_wire as wire;
 pub(crate) use enums::{MavModeFlag, MavSeverity, MavState};
 pub(crate) use messages::{AqEscTelemetry, Heartbeat, Statustext};
 
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub(crate) enum Small {
     Heartbeat(Heartbeat),

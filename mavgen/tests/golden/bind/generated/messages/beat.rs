@@ -15,7 +15,7 @@ use wire::generated::{get, put};
 /// |      4 | `vendor` | `uint8_t` |
 /// |      5 | `state`  | `int8_t` |
 #[doc(alias = "BEAT")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Beat {
     /// Whose it is.
     pub vendor: Vendor,

@@ -22,7 +22,7 @@ use wire::generated::{get, put};
 /// |     33 | `current`          | `uint8_t` |
 /// |     34 | `autocontinue`     | `uint8_t` |
 #[doc(alias = "COMMAND_INT")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct CommandInt {
     /// .
     pub target_system: u8,

@@ -11,7 +11,7 @@ use wire::generated::{get, put};
 /// |      0 | `params`  | `float[7]` |
 /// |     28 | `command` | `uint16_t` |
 #[doc(alias = "ORDER")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Order {
     /// What to do.
     pub command: MavCmd,

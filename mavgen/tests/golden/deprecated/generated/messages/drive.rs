@@ -18,7 +18,7 @@ use wire::generated::{get, put};
 /// |      2 | `bound`    | `uint8_t` |
 /// |      3 | `packed`   | `uint8_t` |
 #[doc(alias = "DRIVE")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Drive {
     /// Mode; the entry that means unknown is deprecated. 1 means not known.
     pub mode: NewMode,

@@ -12,7 +12,7 @@ use wire::generated::{get, put};
 /// |-------:|--------|---|
 /// |      0 | `mode` | `uint8_t` |
 #[doc(alias = "OLD_DRIVE")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct OldDrive {
     /// Mode.
     pub mode: OldMode,

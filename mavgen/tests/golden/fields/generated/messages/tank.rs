@@ -17,7 +17,7 @@ use wire::generated::{get, put};
 /// |     27 | `mavlink_version`    | `uint8_t_mavlink_version` |  |
 /// |     28 | `volume` (extension) | `double`                  | l |
 #[doc(alias = "TANK")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Tank {
     /// Which tank, from 1.
     pub id: u8,

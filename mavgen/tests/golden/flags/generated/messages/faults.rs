@@ -11,7 +11,7 @@ use wire::generated::{get, put};
 /// |      0 | `now`    | `uint8_t` |
 /// |      1 | `before` | `uint8_t[3]` |
 #[doc(alias = "FAULTS")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Faults {
     /// Those of this moment.
     pub now: Fault,

@@ -16,7 +16,7 @@ use wire::generated::{get, put};
 /// |     14 | `first`       | `uint8_t[3]` |  |
 /// |     17 | `name`        | `char[4]`    |  |
 #[doc(alias = "MEASURED")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Measured {
     /// A number. In mbar; 65535 means not known.
     pub pressure: u16,

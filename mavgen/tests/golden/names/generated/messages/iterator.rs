@@ -14,7 +14,7 @@ use wire::generated::{get, put};
 /// |      3 | `baroAltMSL` | `uint8_t` |
 /// |      4 | `store_item` | `uint8_t[2]` |
 #[doc(alias = "ITERATOR")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Iterator_ {
     /// A keyword.
     pub r#type: OptionEnum,

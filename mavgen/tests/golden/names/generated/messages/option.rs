@@ -9,7 +9,7 @@ use wire::generated::{get, put};
 /// |-------:|--------|---|
 /// |      0 | `into` | `uint8_t` |
 #[doc(alias = "OPTION")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Option_ {
     /// Called like the enum, which takes a suffix.
     pub into: u8,

@@ -12,7 +12,7 @@ use wire::generated::{get, put};
 /// |      0 | `words` | `uint32_t` |
 /// |      4 | `parts` | `uint8_t[2]` |
 #[doc(alias = "SOME")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Some_ {
     /// `words`, a `uint32_t`.
     pub words: u32,

@@ -13,7 +13,7 @@ use wire::generated::{get, put};
 /// |      3 | `others`       | `uint8_t[2]` |
 /// |      5 | `signed_state` | `int8_t` |
 #[doc(alias = "PUMPS")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Pumps {
     /// Of the main pump. A number: [`Self::state()`] gives it as [`PumpState`].
     pub state: u8,

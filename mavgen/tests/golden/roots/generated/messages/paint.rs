@@ -10,7 +10,7 @@ use wire::generated::{get, put};
 /// |-------:|---------|---|
 /// |      0 | `color` | `uint8_t` |
 #[doc(alias = "PAINT")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Paint {
     /// `color`, a `uint8_t`.
     pub color: Color,

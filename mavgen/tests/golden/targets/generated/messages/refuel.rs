@@ -11,7 +11,7 @@ use wire::generated::{get, put};
 /// |      4 | `target_system`    | `uint8_t` |  |
 /// |      5 | `target_component` | `uint8_t` |  |
 #[doc(alias = "REFUEL")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Refuel {
     /// How much. In l.
     pub amount: f32,

@@ -13,7 +13,7 @@ use wire::generated::{get, put};
 /// |      0 | `low`  | `uint32_t` |
 /// |      4 | `high` | `uint16_t[2]` |
 #[doc(alias = "STATUS")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Status {
     /// `low`, a `uint32_t`.
     pub low: u32,

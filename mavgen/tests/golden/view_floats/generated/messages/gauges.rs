@@ -15,7 +15,7 @@ use wire::generated::{get, put};
 /// |     16 | `cell` | `float[3]` |
 /// |     28 | `id`   | `uint8_t[3]` |
 #[doc(alias = "GAUGES")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Gauges {
     /// `word`, a `double`.
     pub word: f64,

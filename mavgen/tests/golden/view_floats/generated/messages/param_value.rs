@@ -12,7 +12,7 @@ use wire::generated::{get, put};
 /// |      0 | `param_value` | `float` |
 /// |      4 | `param_type`  | `uint8_t` |
 #[doc(alias = "PARAM_VALUE")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct ParamValue {
     /// `param_value`, a `float`.
     pub param_value: f32,

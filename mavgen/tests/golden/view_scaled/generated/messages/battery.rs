@@ -11,7 +11,7 @@ use wire::generated::{get, put};
 /// |-------:|--------|---|
 /// |      0 | `word` | `uint32_t` |
 #[doc(alias = "BATTERY")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Battery {
     /// `word`, a `uint32_t`.
     pub word: u32,

@@ -11,7 +11,7 @@ use wire::generated::{get, put};
 /// |-------:|--------|---|
 /// |      0 | `word` | `uint64_t` |
 #[doc(alias = "GAUGE")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Gauge {
     /// `word`, a `uint64_t`.
     pub word: u64,

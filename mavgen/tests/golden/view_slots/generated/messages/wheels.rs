@@ -17,7 +17,7 @@ use wire::generated::{get, put};
 /// |     24 | `used`   | `uint8_t`     |  |
 /// |     25 | `source` | `uint8_t[4]`  |  |
 #[doc(alias = "WHEELS")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Wheels {
     /// `low`, a `uint16_t[4]`.
     pub low: [u16; 4],

@@ -15,7 +15,7 @@ use wire::generated::{get, put};
 /// |      2 | `other`  | `uint16_t` |
 /// |      4 | `layout` | `uint8_t` |
 #[doc(alias = "REPORT")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Report {
     /// How to read the word.
     pub layout: Layout,

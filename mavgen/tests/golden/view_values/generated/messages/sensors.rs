@@ -21,7 +21,7 @@ use wire::generated::{get, put};
 /// |     20 | `flags`   | `uint8_t` |
 /// |     21 | `small`   | `int8_t` |
 #[doc(alias = "SENSORS")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Sensors {
     /// `Index`, a `uint16_t`.
     pub index: Topic,

@@ -12,7 +12,7 @@ use wire::generated::{get, put};
 /// |-------:|--------|---|
 /// |      0 | `size` | `uint8_t` |
 #[doc(alias = "BRUSH")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Brush {
     /// `size`, a `uint8_t`.
     pub size: Size,

@@ -11,7 +11,7 @@ use wire::generated::{get, put};
 /// |-------:|---------|---|
 /// |      0 | `width` | `uint16_t` |
 #[doc(alias = "BRUSH")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Brush {
     /// `width`, a `uint16_t`.
     pub width: u16,
