@@ -56,9 +56,9 @@ PACKAGES = {
         "files": ["mavlink-wire/src/**"],
         "steps": {
             "quick": ["-p", "mavlink-wire", "--all-features", "--lib", "--tests", "--", *(f"--skip={name}" for name in WIRE_SLOW)],
+            "conformance": ["-p", "mavlink-conformance", "--features", "optional", "--test", "conformance", *OPTIONAL],
             "slow": ["-p", "mavlink-wire", "--all-features", "--lib", "--tests"],
             "small": ["-p", "mavlink-wire", "--no-default-features", "--tests"],
-            "conformance": ["-p", "mavlink-conformance", "--features", "optional", "--test", "conformance", *OPTIONAL],
             "services": ["-p", "mavlink-services", "--all-features", "--tests"],
             "documentation": ["-p", "mavlink-wire", "--all-features", "--doc"],
         },

@@ -3,13 +3,13 @@
 use std::fs::File;
 use std::io::{ErrorKind, Read, Seek};
 use std::path::Path;
-use std::vec;
+use std::vec::Vec;
 
 use super::LinkError;
 use crate::{Frame, Statistics, Table, tlog};
 
 /// Bytes at the start of a file that tell what it is.
-const HEAD: usize = 4096;
+const HEAD: u64 = 4096;
 
 /// A file.
 pub(super) struct Recording {
@@ -74,19 +74,10 @@ fn begins_like_log(file: &mut File, table: &Table<'_>) -> std::io::Result<bool> 
     if file.rewind().is_err() {
         return Ok(false);
     }
-    let mut head = vec![0; HEAD];
-    let mut length = 0;
-    while let Some(space) = head.get_mut(length..).filter(|space| !space.is_empty()) {
-        match file.read(space) {
-            Ok(0) => break,
-            Ok(count) => length += count,
-            Err(error) if error.kind() == ErrorKind::Interrupted => {}
-            Err(error) => return Err(error),
-        }
-    }
+    let mut head = Vec::new();
+    file.by_ref().take(HEAD).read_to_end(&mut head)?;
     file.rewind()?;
-    let head = head.get(..length).unwrap_or_default();
-    let first = tlog::entries(head, table).next();
+    let first = tlog::entries(&head, table).next();
     Ok(first
         .is_some_and(|entry| entry.skipped == 0 && entry.time_us.is_some_and(|time| tlog::CENTURY_US.contains(&time))))
 }

@@ -8,6 +8,8 @@ mod flags_interface;
 mod forwarding;
 mod hostile;
 mod hygiene;
+#[cfg(feature = "mavlink-core")]
+mod interop;
 mod known_frames;
 #[cfg(feature = "std")]
 mod links;

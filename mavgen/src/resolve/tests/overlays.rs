@@ -60,6 +60,11 @@ fn what_is_in_use_is_not_deprecated() {
     let origin = &refined.find_enum("E").origin;
     assert_eq!(origin.lifecycle, None);
     assert_eq!(origin.description, "Old.\n\nDeprecated since 2018-04, replaced by F: Slow.");
+    assert_eq!((plain.codes(), refined.codes()), (vec![], vec![]));
+    for other in ["", "<wip/>", &deprecated.replace("deprecated", "superseded")] {
+        let outcome = of(&base.replace(deprecated, other), "<refine enum='E' deprecated='false'/>");
+        assert_eq!(outcome.codes(), [Code::NeedlessRefinement], "{other}");
+    }
 }
 
 #[test]

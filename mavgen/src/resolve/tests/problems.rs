@@ -37,6 +37,11 @@ fn no_noise_after_broken_xml() {
 fn no_noise_after_a_bad_value() {
     let content = enumeration("E", &["A=x", "B", "C=1"]);
     assert_eq!(of(&content).codes(), [Code::BadValue]);
+    // An entry that has no value is no unknown sentinel, and an unknown one is told where no entry is lost.
+    for (entry, expected) in [("A=x", Code::BadValue), ("B=1", Code::Invalid)] {
+        let field = message(1, "M", &["uint8_t f"]).replace("name='f'", "name='f' invalid='A'");
+        assert_eq!(of(&(enumeration("E", &[entry]) + &field)).codes(), [expected], "{entry}");
+    }
 }
 
 #[test]

@@ -4,8 +4,9 @@ mod cancelled;
 #[cfg(all(unix, feature = "tokio-serial"))]
 mod serial;
 
-use std::io::Write;
-use std::net::TcpStream;
+use std::io::{Read, Write};
+use std::net::{TcpListener, TcpStream};
+use std::thread;
 use std::time::{Duration, Instant};
 
 use mavlink_wire::link::LinkError;
@@ -121,6 +122,20 @@ async fn a_listener_takes_the_next_client_and_a_client_the_next_listener() {
     let (heard, ()) = tokio::join!(next(&mut station), heard);
     assert_eq!(heard.1, sent(1..2)[0].1);
     assert_eq!(vehicle.statistics().connections, 2);
+}
+
+#[tokio::test]
+async fn who_only_sends_connects_again_as_well() {
+    let server = TcpListener::bind("127.0.0.1:0").unwrap();
+    let address = server.local_addr().unwrap();
+    let vehicle = Link::connect(&format!("tcpout:{address}"), vehicle()).await.unwrap();
+    drop(server.accept().unwrap());
+    let again = thread::spawn(move || server.accept().unwrap().0.read_exact(&mut [0; 12]).unwrap());
+    while !again.is_finished() {
+        vehicle.send(&message(1)).await.unwrap();
+        tokio::time::sleep(Duration::from_millis(5)).await;
+    }
+    again.join().unwrap();
 }
 
 #[tokio::test]
