@@ -22,6 +22,7 @@ use std::collections::HashMap;
 
 use super::spelling;
 use crate::collect::CollectVec as _;
+use crate::ir::Name;
 use crate::order;
 use crate::source::Span;
 
@@ -94,6 +95,13 @@ pub(super) struct Claim<'a> {
     pub(super) span: Option<Span>,
     /// The age of its file: [`crate::ir::Dialect::age`].
     pub(super) age: usize,
+}
+
+impl<'a> Claim<'a> {
+    /// That of something which is spelled so; the age of its file does not matter.
+    pub(super) fn of(what: What, name: &'a Name) -> Self {
+        Self { what, text: &name.text, span: Some(name.span), age: 0 }
+    }
 }
 
 /// A name that two things would like to have.

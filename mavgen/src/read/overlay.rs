@@ -103,7 +103,6 @@ fn read_command<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>) -> Result
         has_location: tag.take("hasLocation"),
         is_destination: tag.take("isDestination"),
         params: Vec::new(),
-        span: tag.span,
     };
     let complete = elements.close_tag(tag);
     while let Some(tag) = elements.next_child(&grammar::COMMAND)? {
@@ -144,7 +143,6 @@ fn read_bind<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>) -> Result<Op
         enum_: tag.require("enum"),
         condition: read_condition(&mut tag),
         description: None,
-        span: tag.span,
     };
     let complete = elements.close_tag(tag);
     bind.description = elements.trimmed_text(&grammar::BIND)?;

@@ -15,9 +15,6 @@ use crate::source::Span;
 /// The fewest flags beyond 1 and 2 that make an enum look like a bitmask: small enums count 0, 1, 2 as well.
 const FEWEST_FLAGS: usize = 2;
 
-/// So many values of an enum that do not fit a field are named.
-const NAMED_VALUES: usize = 3;
-
 /// Looks at one enum and the fields that carry it.
 pub(super) fn check(
     loaded: &Loaded,
@@ -126,12 +123,7 @@ fn beyond(merged: &Merged<'_>, width: Width, repr: Repr) -> Option<String> {
     let fitting = merged.entries.partition_point(|entry| entry.value <= u128::from(repr.highest()));
     let beyond = merged.entries.get(fitting..).unwrap_or_default();
     let beyond = beyond.iter().filter(|entry| !width.is_widened_by(entry)).collect_vec();
-    let name = |entry: &ValuedEntry<'_>| format!("{} = {}", entry.syntax.name.value, entry.value);
-    let mut named = beyond.iter().take(NAMED_VALUES).map(|entry| name(entry)).collect_vec();
-    if beyond.len() > NAMED_VALUES {
-        named.push(format!("{} more", beyond.len() - NAMED_VALUES));
-    }
-    if named.is_empty() { None } else { Some(named.join(", ")) }
+    (!beyond.is_empty()).then(|| ValuedEntry::list(&beyond))
 }
 
 /// Every value should fit every field.
@@ -142,12 +134,13 @@ fn check_values(name: &str, beyond: &str, one: &Use<'_>, diagnostics: &mut Diagn
     diagnostics.push(problem.label(beyond));
 }
 
-/// ValuedEntry names are global in C, and entries of two enums that share one are most likely the same thing twice.
+/// Names of entries are global in C, and entries of two enums that share one are most likely the same thing twice.
 pub(super) fn check_entry_names(loaded: &Loaded, enums: &[Merged<'_>], diagnostics: &mut Diagnostics) {
     let mut seen: HashMap<&str, (usize, Span)> = HashMap::new();
-    let entries =
-        enums.iter().enumerate().flat_map(|(index, merged)| merged.entries.iter().map(move |entry| (index, entry)));
-    let mut entries = entries.collect_vec();
+    let mut entries = Vec::new();
+    for (index, merged) in enums.iter().enumerate() {
+        entries.extend(merged.entries.iter().map(|entry| (index, entry)));
+    }
     order::sort_by_key(&mut entries, |(_, entry)| loaded.age(entry.file));
     for (index, entry) in entries {
         let name = &entry.syntax.name;

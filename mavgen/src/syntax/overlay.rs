@@ -58,8 +58,6 @@ pub struct Command {
     pub is_destination: Option<Text>,
     /// `<param>`, in document order.
     pub params: Vec<NamedParam>,
-    /// The start tag.
-    pub span: Span,
 }
 
 /// `<param>` of a command in an overlay.
@@ -133,8 +131,6 @@ pub struct Bind {
     pub condition: Condition,
     /// The text, trimmed.
     pub description: Option<Text>,
-    /// The start tag.
-    pub span: Span,
 }
 
 /// `if="field" is="value"`: both or none.

@@ -17,7 +17,7 @@ pub(super) fn types<'a>(
     diagnostics: &mut Diagnostics,
 ) -> Namespace<'a> {
     let Partial { dialect, lost, lost_views } = partial;
-    let claim = |what, name: &'a Name, file: FileIndex| Claim { age: dialect.age(file), ..claim(what, name) };
+    let claim = |what, name: &'a Name, file: FileIndex| Claim { age: dialect.age(file), ..Claim::of(what, name) };
     let mut claims: Vec<(String, Claim<'a>)> = Vec::new();
     for (message, names) in dialect.messages.iter().zip(messages) {
         claims.push((names.ty.clone(), claim(What::Message, &message.name, message.origin.file)));
@@ -58,11 +58,15 @@ pub(super) fn dialect(name: &str, types: &Namespace<'_>, diagnostics: &mut Diagn
 pub(super) fn fields(partial: &Partial, messages: &[MessageNames], diagnostics: &mut Diagnostics) {
     for (message, names) in partial.dialect.messages.iter().zip(messages) {
         let fields = message.fields.iter().zip(&names.fields);
-        apart(Scope::Fields, fields.map(|(field, own)| (own.clone(), claim(What::Field, &field.name))), diagnostics);
+        apart(
+            Scope::Fields,
+            fields.map(|(field, own)| (own.clone(), Claim::of(What::Field, &field.name))),
+            diagnostics,
+        );
     }
     for message in &partial.lost {
         let fields = message.fields.iter();
-        let claims = fields.map(|name| (spelling::field_name(&name.text), claim(What::Field, name)));
+        let claims = fields.map(|name| (spelling::field_name(&name.text), Claim::of(What::Field, name)));
         apart(Scope::Fields, claims, diagnostics);
     }
 }
@@ -71,14 +75,10 @@ pub(super) fn fields(partial: &Partial, messages: &[MessageNames], diagnostics: 
 pub(super) fn constants(dialect: &Dialect, enums: &[EnumNames], diagnostics: &mut Diagnostics) {
     for (enum_, names) in dialect.enums.iter().zip(enums) {
         let claims = enum_.entries.iter().zip(&names.constants).map(|(entry, own)| {
-            (own.clone(), Claim { age: dialect.age(entry.origin.file), ..claim(What::Entry, &entry.name) })
+            (own.clone(), Claim { age: dialect.age(entry.origin.file), ..Claim::of(What::Entry, &entry.name) })
         });
         apart(Scope::Constants, claims, diagnostics);
     }
-}
-
-fn claim(what: What, name: &Name) -> Claim<'_> {
-    Claim { what, text: &name.text, span: Some(name.span), age: 0 }
 }
 
 fn apart<'a>(scope: Scope, claims: impl Iterator<Item = (String, Claim<'a>)>, diagnostics: &mut Diagnostics) {

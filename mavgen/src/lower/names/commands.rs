@@ -50,15 +50,11 @@ fn apart(dialect: &Dialect, entries: &[Entry], commands: &mut [Option<CommandNam
     for at in order {
         let (Some(entry), Some(command)) = (entries.get(at), commands.get_mut(at)) else { continue };
         let Some(names) = command else { continue };
-        if let Some(collision) = types.claim(names.ty.clone(), claim(entry)) {
+        if let Some(collision) = types.claim(names.ty.clone(), Claim::of(What::Entry, &entry.name)) {
             diagnostics.extend(collision::diagnostic(&collision));
             *command = None;
         }
     }
-}
-
-fn claim(entry: &Entry) -> Claim<'_> {
-    Claim { what: What::Entry, text: &entry.name.text, span: Some(entry.name.span), age: 0 }
 }
 
 /// Takes their type from commands that came from another dialect and are called like one that is there: of one type, the first

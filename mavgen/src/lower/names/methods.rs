@@ -3,9 +3,7 @@
 use super::{AccessNames, MessageNames, ViewNames};
 use crate::collect::CollectVec as _;
 use crate::diag::Diagnostics;
-use crate::ir::{
-    self, Access, Field, FieldIndex, Label, Meaning, Member, Message, Name, Record, Scalar, Slots, Values, View,
-};
+use crate::ir::{self, Access, Field, FieldIndex, Meaning, Member, Message, Record, Scalar, Slots, Values, View};
 use crate::lower::namespace::{Claim, Collision, Namespace, Scope, What};
 use crate::lower::{collision, spelling};
 
@@ -16,14 +14,14 @@ pub(super) fn check(message: &Message, names: &MessageNames, diagnostics: &mut D
     let mut accessors = Vec::new();
     for (index, (field, name)) in message.fields.iter().zip(&names.fields).enumerate() {
         if has_accessors(field) {
-            match methods.claim_all(&accessor_names(field, name), claim(What::Accessors, &field.name)) {
+            match methods.claim_all(&accessor_names(field, name), Claim::of(What::Accessors, &field.name)) {
                 None => accessors.push(FieldIndex(index)),
                 Some(collision) => found.push(collision),
             }
         }
     }
     for (binding, name) in message.bindings.iter().zip(&names.bindings) {
-        found.extend(methods.claim_all(&binding_methods(name), claim(What::Binding, &binding.name.name)));
+        found.extend(methods.claim_all(&binding_methods(name), Claim::of(What::Binding, &binding.name.name)));
     }
     for (view, names) in message.views.iter().zip(&names.views) {
         let spans = match &view.access {
@@ -31,7 +29,7 @@ pub(super) fn check(message: &Message, names: &MessageNames, diagnostics: &mut D
             Access::Slots(slots) => [slots.item.span, slots.items.name.span],
         };
         for (names, span) in [slot_methods(names), iterators(names)].iter().zip(spans) {
-            let by = Claim { span: Some(span), ..claim(What::View, &view.name) };
+            let by = Claim { span: Some(span), ..Claim::of(What::View, &view.name) };
             found.extend(methods.claim_all(names, by));
         }
         of_view(view, names, &mut found);
@@ -94,11 +92,11 @@ fn iterators(names: &ViewNames) -> Vec<String> {
 fn of_view<'a>(view: &'a View, names: &ViewNames, found: &mut Vec<Collision<'a>>) {
     let mut methods = Namespace::of(Scope::ViewMethods);
     if let (Some(name), Some(switch)) = (&names.switch, &view.switch) {
-        let by = Claim { span: Some(switch.span), ..claim(What::Switch, &switch.name.name) };
+        let by = Claim { span: Some(switch.span), ..Claim::of(What::Switch, &switch.name.name) };
         found.extend(methods.claim(name.clone(), by));
     }
     for (member, name) in view.members.iter().zip(&names.members) {
-        let by = of_label(What::Member, &member.name);
+        let by = Claim::of(What::Member, &member.name.name);
         let collision = methods.claim_each(&member_methods(member, name), by);
         found.extend(collision.or_else(|| operator(member, name, by)));
     }
@@ -113,7 +111,7 @@ fn of_view<'a>(view: &'a View, names: &ViewNames, found: &mut Vec<Collision<'a>>
     };
     let mut fields = Namespace::of(scope);
     for (key, name) in keys.iter().zip(names) {
-        found.extend(fields.claim(name.clone(), of_label(what, &key.name)));
+        found.extend(fields.claim(name.clone(), Claim::of(what, &key.name.name)));
     }
 }
 
@@ -142,12 +140,4 @@ fn setter(name: &str) -> String {
 
 fn with(name: &str) -> String {
     format!("with_{name}")
-}
-
-fn claim(what: What, name: &Name) -> Claim<'_> {
-    Claim { what, text: &name.text, span: Some(name.span), age: 0 }
-}
-
-fn of_label(what: What, label: &Label) -> Claim<'_> {
-    claim(what, &label.name)
 }

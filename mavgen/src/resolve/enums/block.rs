@@ -3,6 +3,7 @@
 use super::super::boolean::{self, Attribute};
 use super::super::number;
 use super::super::poisoned::Poisoned;
+use crate::collect::CollectVec as _;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::FileIndex;
 use crate::syntax;
@@ -27,6 +28,19 @@ pub(in crate::resolve) struct ValuedEntry<'a> {
     pub(in crate::resolve) syntax: &'a syntax::Entry,
     pub(in crate::resolve) value: u128,
     pub(in crate::resolve) auto: bool,
+}
+
+/// Of so many entries a problem gives the names; of the rest it says how many they are.
+const NAMED: usize = 3;
+
+impl ValuedEntry<'_> {
+    /// Entries in a text, each with its value.
+    pub(in crate::resolve) fn list(entries: &[&Self]) -> String {
+        let (named, rest) = entries.split_at(entries.len().min(NAMED));
+        let named = named.iter().map(|entry| format!("{} = {}", entry.syntax.name.value, entry.value));
+        let rest = (!rest.is_empty()).then(|| format!("{} more", rest.len()));
+        named.chain(rest).collect_vec().join(", ")
+    }
 }
 
 impl<'a> Block<'a> {

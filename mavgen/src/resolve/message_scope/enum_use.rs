@@ -8,9 +8,6 @@ use crate::ir::{EnumId, Repr};
 use crate::source::Span;
 use crate::syntax::Text;
 
-/// So many values of an enum that do not fit are named.
-const NAMED_VALUES: usize = 3;
-
 /// Bits or a field that an overlay gives an enum to.
 pub(in crate::resolve) struct EnumUse<'a> {
     /// The enum.
@@ -82,13 +79,8 @@ fn beyond(enum_use: &EnumUse<'_>, merged: &Merged<'_>, (bits, place): (u8, Span)
     let largest = u128::from(mask(bits));
     let beyond = merged.entries.iter().filter(|entry| entry.value > largest).collect_vec();
     let first = beyond.first()?;
-    let name = |entry: &&ValuedEntry<'_>| format!("{} = {}", entry.syntax.name.value, entry.value);
-    let mut named = beyond.iter().take(NAMED_VALUES).map(name).collect_vec();
-    if beyond.len() > NAMED_VALUES {
-        named.push(format!("{} more", beyond.len() - NAMED_VALUES));
-    }
     let (values, unit) = (&enum_use.name.value, if bits == 1 { "bit" } else { "bits" });
-    let message = format!("values of enum `{values}` do not fit {bits} {unit}: {}", named.join(", "));
+    let message = format!("values of enum `{values}` do not fit {bits} {unit}: {}", ValuedEntry::list(&beyond));
     let problem = Diagnostic::new(Code::ValueBeyondBits, enum_use.name.span, message);
     let problem = problem.related(place, format!("at most {largest}"));
     let problem = problem.related(first.syntax.name.span, "does not fit");
