@@ -230,6 +230,7 @@ catalogue! {
     915 UorbEnumTwice Error "Two different enums of `.msg` files have one name.";
     916 UorbFormerName Error "The former name of a field is that of another.";
     917 UorbUnion Error "A field cannot be one with what it is in another definition.";
+    918 UorbConstantChanged Warning "A constant has another value in an older definition.";
 }
 
 impl Code {

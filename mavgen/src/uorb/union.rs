@@ -9,7 +9,7 @@ mod nesting;
 use std::collections::BTreeMap;
 
 use super::model::{self, Constant, EnumIndex, MessageIndex, Package};
-use crate::diag::Diagnostics;
+use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{Invalid, Name, Repr};
 use crate::source::{FileId, Span};
 
@@ -126,7 +126,7 @@ impl Union {
                 }
             }
         }
-        let enums = Enums::of(&definitions);
+        let enums = Enums::of(&definitions, diagnostics);
         for known in &joined {
             let context = fields::Context { definitions: &definitions, places: &places, enums: &enums };
             union.messages.extend(message(known, &context, diagnostics));
@@ -175,23 +175,34 @@ fn message(known: &Joined<'_>, context: &fields::Context<'_>, diagnostics: &mut 
         version: newest.version,
         queue: newest.queue,
         fields,
-        constants: constants(known, context),
+        constants: constants(known, context, diagnostics),
         known: found,
     })
 }
 
 /// The constants of the newest definition, then what only older ones have, without those that an enum has.
-fn constants(known: &Joined<'_>, context: &fields::Context<'_>) -> Vec<Constant> {
+fn constants(known: &Joined<'_>, context: &fields::Context<'_>, diagnostics: &mut Diagnostics) -> Vec<Constant> {
     let mut constants: Vec<Constant> = Vec::new();
     for (_, _, message) in known {
         for constant in &message.constants {
-            let is_known = constants.iter().any(|other| other.name == constant.name);
-            if !is_known && !context.enums.has(&message.name, &constant.name) {
-                constants.push(constant.clone());
+            match constants.iter().find(|newer| newer.name == constant.name) {
+                Some(newer) => diagnostics.extend(changed(newer, constant)),
+                None if context.enums.has(&message.name, &constant.name) => {}
+                None => constants.push(constant.clone()),
             }
         }
     }
     constants
+}
+
+/// A constant is one thing for all definitions: a warning if an older one has another value.
+fn changed(newer: &Constant, older: &Constant) -> Option<Diagnostic> {
+    let (name, now, was) = (&older.name, newer.value, older.value);
+    let message = format!("`{name}` is {was} here and {now} in a newer definition");
+    let problem = Diagnostic::new(Code::UorbConstantChanged, older.span, message)
+        .related(newer.span, "the newer definition has it here")
+        .help(format!("the generated constant is {now}; what was sent by this definition means it by {was}"));
+    (now != was).then_some(problem)
 }
 
 /// The enums of all definitions, by name.
@@ -202,14 +213,14 @@ struct Enums {
 }
 
 impl Enums {
-    fn of(definitions: &[Definition]) -> Self {
+    fn of(definitions: &[Definition], diagnostics: &mut Diagnostics) -> Self {
         let (mut all, mut places): (Vec<Enum>, Vec<Vec<EnumIndex>>) = (Vec::new(), Vec::new());
         for Definition { package, .. } in definitions {
             let mut own = Vec::new();
             for one in &package.enums {
                 let place = all.iter().position(|other| other.name.text == one.name.text).unwrap_or(all.len());
                 match all.get_mut(place) {
-                    Some(newer) => add(&mut newer.entries, &one.entries),
+                    Some(newer) => add(&mut newer.entries, &one.entries, diagnostics),
                     None => all.push(Enum {
                         name: one.name.clone(),
                         message: package.messages.get(one.message.0).map_or_else(String::new, |of| of.name.clone()),
@@ -252,10 +263,11 @@ impl Enums {
 }
 
 /// Adds what a newer definition lacks.
-fn add(entries: &mut Vec<model::Entry>, older: &[model::Entry]) {
+fn add(entries: &mut Vec<model::Entry>, older: &[model::Entry], diagnostics: &mut Diagnostics) {
     for entry in older {
-        if !entries.iter().any(|known| known.constant.name == entry.constant.name) {
-            entries.push(entry.clone());
+        match entries.iter().find(|known| known.constant.name == entry.constant.name) {
+            Some(newer) => diagnostics.extend(changed(&newer.constant, &entry.constant)),
+            None => entries.push(entry.clone()),
         }
     }
 }
