@@ -85,8 +85,8 @@ struct Slot {
     result: MavResult,
     progress: u8,
     result_param2: i32,
-    /// How long its answer is remembered.
-    remembered: Duration,
+    /// A `COMMAND_LONG`, which says that it is sent again.
+    is_long: bool,
     /// When it is reported again, or forgotten.
     next: Instant,
     /// An acknowledgement is to be sent.
@@ -113,7 +113,7 @@ impl Slot {
         result: MavResult::IN_PROGRESS,
         progress: u8::MAX,
         result_param2: 0,
-        remembered: REMEMBERED,
+        is_long: true,
         next: Instant::ZERO,
         due: false,
         cancel: false,
@@ -121,6 +121,11 @@ impl Slot {
 
     fn is_active(&self) -> bool {
         matches!(self.state, State::Open | State::Running)
+    }
+
+    /// How long its answer is remembered.
+    const fn remembered(&self) -> Duration {
+        if self.is_long { REMEMBERED } else { REMEMBERED_INT }
     }
 
     fn ack(&self) -> Outgoing {
@@ -165,7 +170,7 @@ impl<const N: usize> Component<N> {
         }
         let Some(slot) = self.active(ticket) else { return false };
         (slot.result, slot.result_param2) = (result, result_param2);
-        (slot.state, slot.due, slot.next, slot.cancel) = (State::Finished, true, now + slot.remembered, false);
+        (slot.state, slot.due, slot.next, slot.cancel) = (State::Finished, true, now + slot.remembered(), false);
         if result == MavResult::ACCEPTED {
             slot.progress = 0;
         }
@@ -192,7 +197,7 @@ impl<const N: usize> Component<N> {
                 return;
             }
             if now < slot.next && slot.digest == digest && is_repeat(slot.brought, brought, &command) {
-                (slot.due, slot.next) = (true, now + slot.remembered);
+                (slot.due, slot.next) = (true, now + slot.remembered());
                 return;
             }
             slot.state = State::Free;
@@ -209,8 +214,8 @@ impl<const N: usize> Component<N> {
             return;
         };
         let generation = slot.generation.wrapping_add(1);
-        let remembered = if matches!(command, Command::Long(_)) { REMEMBERED } else { REMEMBERED_INT };
-        *slot = Slot { state: State::Open, from, generation, digest, brought, remembered, ..Slot::FREE };
+        let is_long = matches!(command, Command::Long(_));
+        *slot = Slot { state: State::Open, from, generation, digest, brought, is_long, ..Slot::FREE };
         slot.command = command.command();
         // More than 256 slots make no sense; those would never be reached.
         let ticket = Ticket { slot: u8::try_from(at).unwrap_or(u8::MAX), generation };
