@@ -59,6 +59,7 @@ PACKAGES = {
             "conformance": ["-p", "mavlink-conformance", "--features", "optional", "--test", "conformance", *OPTIONAL],
             "slow": ["-p", "mavlink-wire", "--all-features", "--lib", "--tests"],
             "small": ["-p", "mavlink-wire", "--no-default-features", "--tests"],
+            "dialect": ["-p", "mavlink-autoquad", "--tests"],
             "services": ["-p", "mavlink-services", "--all-features", "--tests"],
             "documentation": ["-p", "mavlink-wire", "--all-features", "--doc"],
         },

@@ -180,6 +180,31 @@ fn overlays_that_disagree_make_two_types() {
 }
 
 #[test]
+fn views_with_different_methods_are_on_one_type() {
+    let tank = message(1, "TANK", "type='uint8_t'");
+    let view = |[name, item]: [&str; 2]| {
+        format!(
+            "<message name='TANK'><view name='{name}' words='a' item='{item}'><bits name='x' at='0' width='8'/></view>\
+             </message>"
+        )
+    };
+    let shared = vec![("TANK", Placement::Shared)];
+    let apart = vec![("TANK", Placement::Root(0)), ("TANK", Placement::Root(1))];
+    for (a, b, placed, views) in [
+        (["V", "v"], ["W", "w"], shared.clone(), 2),
+        (["V", "v"], ["W", "v"], apart.clone(), 1),
+        // The same text, but in two overlays: what one of them says tomorrow is not known.
+        (["V", "v"], ["V", "v"], apart, 1),
+    ] {
+        let union = union(&[("a", &tank), ("b", &tank), ("a.overlay", &view(a)), ("b.overlay", &view(b))]);
+        assert_eq!((messages(&union), union.all.messages[0].views.len()), (placed, views), "{a:?} {b:?}");
+    }
+    let include = "<include>base.xml</include>";
+    let union = union(&[("base", &tank), ("base.overlay", &view(["V", "v"])), ("a", include), ("b", include)]);
+    assert_eq!((messages(&union), union.all.messages[0].views.len()), (shared, 1));
+}
+
+#[test]
 fn what_one_dialect_has_in_use_is_not_deprecated() {
     let old = "<enums><enum name='E'><deprecated since='2020-01'/><entry name='E_A' value='1'/></enum></enums>";
     let refine = "<refine enum='E' deprecated='false'/>";
