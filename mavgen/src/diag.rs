@@ -168,8 +168,8 @@ impl Diagnostics {
     }
 
     /// The files that have an error; `None` stands for those that could not be read.
-    pub(crate) fn broken_files(&self) -> impl Iterator<Item = Option<FileId>> {
-        self.broken.iter().copied()
+    pub(crate) fn broken_files(&self) -> &[Option<FileId>] {
+        &self.broken
     }
 
     /// Whether one of them is an error.

@@ -31,6 +31,13 @@ impl fmt::Display for Severity {
     }
 }
 
+/// What the catalogue has of a kind of problem.
+struct Facts {
+    severity: Severity,
+    title: &'static str,
+    explanation: &'static str,
+}
+
 macro_rules! catalogue {
     ($($number:literal $name:ident $severity:ident $title:literal;)*) => {
         /// A kind of problem. Each has a page here, which `mavgen explain M304` prints.
@@ -56,21 +63,13 @@ macro_rules! catalogue {
             /// Every kind of problem, by number.
             pub const ALL: &[Self] = &[$(Self::$name,)*];
 
-            /// Whether this kind is an error.
-            pub fn severity(self) -> Severity {
-                match self { $(Self::$name => Severity::$severity,)* }
-            }
-
-            /// What this kind of problem is, in one sentence.
-            pub fn title(self) -> &'static str {
-                match self { $(Self::$name => $title,)* }
-            }
-
-            /// What it means, a wrong example and a right one, and why it matters on the wire: a page of markdown, the same
-            /// as in the documentation of this type.
-            pub fn explanation(self) -> &'static str {
+            fn facts(self) -> &'static Facts {
                 match self {
-                    $(Self::$name => include_str!(concat!("pages/M", stringify!($number), ".md")),)*
+                    $(Self::$name => &Facts {
+                        severity: Severity::$severity,
+                        title: $title,
+                        explanation: include_str!(concat!("pages/M", stringify!($number), ".md")),
+                    },)*
                 }
             }
         }
@@ -234,6 +233,22 @@ catalogue! {
 }
 
 impl Code {
+    /// Whether this kind is an error.
+    pub fn severity(self) -> Severity {
+        self.facts().severity
+    }
+
+    /// What this kind of problem is, in one sentence.
+    pub fn title(self) -> &'static str {
+        self.facts().title
+    }
+
+    /// What it means, a wrong example and a right one, and why it matters on the wire: a page of markdown, the same as in the
+    /// documentation of this type.
+    pub fn explanation(self) -> &'static str {
+        self.facts().explanation
+    }
+
     /// Whether only `mavgen lint` tells of it: who uses a dialect has no use for it, who maintains it for other tools has.
     /// [`super::Diagnostics::for_lint`] lists it.
     pub fn is_for_lint(self) -> bool {

@@ -1,6 +1,6 @@
 //! Checks across enums: what is legal, and still likely to be a mistake.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 
 use super::enums::{Merged, ValuedEntry};
 use super::uses::Use;
@@ -90,9 +90,13 @@ fn looks_like_bitmask(merged: &Merged<'_>) -> bool {
 fn kinds<'u, 'a>(loaded: &Loaded, uses: &'u [Use<'a>]) -> Vec<&'u Use<'a>> {
     let mut uses = uses.iter().collect_vec();
     order::sort_by_key(&mut uses, |one| loaded.age(one.file));
-    let mut seen = HashSet::new();
-    uses.retain(|one| seen.insert(one.repr));
-    uses
+    let mut kinds: Vec<&Use<'a>> = Vec::new();
+    for one in uses {
+        if kinds.iter().all(|kind| kind.repr != one.repr) {
+            kinds.push(one);
+        }
+    }
+    kinds
 }
 
 /// One enum should have one integer: says once which fields differ. If the last of them is of a file that came after the enum, it

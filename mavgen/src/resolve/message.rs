@@ -1,7 +1,6 @@
 //! Messages by themselves: their fields, layout and checksum. Enums come later.
 
 use std::collections::{HashMap, HashSet};
-use std::ptr;
 
 use super::field::{self, DraftField, Surroundings};
 use super::origin::Described;
@@ -13,6 +12,7 @@ use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{FieldType, FileIndex, Layout, Origin, Scalar};
 use crate::order;
 use crate::read::Loaded;
+use crate::source::Span;
 use crate::syntax::{self, Message};
 
 /// pymavlink's limit on the fields of a message.
@@ -78,10 +78,10 @@ pub(super) struct Lost<'a> {
 
 /// The fields of the messages that are no drafts, those whose type is one.
 pub(super) fn lost<'a>(loaded: &'a Loaded, drafts: &[Draft<'_>]) -> Vec<Lost<'a>> {
-    let drafted: HashSet<*const Message> = drafts.iter().map(|draft| ptr::from_ref(draft.syntax)).collect();
+    let drafted: HashSet<Span> = drafts.iter().map(|draft| draft.syntax.span).collect();
     let mut lost = Vec::new();
     for file in &loaded.files {
-        for message in file.messages.iter().filter(|&message| !drafted.contains(&ptr::from_ref(message))) {
+        for message in file.messages.iter().filter(|message| !drafted.contains(&message.span)) {
             for syntax in &message.fields {
                 lost.extend(field_type::named(&syntax.ty).map(|ty| Lost { ty, syntax }));
             }

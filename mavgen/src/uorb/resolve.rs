@@ -102,7 +102,7 @@ impl<'s> Resolver<'s> {
         let fields: Vec<Field> = file.fields.iter().filter_map(|field| self.field(field)).collect();
         let constants: Vec<Constant> = file.constants.iter().filter_map(|constant| self.constant(constant)).collect();
         self.check_timestamp(&file, &fields);
-        if self.diagnostics.broken_files().any(|broken| broken == Some(id)) {
+        if self.diagnostics.broken_files().contains(&Some(id)) {
             return None;
         }
         let mut message = self.lay_out(name, file.id, fields, constants)?;

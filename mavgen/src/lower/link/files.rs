@@ -1,7 +1,5 @@
 //! The files of all dialects, each once.
 
-use std::collections::HashMap;
-
 use crate::internal::Internal;
 use crate::ir::{Dialect, File, FileIndex};
 use crate::source::FileId;
@@ -10,7 +8,8 @@ use crate::source::FileId;
 #[derive(Default)]
 pub(super) struct Files {
     pub(super) list: Vec<File>,
-    known: HashMap<FileId, FileIndex>,
+    /// Where each was read from.
+    sources: Vec<FileId>,
 }
 
 impl Files {
@@ -19,12 +18,12 @@ impl Files {
         let before = self.list.len();
         let mut places = Vec::with_capacity(sources.len());
         for (file, source) in std::mem::take(&mut dialect.files).into_iter().zip(sources) {
-            let next = FileIndex(self.list.len());
-            let place = *self.known.entry(*source).or_insert(next);
-            if place == next {
+            let known = self.sources.iter().position(|known| known == source);
+            places.push(FileIndex(known.unwrap_or(self.list.len())));
+            if known.is_none() {
                 self.list.push(file);
+                self.sources.push(*source);
             }
-            places.push(place);
         }
         let mut lost = None;
         let mut moved = |file: &mut FileIndex| match places.get(file.0) {
