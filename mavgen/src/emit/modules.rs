@@ -45,10 +45,7 @@ fn used(of: &Use) -> Result<TokenStream, Internal> {
     Ok(match of {
         Use::Names(module, names) => {
             let (module, names) = (path(module)?, names.iter().map(|name| ident(name)));
-            match names.len() {
-                1 => quote!(#module::#(#names)*),
-                _ => quote!(#module::{#(#names),*}),
-            }
+            quote!(#module::{#(#names),*})
         }
         Use::All(module) => {
             let module = path(module)?;

@@ -59,6 +59,17 @@ fn what_does_not_fit_is_told() {
     assert_eq!(fit, "esc[].esc_address: not in this log; esc[].esc_cmdcount: not in this log");
     let none = Log::new(V1_14).unwrap().read_topic::<EscStatus>("esc_status_2").fit().to_string();
     assert_eq!(none, "esc_status_2: not in this log");
+    for (ty, said) in [
+        ("uint16_t", ""),
+        ("uint32_t", "counter: uint32_t does not fit into uint16; "),
+        ("counters", "counter: counters does not fit into uint16; "),
+    ] {
+        let (from, to) = (b"uint16_t counter;", format!("{ty} counter;"));
+        let at = V1_14.windows(from.len()).position(|window| window == from).unwrap();
+        let log = [&V1_14[..at], to.as_bytes(), &V1_14[at + from.len()..]].concat();
+        let fit = Log::new(&log).unwrap().read::<EscStatus>().fit().to_string();
+        assert_eq!(fit, format!("{said}esc[].motor_temperature: not in this log"));
+    }
 }
 
 #[test]
