@@ -21,12 +21,10 @@ mod view;
 
 pub(crate) use token::{is_identifier, is_path};
 
-use proc_macro2::TokenStream;
-use quote::quote;
-
 use crate::format::Layout;
 use crate::internal::Internal;
 use crate::rust::{Content, File};
+use crate::tokens::{TokenStream, quote};
 
 /// A generated file.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -43,18 +41,18 @@ pub(crate) fn emit(files: &[File<'_>], layout: Layout) -> Result<Vec<GeneratedFi
 }
 
 fn generate(file: &File<'_>, layout: Layout) -> Result<GeneratedFile, Internal> {
-    let uses = file.uses.iter().map(modules::import).collect::<Result<Vec<_>, _>>()?;
-    let (docs, content) = (doc::inner_documentation(&file.docs), content(&file.content)?);
-    let text = layout.text(quote!(#docs #(#uses)* #content))?;
+    let (docs, uses) = (doc::inner_documentation(&file.docs), file.uses.iter().map(modules::import));
+    let content = content(&file.content);
+    let text = layout.text(&quote!(#docs #(#uses)* #content))?;
     Ok(GeneratedFile { path: file.path.clone(), text: format!("{}\n\n{text}", file.header) })
 }
 
 /// The items of a file.
-fn content(content: &Content<'_>) -> Result<TokenStream, Internal> {
-    Ok(match content {
-        Content::Module { children, exports, aliases } => modules::module(children, exports, aliases)?,
+fn content(content: &Content<'_>) -> TokenStream {
+    match content {
+        Content::Module { children, exports, aliases } => modules::module(children, exports, aliases),
         Content::Commands(module, carriers) => {
-            let (module, carriers) = (self::content(module)?, command::carriers(carriers)?);
+            let (module, carriers) = (self::content(module), command::carriers(carriers));
             quote!(#module #carriers)
         }
         Content::Message(message) => message::message(message),
@@ -64,5 +62,5 @@ fn content(content: &Content<'_>) -> Result<TokenStream, Internal> {
         Content::Enum(one) => enums::enum_(one),
         Content::Command(command) => command::command(command),
         Content::Dialect(dialect) => dialect::dialect(dialect),
-    })
+    }
 }

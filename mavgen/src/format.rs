@@ -7,9 +7,8 @@ mod blank_lines;
 mod formatted;
 mod lines;
 
-use proc_macro2::TokenStream;
-
 use crate::internal::Internal;
+use crate::tokens::TokenStream;
 
 /// How the text of a file is laid out.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -27,11 +26,12 @@ impl Layout {
     ///
     /// # Errors
     /// If they are no items, which is a mistake of the emitters; plain lines do not tell.
-    pub(crate) fn text(self, items: TokenStream) -> Result<String, Internal> {
+    pub(crate) fn text(self, items: &TokenStream) -> Result<String, Internal> {
+        let text = lines::lines(items);
         let text = match self {
-            Self::Lines => lines::lines(items),
+            Self::Lines => text,
             #[cfg(feature = "format")]
-            Self::Formatted => formatted::formatted(items)?,
+            Self::Formatted => formatted::formatted(&text)?,
         };
         Ok(blank_lines::blank_lines(&text))
     }
@@ -39,26 +39,26 @@ impl Layout {
 
 #[cfg(all(test, feature = "format"))]
 mod tests {
-    use quote::quote;
+    use crate::tokens::quote;
 
     use super::*;
 
     #[test]
     fn items_are_separated() {
-        let text = Layout::Formatted.text(quote! {
+        let text = Layout::Formatted.text(&quote! {
             use super::A;
             use super::B;
-            /// A type.
+            #[doc = " A type."]
             pub struct C(pub u8);
             impl C {
-                /// One.
+                #[doc = " One."]
                 pub const ONE: Self = Self(1);
-                /// Two;
-                /// or so.
+                #[doc = " Two;"]
+                #[doc = " or so."]
                 pub const TWO: Self = Self(2);
-                /// Long.
+                #[doc = " Long."]
                 pub const LONG: Self = Self::of_a_name_that_takes_a_line(111_111_111).and(222_222_222).and(333_333_333);
-                /// Get.
+                #[doc = " Get."]
                 pub fn get(self) -> u8 { self.0 }
             }
             mod x;

@@ -48,6 +48,8 @@
 #![cfg_attr(docsrs, feature(doc_cfg))]
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
+// Templates are read token by token.
+#![recursion_limit = "512"]
 
 mod build_script;
 mod builder;
@@ -78,6 +80,7 @@ mod rust;
 mod select;
 pub mod source;
 pub mod syntax;
+mod tokens;
 #[cfg(feature = "uorb")]
 pub mod uorb;
 #[cfg(feature = "vendor")]

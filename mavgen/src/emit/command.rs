@@ -25,15 +25,11 @@
 //! wire::command!(NavTakeoff);
 //! ```
 
-use proc_macro2::TokenStream;
-use quote::quote;
-
-use super::modules::path;
 use super::token::{decimal, double, ident, integer, single};
 use super::ty::value_of;
 use super::{doc, ty};
-use crate::internal::Internal;
 use crate::rust::{CARRIERS, Carriers, Command, CommandField, Fixed, ParamTy};
+use crate::tokens::{TokenStream, quote};
 
 /// The items of a command's file.
 pub(super) fn command(command: &Command<'_>) -> TokenStream {
@@ -46,19 +42,19 @@ pub(super) fn command(command: &Command<'_>) -> TokenStream {
 }
 
 /// The type that says which messages carry the commands of a module.
-pub(super) fn carriers(Carriers { long, int }: &Carriers) -> Result<TokenStream, Internal> {
+pub(super) fn carriers(Carriers { long, int }: &Carriers) -> TokenStream {
     let name = ident(CARRIERS);
-    let long = long.as_deref().map(path).transpose()?;
+    let long = long.as_deref().map(TokenStream::of_path);
     let long = long.map(|long| quote!(impl wire::CarriesLong for #name { type Long = #long; }));
-    let int = int.as_ref().map(|(int, frame)| Ok::<_, Internal>((path(int)?, path(frame)?))).transpose()?;
+    let int = int.as_ref().map(|(int, frame)| (TokenStream::of_path(int), TokenStream::of_path(frame)));
     let int = int.map(|(int, frame)| quote!(impl wire::CarriesInt for #name { type Int = #int; type Frame = #frame; }));
-    Ok(quote! {
+    quote! {
         /// The messages that carry the commands.
         #[derive(Clone, Copy, Debug)]
         pub enum #name {}
         #long
         #int
-    })
+    }
 }
 
 fn declaration(command: &Command<'_>) -> TokenStream {

@@ -13,12 +13,10 @@
 //! wire::dialect!(Acme { Heartbeat });
 //! ```
 
-use proc_macro2::TokenStream;
-use quote::quote;
-
 use super::doc;
 use super::token::ident;
 use crate::rust::{DialectEnum, Variant};
+use crate::tokens::{TokenStream, quote};
 
 /// The items of `dialect.rs`.
 pub(super) fn dialect(dialect: &DialectEnum<'_>) -> TokenStream {

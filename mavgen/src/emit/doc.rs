@@ -1,30 +1,26 @@
 //! Documentation attributes: what the XML says, and what only the generator knows.
 
-use proc_macro2::TokenStream;
-use quote::quote;
-
 use crate::docs::{first_sentence, prose_with, words, wrap};
 use crate::rust::{Cell, Docs, ListItem, Paragraph};
+use crate::tokens::{TokenStream, quote};
 
 /// Characters of a line of a list, without indentation.
 const LIST_WIDTH: usize = 92;
 
-/// One `#[doc]` a line, which prints as `///`.
-fn attributes(lines: &[String]) -> TokenStream {
-    let lines = lines.iter().map(|line| spaced(line));
-    quote!(#(#[doc = #lines])*)
-}
-
-/// A documentation as inner attributes, one `#![doc]` a line, which prints as `//!`.
+/// The documentation of a file, a `//!` each line.
 pub(crate) fn inner_documentation(docs: &Docs<'_>) -> TokenStream {
-    let lines = lines(docs);
-    let lines = lines.iter().map(|line| spaced(line));
-    quote!(#(#![doc = #lines])*)
+    commented("//!", docs)
 }
 
-/// A documentation as attributes of an item.
+/// The documentation of an item, a `///` each line.
 pub(crate) fn documentation(docs: &Docs<'_>) -> TokenStream {
-    attributes(&lines(docs))
+    commented("///", docs)
+}
+
+fn commented(sign: &'static str, docs: &Docs<'_>) -> TokenStream {
+    let mut tokens = TokenStream::default();
+    lines(docs).iter().for_each(|line| tokens.push_doc(sign, line));
+    tokens
 }
 
 /// The paragraphs, of which those that say nothing are left out.
@@ -74,10 +70,6 @@ pub(crate) fn deprecated(note: Option<&String>) -> Option<TokenStream> {
 /// `#[doc(alias = "GPS_RAW_INT")]`
 pub(crate) fn alias(alias: Option<&str>) -> Option<TokenStream> {
     alias.map(|alias| quote!(#[doc(alias = #alias)]))
-}
-
-fn spaced(line: &str) -> String {
-    if line.is_empty() { String::new() } else { format!(" {line}") }
 }
 
 /// Paragraphs joined into one documentation, empty ones left out.

@@ -15,15 +15,13 @@
 //! wire::open_enum!(MavState, u8, INFO);
 //! ```
 
-use proc_macro2::TokenStream;
-use quote::{ToTokens, quote};
-
 use super::doc;
 use super::method::method;
 use super::token::{bits, decimal, float, ident, integer, mask};
 use super::ty::int;
 use crate::ir::{Limits, Param};
 use crate::rust::{Constant, Enum, Int, ParamInfo};
+use crate::tokens::{ToTokens, TokenStream, quote};
 
 /// The items of an enum's file.
 pub(super) fn enum_(one: &Enum<'_>) -> TokenStream {
@@ -77,7 +75,7 @@ fn constant(constant: &Constant<'_>, (flags, int): (bool, Int)) -> TokenStream {
 fn number(value: u64, flags: bool) -> TokenStream {
     match (flags, i64::try_from(value)) {
         (true, _) => bits(value),
-        (false, Ok(_)) => decimal(value).into_token_stream(),
+        (false, Ok(_)) => decimal(value).to_token_stream(),
         // A negative one of a signed integer, or one that is as long as that.
         (false, Err(_)) => mask(value),
     }

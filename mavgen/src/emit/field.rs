@@ -1,13 +1,11 @@
 //! A field: its declaration, its value in `DEFAULT`, how it is read and written, and what the reflection says of it.
 
-use proc_macro2::{Ident, Literal, TokenStream};
-use quote::{ToTokens, quote};
-
 use super::doc;
 use super::token::{decimal, float, ident, integer};
 use super::ty::ty;
 use crate::ir::{self, Invalid, Scalar, Scope, Sentinel};
 use crate::rust::{Default, Element, Field, Shape};
+use crate::tokens::{Ident, Literal, ToTokens, TokenStream, quote};
 
 /// `pub cog: u16,` with its documentation.
 pub(super) fn declaration(field: &Field<'_>) -> TokenStream {
@@ -20,7 +18,7 @@ pub(super) fn declaration(field: &Field<'_>) -> TokenStream {
 pub(super) fn default(field: &Field<'_>) -> TokenStream {
     let name = ident(field.ident);
     let element = match (field.default, field.element) {
-        (Default::Version(version), _) => Literal::u8_unsuffixed(version).into_token_stream(),
+        (Default::Version(version), _) => Literal::of(version).to_token_stream(),
         (Default::Zero, Element::Int(_)) => quote!(0),
         (Default::Zero, Element::F32 | Element::F64) => quote!(0.0),
         (Default::Zero, Element::Enum(one)) => {
@@ -37,10 +35,10 @@ fn shaped(shape: Shape, element: &TokenStream, chars: impl Fn(Literal) -> TokenS
     match shape {
         Shape::One => element.clone(),
         Shape::Array(n) => {
-            let n = Literal::u8_unsuffixed(n);
+            let n = Literal::of(n);
             quote!([#element; #n])
         }
-        Shape::Chars(n) => chars(Literal::u8_unsuffixed(n)),
+        Shape::Chars(n) => chars(Literal::of(n)),
     }
 }
 

@@ -30,13 +30,11 @@
 //! wire::message!(Sonar);
 //! ```
 
-use proc_macro2::TokenStream;
-use quote::quote;
-
 use super::method::method;
 use super::token::{decimal, ident};
 use super::{doc, field};
 use crate::rust::{Frame, Gives, Seen, Struct, Target};
+use crate::tokens::{TokenStream, quote};
 
 /// The items of a message's file, without its imports.
 pub(super) fn message(message: &Struct<'_>) -> TokenStream {

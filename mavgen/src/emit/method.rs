@@ -1,13 +1,11 @@
 //! A method: what its signature says, around the body of its kind.
 
-use proc_macro2::TokenStream;
-use quote::quote;
-
 use super::body::{accessor, bits, record, scaled, slots, source};
 use super::doc;
 use super::token::ident;
 use super::ty::{number_in, ty, value_of};
 use crate::rust::{Bind, Kind, Method, Receiver, Sig, Ty};
+use crate::tokens::{TokenStream, quote};
 
 pub(super) fn method(method: &Method<'_>) -> TokenStream {
     let Method { ident: name, sig, docs, inline, kind } = method;

@@ -1,13 +1,11 @@
 //! Small tokens: identifiers and literals, printed as a person would write them.
 
-use proc_macro2::{Ident, Literal, Span, TokenStream, TokenTree};
-use quote::{ToTokens, quote};
-
 use crate::lower::spelling::{is_keyword, is_path_keyword};
+use crate::tokens::{Ident, Literal, ToTokens, TokenStream, quote};
 
 /// An identifier; a keyword becomes a raw one.
 pub(crate) fn ident(name: &str) -> Ident {
-    if is_keyword(name) { Ident::new_raw(name, Span::call_site()) } else { Ident::new(name, Span::call_site()) }
+    if is_keyword(name) { Ident::new_raw(name) } else { Ident::new(name) }
 }
 
 /// Whether this is an identifier that needs no `r#`.
@@ -23,13 +21,14 @@ pub(crate) fn is_path(text: &str) -> bool {
 
 /// Whether this is one word for the compiler, be it a keyword or a raw identifier.
 fn is_word(text: &str) -> bool {
-    let mut trees = text.parse::<TokenStream>().unwrap_or_default().into_iter();
-    matches!((trees.next(), trees.next()), (Some(TokenTree::Ident(word)), None) if word == text)
+    let plain = text.strip_prefix("r#").filter(|raw| !is_path_keyword(raw)).unwrap_or(text);
+    let is_letter = |letter: char| letter == '_' || letter.is_alphabetic();
+    plain.starts_with(is_letter) && plain.chars().all(|letter| is_letter(letter) || letter.is_numeric())
 }
 
 /// A decimal number without a type suffix.
 pub(crate) fn decimal(value: impl Into<u64>) -> Literal {
-    Literal::u64_unsuffixed(value.into())
+    Literal::of(value.into())
 }
 
 /// A number of which the bits matter: `1 << 31`, `0x8001`, `0`.
@@ -44,9 +43,8 @@ pub(crate) fn bits(value: u64) -> TokenStream {
 /// A number as a hexadecimal mask: `0x8000_0000`.
 pub(crate) fn mask(value: impl Into<u128>) -> TokenStream {
     let value = value.into();
-    let decimal = Literal::u128_unsuffixed(value).into_token_stream();
     if value < 10 {
-        return decimal;
+        return Literal::of(value).to_token_stream();
     }
     let digits = format!("{value:x}");
     let mut grouped = String::from("0x");
@@ -56,12 +54,12 @@ pub(crate) fn mask(value: impl Into<u128>) -> TokenStream {
         }
         grouped.push(digit);
     }
-    grouped.parse::<Literal>().map_or(decimal, ToTokens::into_token_stream)
+    Literal::of(grouped).to_token_stream()
 }
 
 /// An integer that may be negative, without a type suffix.
 pub(crate) fn integer(value: i128) -> TokenStream {
-    let magnitude = Literal::u128_unsuffixed(value.unsigned_abs());
+    let magnitude = Literal::of(value.unsigned_abs());
     if value < 0 { quote!(-#magnitude) } else { quote!(#magnitude) }
 }
 
@@ -82,7 +80,7 @@ pub(crate) fn single(value: f32) -> TokenStream {
 
 /// A number by its magnitude, in debug formatting: that writes `1e30` and keeps the point of `2.0`.
 fn finite(value: f64, magnitude: String) -> TokenStream {
-    let magnitude = magnitude.parse().unwrap_or_else(|_| Literal::f64_unsuffixed(value.abs()));
+    let magnitude = Literal::of(magnitude);
     if value.is_sign_negative() { quote!(-#magnitude) } else { quote!(#magnitude) }
 }
 
@@ -103,7 +101,7 @@ mod tests {
         assert_eq!(float(-1.5).to_string(), "- 1.5");
         assert_eq!(float(-0.0).to_string(), "- 0.0");
         assert_eq!(float(1e300).to_string(), "1e300");
-        assert_eq!(ident("type").to_string(), "r#type");
+        assert_eq!(ident("type").to_token_stream().to_string(), "r#type");
     }
 
     #[test]

@@ -35,14 +35,12 @@ mod field;
 mod load;
 mod store;
 
-use proc_macro2::TokenStream;
-use quote::{format_ident, quote};
-
 use super::doc;
 use super::method::method;
 use super::token::{decimal, ident, integer, mask};
 use super::ty::int;
 use crate::rust::{Definition, SameDefinition, Topic, TopicConstant};
+use crate::tokens::{TokenStream, quote};
 
 /// The items of a topic's file, without its imports.
 pub(super) fn topic(topic: &Topic<'_>) -> TokenStream {
@@ -124,7 +122,7 @@ fn of_trait(topic: &Topic<'_>) -> TokenStream {
     let name = ident(topic.ident);
     let version = topic.version.map(decimal).map(|of| quote!(const VERSION: Option<u32> = Some(#of);));
     let queue = topic.queue.map(decimal).map(|of| quote!(const QUEUE: u32 = #of;));
-    let constants = definitions.iter().map(|definition| ident(definition.constant));
+    let (topics, constants) = (topics.iter(), definitions.iter().map(|definition| ident(definition.constant)));
     let (read_cdr, store_cdr, store_record) = (read_cdr(definitions), store_cdr(definitions), store_record(topic));
     quote! {
         impl uorb::Topic for #name {
@@ -155,7 +153,7 @@ fn read_cdr(definitions: &[Definition<'_>]) -> TokenStream {
         };
     }
     let arms = definitions.iter().zip(0_u32..).map(|(definition, at)| {
-        let (at, function) = (decimal(at), format_ident!("read_{}", definition.suffix));
+        let (at, function) = (decimal(at), ident(&format!("read_{}", definition.suffix)));
         quote!(#at => #function(wire::generated::body(Self::DEFINITIONS, definition, body)?),)
     });
     quote! {
@@ -176,7 +174,7 @@ fn store_cdr(definitions: &[Definition<'_>]) -> TokenStream {
         };
     }
     let arms = definitions.iter().zip(0_u32..).map(|(definition, at)| {
-        let (at, function) = (decimal(at), format_ident!("store_{}", definition.suffix));
+        let (at, function) = (decimal(at), ident(&format!("store_{}", definition.suffix)));
         quote!(#at => #function(self, wire::generated::body_mut(Self::DEFINITIONS, definition, body)?),)
     });
     quote! {
@@ -200,7 +198,7 @@ fn store_record(topic: &Topic<'_>) -> TokenStream {
 /// How a body of one of several definitions is read and written.
 fn functions(topic: &Topic<'_>, definition: &Definition<'_>) -> TokenStream {
     let (name, length) = (ident(topic.ident), decimal(definition.cdr_len));
-    let (read, store) = (format_ident!("read_{}", definition.suffix), format_ident!("store_{}", definition.suffix));
+    let (read, store) = (ident(&format!("read_{}", definition.suffix)), ident(&format!("store_{}", definition.suffix)));
     let (loads, stores) = (load::body(&definition.cdr), store::all(&definition.cdr, &quote!(topic)));
     quote! {
         fn #read(p: &[u8; #length]) -> Result<#name, uorb::CdrError> {

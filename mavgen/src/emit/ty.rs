@@ -1,10 +1,8 @@
 //! Types, and the numbers in values and out of them.
 
-use proc_macro2::{Ident, TokenStream};
-use quote::quote;
-
 use super::token::{decimal, float, ident, integer};
 use crate::rust::{AsInt, EnumType, Error, Int, Literal, Through, Ty};
+use crate::tokens::{Ident, TokenStream, quote};
 
 pub(super) fn int(int: Int) -> Ident {
     ident(int.name())

@@ -27,14 +27,12 @@
 mod debug;
 mod record;
 
-use proc_macro2::{Literal, TokenStream};
-use quote::quote;
-
 use super::doc;
 use super::method::method;
 use super::token::ident;
 use super::ty::int;
 use crate::rust::{Docs, Packed, View};
+use crate::tokens::{Literal, TokenStream, quote};
 
 /// The items of a view's file, without its imports.
 pub(super) fn view(view: &View<'_>) -> TokenStream {
@@ -56,7 +54,7 @@ fn packed(packed: &Packed<'_>) -> TokenStream {
     let layout = switch.as_ref().map(|(name, _)| ident(name));
     let carried = layout.as_ref().map(|layout| quote!(, #layout));
     let members = members.iter().map(|member| {
-        let (name, count) = (ident(member.ident), member.count.map(Literal::u8_unsuffixed));
+        let (name, count) = (ident(member.ident), member.count.map(Literal::of));
         let count = count.map(|count| quote!([#count]));
         quote!(#name #count)
     });

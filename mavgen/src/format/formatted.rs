@@ -4,15 +4,13 @@
 //! cannot count on it: it may not be installed, it takes ten times as long, and its layout changes with the toolchain, where
 //! the same definitions have to give the same bytes.
 
-use proc_macro2::TokenStream;
-
 use crate::internal::Internal;
 
-/// The text of a file made of these items.
+/// The text of a file that has this text in plain lines.
 ///
 /// # Errors
-/// If they are no items, which is a mistake of the emitters.
-pub(super) fn formatted(items: TokenStream) -> Result<String, Internal> {
-    let file = syn::parse2(items).map_err(|error| Internal::new(format!("generated code is no Rust: {error}")))?;
+/// If that is no Rust, which is a mistake of the emitters.
+pub(super) fn formatted(lines: &str) -> Result<String, Internal> {
+    let file = syn::parse_file(lines).map_err(|error| Internal::new(format!("generated code is no Rust: {error}")))?;
     Ok(prettyplease::unparse(&file))
 }

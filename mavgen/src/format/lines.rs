@@ -5,22 +5,24 @@
 
 mod token;
 
-use std::fmt::{Display, Write};
 use std::iter::repeat_n;
 use std::mem::take;
 
-use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, TokenStream, TokenTree};
-
-use token::{continues, documentation, is, is_before_value, is_brackets, is_operator, is_table, joins};
-
-type Trees = std::vec::IntoIter<TokenTree>;
+use crate::collect::CollectVec as _;
+use crate::tokens::TokenStream;
+use token::{continues, documentation, is_before_value, is_table, is_word, joins};
 
 /// The text of a file made of these items.
-pub(super) fn lines(items: TokenStream) -> String {
-    let mut lines = Lines { out: String::new(), indent: 0, last: Last::Nothing, tight: true, open: Open::default() };
-    lines.block(trees(items));
+pub(super) fn lines(items: &TokenStream) -> String {
+    let tokens = items.iter().collect_vec();
+    let out = String::with_capacity(items.len() + items.len() / 2);
+    let mut lines = Lines { out, indent: 0, last: Last::Nothing, tight: true, open: Open::default() };
+    lines.block(&mut Trees(&tokens));
     lines.out
 }
+
+/// The tokens that are left.
+struct Trees<'t>(&'t [&'t str]);
 
 struct Lines {
     out: String,
@@ -38,9 +40,9 @@ enum Last {
     /// The start of a line, or of a group.
     Nothing,
     Fn,
-    /// A word that is no value: `as`, `in`.
+    /// A word that is no value, like `as`, or a lifetime.
     Keyword,
-    /// A word before which nothing more is known: `<` compares it.
+    /// A word of which nothing more is known: `<` behind it compares.
     Word,
     /// A word that can have generics: `Option`, `impl`, the name of a function.
     Generic,
@@ -59,21 +61,34 @@ struct Open {
     closure: bool,
 }
 
-/// How an operator stands: what is before and behind it follows without a space.
+/// How an operator stands: whether it follows what is before it without a space, and what is behind follows it so.
 struct Stand {
     before: bool,
     behind: bool,
     last: Last,
 }
 
+impl<'t> Trees<'t> {
+    fn next(&mut self) -> Option<&'t str> {
+        let (first, rest) = self.0.split_first()?;
+        self.0 = rest;
+        Some(first)
+    }
+
+    /// The next one, if there is one in this group.
+    fn peek(&self) -> Option<&'t str> {
+        self.0.first().copied().filter(|token| !matches!(*token, ")" | "]" | "}"))
+    }
+}
+
 impl Lines {
-    /// What is in braces or in a file, line by line.
-    fn block(&mut self, mut trees: Trees) {
-        while !trees.as_slice().is_empty() {
+    /// What is in a group or in a file, line by line.
+    fn block(&mut self, trees: &mut Trees<'_>) {
+        while trees.peek().is_some() {
             self.indentation();
             (self.last, self.tight, self.open) = (Last::Nothing, true, Open::default());
-            if !self.attribute(&mut trees) {
-                self.line(&mut trees);
+            if !self.attribute(trees) {
+                self.line(trees);
             }
             self.out.push('\n');
         }
@@ -83,87 +98,79 @@ impl Lines {
         self.out.extend(repeat_n("    ", self.indent));
     }
 
-    /// Writes an attribute, if that is what comes.
-    fn attribute(&mut self, trees: &mut Trees) -> bool {
-        let sign = match trees.as_slice() {
-            [first, second, ..] if is(first, '#') && is_brackets(second) => "#",
-            [first, second, third, ..] if is(first, '#') && is(second, '!') && is_brackets(third) => "#!",
+    /// Writes documentation or an attribute, if that is what comes.
+    fn attribute(&mut self, trees: &mut Trees<'_>) -> bool {
+        if let Some((text, behind)) = documentation(trees.0) {
+            self.out.extend(text);
+            trees.0 = behind;
+            return true;
+        }
+        let signs = match trees.0 {
+            ["#", "[", ..] => 1,
+            ["#", "!", "[", ..] => 2,
             _ => return false,
         };
-        let Some(TokenTree::Group(group)) = trees.nth(sign.len()) else { return true };
-        let content = self::trees(into_stream(group));
-        match (documentation(content.as_slice()), sign) {
-            (Some(text), "#!") => self.out.extend(["//!", &text]),
-            // `////` would be no documentation.
-            (Some(text), _) if !text.starts_with('/') => self.out.extend(["///", &text]),
-            _ => {
-                self.out.push_str(sign);
-                self.enclosed("[", content, "]");
-            }
-        }
+        (0..signs).for_each(|_| self.out.extend(trees.next()));
+        trees.next();
+        self.enclosed("[", trees, "]");
         true
     }
 
     /// Writes up to what ends a line.
-    fn line(&mut self, trees: &mut Trees) {
-        while let Some(tree) = trees.next() {
-            let ends = match &tree {
-                TokenTree::Punct(punct) => match punct.as_char() {
-                    ';' => true,
-                    ',' => self.open.generics == 0 && !self.open.closure,
-                    _ => false,
-                },
-                TokenTree::Group(group) => {
-                    group.delimiter() == Delimiter::Brace && !continues(trees.as_slice().first())
-                }
+    fn line(&mut self, trees: &mut Trees<'_>) {
+        while let Some(token) = trees.peek() {
+            trees.next();
+            self.token(token, trees);
+            let ends = match token {
+                ";" => true,
+                "," => self.open.generics == 0 && !self.open.closure,
+                "{" => !continues(trees.peek()),
                 _ => false,
             };
-            self.tree(tree, trees);
             if ends {
                 return;
             }
         }
     }
 
-    /// Writes a token, and those behind it that are one operator with it.
-    fn tree(&mut self, tree: TokenTree, behind: &mut Trees) {
-        match tree {
-            TokenTree::Ident(word) => self.word(&word),
-            TokenTree::Literal(literal) => self.literal(&literal),
-            TokenTree::Punct(first) => self.operator(&first, behind),
-            TokenTree::Group(group) => self.group(group),
+    /// Writes a token, and all of the group that it opens.
+    fn token(&mut self, token: &str, behind: &mut Trees<'_>) {
+        match token.as_bytes() {
+            [b'(' | b'[' | b'{'] => self.group(token, behind),
+            [b'/', b'/', ..] => {
+                // Nothing stands behind a comment.
+                self.out.extend([" ", token, "\n"]);
+                self.indentation();
+                self.tight = true;
+            }
+            [b'0'..=b'9' | b'"', ..] => self.literal(token),
+            [.., b'\''] => self.literal(token),
+            [.., b'"' | b'#'] if token.len() > 1 => self.literal(token),
+            [b'\'', ..] => self.word(token),
+            _ if is_word(token) => self.word(token),
+            [b'-', b'0'..=b'9', ..] => self.literal(token),
+            _ => self.operator(token, behind.peek()),
         }
     }
 
-    fn word(&mut self, word: &Ident) {
+    fn word(&mut self, word: &str) {
         self.space(!self.tight);
-        let start = self.written(word);
-        let text = self.out.get(start..).unwrap_or_default();
-        self.last = match text {
+        self.out.push_str(word);
+        self.last = match word {
             "fn" => Last::Fn,
             "impl" => Last::Generic,
-            // The name of a lifetime.
-            _ if self.out.get(..start).is_some_and(|before| before.ends_with('\'')) => Last::Keyword,
-            _ if self.last == Last::Fn || text.starts_with(char::is_uppercase) => Last::Generic,
-            _ if is_before_value(text) => Last::Keyword,
+            _ if word.starts_with('\'') || is_before_value(word) => Last::Keyword,
+            _ if self.last == Last::Fn || word.starts_with(char::is_uppercase) => Last::Generic,
             _ => Last::Word,
         };
         self.tight = false;
     }
 
-    fn literal(&mut self, literal: &Literal) {
-        // `#"` begins a string of another kind.
-        self.space(!self.tight || self.out.ends_with('#'));
-        self.written(literal);
+    fn literal(&mut self, literal: &str) {
+        // `#"` begins a string of another kind, and `<-` is an operator.
+        self.space(!self.tight || self.out.ends_with('#') || self.out.ends_with('<') && literal.starts_with('-'));
+        self.out.push_str(literal);
         (self.last, self.tight) = (Last::Literal, false);
-    }
-
-    /// Writes something, and says where it begins.
-    fn written(&mut self, token: impl Display) -> usize {
-        let start = self.out.len();
-        // Writing into a String cannot fail.
-        let _ = write!(self.out, "{token}");
-        start
     }
 
     fn space(&mut self, wanted: bool) {
@@ -172,36 +179,21 @@ impl Lines {
         }
     }
 
-    fn operator(&mut self, first: &Punct, behind: &mut Trees) {
-        let (start, closes) = (self.out.len(), first.as_char() == '>' && self.open.generics > 0);
-        self.out.push(first.as_char());
-        let mut spacing = first.spacing();
-        while spacing == Spacing::Joint
-            && !closes
-            && let Some(TokenTree::Punct(next)) = behind.as_slice().first()
-        {
-            spacing = next.spacing();
-            self.out.push(next.as_char());
-            if !is_operator(self.out.get(start..).unwrap_or_default()) {
-                self.out.pop();
-                break;
-            }
-            behind.next();
-        }
-        let stand = self.stand(start);
-        if !stand.before || self.would_join(start, first.as_char(), behind.as_slice().first()) {
-            self.out.insert(start, ' ');
-        }
+    fn operator(&mut self, operator: &str, behind: Option<&str>) {
+        let would_join = self.would_join(operator, behind);
+        let stand = self.stand(operator);
+        self.space(!stand.before || would_join);
+        self.out.push_str(operator);
         (self.last, self.tight) = (stand.last, stand.behind);
     }
 
-    /// How the operator stands that was just written, and what it opens or closes.
-    fn stand(&mut self, start: usize) -> Stand {
+    /// How an operator stands, and what it opens or closes.
+    fn stand(&mut self, operator: &str) -> Stand {
         let (is_behind_value, open) = (self.last.is_value(), &mut self.open);
         let of = |before, behind| Stand { before, behind, last: Last::Operator };
         let closing = |before| Stand { before, behind: false, last: Last::Close };
         let prefix = of(self.tight, true);
-        match self.out.get(start..).unwrap_or_default() {
+        match operator {
             "," | ";" | ":" => of(true, false),
             "." => of(true, true),
             ".." | "..=" | "..." | "::" if is_behind_value => of(true, true),
@@ -211,8 +203,8 @@ impl Lines {
                 open.generics += 1;
                 of(self.tight || self.last == Last::Generic, true)
             }
-            ">" if open.generics > 0 => {
-                open.generics -= 1;
+            ">" | ">>" if open.generics >= operator.len() => {
+                open.generics -= operator.len();
                 closing(true)
             }
             "|" if open.closure => {
@@ -224,73 +216,66 @@ impl Lines {
                 prefix
             }
             "&" | "&&" | "*" | "-" if !is_behind_value => prefix,
-            "!" | "?" | "#" | "$" | "'" | "::" | ".." | "..=" | "..." => prefix,
+            "!" | "?" | "#" | "$" | "::" | ".." | "..=" | "..." => prefix,
             _ => of(self.tight, false),
         }
     }
 
-    /// Whether the operator that begins at `start` would read otherwise right behind what is before it.
-    fn would_join(&self, start: usize, first: char, behind: Option<&TokenTree>) -> bool {
-        let before =
-            start.checked_sub(1).and_then(|at| self.out.as_bytes().get(at)).map_or(' ', |byte| char::from(*byte));
+    /// Whether an operator would read otherwise right behind what was written last.
+    fn would_join(&self, operator: &str, behind: Option<&str>) -> bool {
+        let before = self.out.as_bytes().last().map_or(' ', |byte| char::from(*byte));
         match self.last {
             // Two that close generics may stand together.
             Last::Close => false,
             // `1.` is a number, and `1.max` is not.
-            Last::Literal if self.out.len() == start + 1 && first == '.' => {
-                before == '.' || before.is_alphanumeric() && !matches!(behind, Some(TokenTree::Ident(_)))
+            Last::Literal if operator == "." => {
+                before == '.' || before.is_alphanumeric() && !behind.is_some_and(is_word)
             }
-            _ => joins(before, first),
+            _ => operator.chars().next().is_some_and(|first| joins(before, first)),
         }
     }
 
-    fn group(&mut self, group: Group) {
-        let (delimiter, content) = (group.delimiter(), self::trees(into_stream(group)));
-        let is_call = self.last.is_value() || self.last == Last::Fn;
-        match delimiter {
-            // Nothing that is generated has one: it is an operand of a macro.
-            Delimiter::None => return self.inline(content),
-            Delimiter::Brace => self.space(!self.tight),
-            _ => self.space(!self.tight && !is_call),
-        }
+    /// Writes a group, whose start was taken already.
+    fn group(&mut self, start: &str, content: &mut Trees<'_>) {
+        let is_called = self.last.is_value() || self.last == Last::Fn;
+        self.space(!self.tight && (start == "{" || !is_called));
         let outside = take(&mut self.open);
-        match delimiter {
-            Delimiter::Brace if self.out.ends_with("::") => self.enclosed("{", content, "}"),
-            Delimiter::Brace => self.enclosed_lines("{", content, "}"),
-            Delimiter::Bracket if is_table(content.as_slice()) => self.enclosed_lines("[", content, "]"),
-            Delimiter::Bracket => self.enclosed("[", content, "]"),
+        match start {
+            "{" if self.out.ends_with("::") => self.enclosed("{", content, "}"),
+            "{" => self.enclosed_lines("{", content, "}"),
+            "[" if is_table(content.0) => self.enclosed_lines("[", content, "]"),
+            "[" => self.enclosed("[", content, "]"),
             _ => self.enclosed("(", content, ")"),
         }
         self.open = outside;
     }
 
     /// What is in parentheses or brackets, on the same line.
-    fn enclosed(&mut self, start: &str, content: Trees, end: &str) {
+    fn enclosed(&mut self, start: &str, content: &mut Trees<'_>, end: &str) {
         self.out.push_str(start);
         (self.last, self.tight) = (Last::Nothing, true);
-        self.inline(content);
+        while let Some(token) = content.peek() {
+            content.next();
+            self.token(token, content);
+        }
+        content.next();
         self.out.push_str(end);
         (self.last, self.tight) = (Last::Close, false);
     }
 
     /// What is in braces, on lines of its own.
-    fn enclosed_lines(&mut self, start: &str, content: Trees, end: &str) {
+    fn enclosed_lines(&mut self, start: &str, content: &mut Trees<'_>, end: &str) {
         self.out.push_str(start);
-        if !content.as_slice().is_empty() {
+        if content.peek().is_some() {
             self.out.push('\n');
             self.indent += 1;
             self.block(content);
             self.indent -= 1;
             self.indentation();
         }
+        content.next();
         self.out.push_str(end);
         (self.last, self.tight) = (Last::Close, false);
-    }
-
-    fn inline(&mut self, mut trees: Trees) {
-        while let Some(tree) = trees.next() {
-            self.tree(tree, &mut trees);
-        }
     }
 }
 
@@ -299,15 +284,6 @@ impl Last {
     fn is_value(self) -> bool {
         matches!(self, Self::Word | Self::Generic | Self::Literal | Self::Close)
     }
-}
-
-fn trees(stream: TokenStream) -> Trees {
-    stream.into_iter().collect::<Vec<_>>().into_iter()
-}
-
-/// The content of a group, which is not copied, because nothing else holds it.
-fn into_stream(group: Group) -> TokenStream {
-    group.stream()
 }
 
 #[cfg(test)]

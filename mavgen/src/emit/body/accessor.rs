@@ -15,12 +15,10 @@
 //!
 //! All of them are inlined: there are hundreds, of which a program uses a few, and code that is not made costs no build time.
 
-use proc_macro2::{Literal, TokenStream};
-use quote::quote;
-
 use crate::emit::token::ident;
 use crate::emit::ty::{int, literal, maker, number_in, value_of};
 use crate::rust::{Convert, Extent, Sentinel, Unknown};
+use crate::tokens::{Literal, TokenStream, quote};
 
 /// The value, if it is known.
 pub(in crate::emit) fn get(sentinel: &Sentinel<'_>) -> TokenStream {
@@ -55,7 +53,7 @@ pub(in crate::emit) fn set(sentinel: &Sentinel<'_>) -> TokenStream {
     match sentinel.extent {
         Extent::Scalar => quote!(self.#field = value.unwrap_or(#unknown);),
         Extent::Whole(length) => {
-            let length = Literal::u16_unsuffixed(length);
+            let length = Literal::of(length);
             quote!(self.#field = value.unwrap_or([#unknown; #length]);)
         }
         Extent::Each | Extent::First => quote! {

@@ -2,13 +2,11 @@
 
 use std::ops::RangeInclusive;
 
-use proc_macro2::{Delimiter, Literal, TokenStream, TokenTree};
-use quote::quote;
-
 use crate::emit::token::{ident, mask};
 use crate::emit::ty::{int, number_in, value_of};
 use crate::ir::Repeat;
 use crate::rust::{AsInt, BitField, Holds, Int, Present, Selector, Through};
+use crate::tokens::{Literal, TokenStream, quote};
 
 /// What the bits hold: `((self.bits >> 29) & 0x7fff) as u16`, `self.bits & (1 << 4) != 0`; in an `Option` where there may be none.
 pub(in crate::emit) fn get(bits: &BitField<'_>) -> TokenStream {
@@ -33,7 +31,7 @@ pub(in crate::emit) fn get(bits: &BitField<'_>) -> TokenStream {
             }
         }
     });
-    match (bits.repeat.map(|repeat| Literal::u8_unsuffixed(repeat.count)), there) {
+    match (bits.repeat.map(|repeat| Literal::of(repeat.count)), there) {
         (None, None) => value,
         (None, Some(there)) => there,
         (Some(count), None) => quote!(if index < #count { Some(#value) } else { None }),
@@ -53,7 +51,7 @@ pub(in crate::emit) fn set(bits: &BitField<'_>) -> TokenStream {
         }
     });
     let is_one = bits.repeat.map(|repeat| {
-        let count = Literal::u8_unsuffixed(repeat.count);
+        let count = Literal::of(repeat.count);
         quote!(if index >= #count { return Err(wire::ViewError::OutOfRange); })
     });
     let store = store(bits);
@@ -112,25 +110,16 @@ fn read(storage: Int, at: &At, width: u8, raw: Int) -> TokenStream {
     let unsigned = int(raw.unsigned());
     let number = if raw.unsigned() == storage { number } else { quote!((#number as #unsigned)) };
     if !raw.is_signed() {
-        return unparenthesised(number);
+        return number.without_parentheses();
     }
     // Two's complement: the sign bit goes to the top, and comes back with its copies.
     let signed = int(raw);
     match raw.bits() - width {
         0 => quote!(#number as #signed),
         spare => {
-            let spare = Literal::u8_unsuffixed(spare);
+            let spare = Literal::of(spare);
             quote!(((#number << #spare) as #signed) >> #spare)
         }
-    }
-}
-
-/// `(a & b)` without its outer parentheses, which only an operand needs.
-fn unparenthesised(tokens: TokenStream) -> TokenStream {
-    let mut trees = tokens.clone().into_iter();
-    match (trees.next(), trees.next()) {
-        (Some(TokenTree::Group(group)), None) if group.delimiter() == Delimiter::Parenthesis => group.stream(),
-        _ => tokens,
     }
 }
 
@@ -153,7 +142,7 @@ pub(super) fn raw_range(bits: &BitField<'_>) -> TokenStream {
         return quote!(0..=#mask);
     }
     let end = 1_u128 << (bits.width.max(1) - 1);
-    let (start, last) = (Literal::u128_unsuffixed(end), Literal::u128_unsuffixed(end - 1));
+    let (start, last) = (Literal::of(end), Literal::of(end - 1));
     quote!(-#start..=#last)
 }
 
@@ -180,7 +169,7 @@ fn patterns(present: &Present<'_>) -> TokenStream {
 }
 
 fn pattern(range: &RangeInclusive<u64>) -> TokenStream {
-    let (start, end) = (Literal::u64_unsuffixed(*range.start()), Literal::u64_unsuffixed(*range.end()));
+    let (start, end) = (Literal::of(*range.start()), Literal::of(*range.end()));
     if range.start() == range.end() { quote!(#start) } else { quote!(#start..=#end) }
 }
 
@@ -204,7 +193,7 @@ impl At {
         match self {
             Self::Bit(0) => value.clone(),
             Self::Bit(at) => {
-                let at = Literal::u8_unsuffixed(*at);
+                let at = Literal::of(*at);
                 quote!((#value >> #at))
             }
             Self::Computed(at) => quote!((#value >> (#at))),
@@ -215,7 +204,7 @@ impl At {
         match self {
             Self::Bit(0) => value.clone(),
             Self::Bit(at) => {
-                let at = Literal::u8_unsuffixed(*at);
+                let at = Literal::of(*at);
                 quote!((#value << #at))
             }
             Self::Computed(at) => quote!((#value << (#at))),
@@ -225,7 +214,7 @@ impl At {
 
 /// `3 + index * 2`
 fn position(at: u8, stride: u8) -> TokenStream {
-    let (start, step) = (Literal::u8_unsuffixed(at), Literal::u8_unsuffixed(stride));
+    let (start, step) = (Literal::of(at), Literal::of(stride));
     match (at, stride) {
         (0, 1) => quote!(index),
         (0, _) => quote!(index * #step),

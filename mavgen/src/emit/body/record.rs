@@ -13,14 +13,12 @@
 //! }
 //! ```
 
-use proc_macro2::TokenStream;
-use quote::quote;
-
 use super::slots::{key, stored};
 use super::source::{assign, if_all_hold};
 use crate::emit::token::ident;
 use crate::emit::ty::literal;
 use crate::rust::{Record, Test};
+use crate::tokens::{TokenStream, quote};
 
 /// The values, if the condition holds.
 pub(in crate::emit) fn get(record: &Record<'_>) -> TokenStream {

@@ -8,13 +8,11 @@
 //! pub const fn voltage_mv(self) -> i32 { … }
 //! ```
 
-use proc_macro2::{Literal, TokenStream};
-use quote::quote;
-
 use super::bits::raw_range;
 use crate::emit::token::ident;
 use crate::emit::ty::int;
 use crate::rust::{Int, Scale};
+use crate::tokens::{Literal, TokenStream, quote};
 
 /// `f32::from(self.voltage_raw()) / 100.0`, through the `Option` of the raw number if there is one.
 pub(in crate::emit) fn get(scale: &Scale<'_>) -> TokenStream {
@@ -27,7 +25,7 @@ pub(in crate::emit) fn get(scale: &Scale<'_>) -> TokenStream {
 
 /// The nearest raw number, if it fits.
 pub(in crate::emit) fn set(scale: &Scale<'_>) -> TokenStream {
-    let [factor, bias, divisor] = [scale.factor, scale.bias, scale.divisor].map(Literal::i64_unsuffixed);
+    let [factor, bias, divisor] = [scale.factor, scale.bias, scale.divisor].map(Literal::of);
     let (setter, index) = (ident(&scale.set_raw), scale.bits.repeat.map(|_| quote!(index,)));
     // The pattern is one of `i64`, which holds every raw number that a float can name exactly.
     let range = if scale.bits.raw == Int::of_bits(64, false) { quote!(0..=i64::MAX) } else { raw_range(&scale.bits) };
@@ -68,7 +66,7 @@ fn to_float(scale: &Scale<'_>, raw: &TokenStream) -> TokenStream {
     }
     let float = ident(if scale.in_f32 { "f32" } else { "f64" });
     let number = if scale.bits.raw.bits() <= 16 { quote!(#float::from(#raw)) } else { quote!((#raw as #float)) };
-    let literal = |value: u64| Literal::f64_unsuffixed(value as f64);
+    let literal = |value: u64| Literal::of(format_args!("{}.0", value as f64));
     let product = match (scale.factor.unsigned_abs(), literal(scale.factor.unsigned_abs())) {
         (1, _) => number,
         (_, factor) => quote!(#number * #factor),
@@ -93,7 +91,7 @@ fn to_float(scale: &Scale<'_>, raw: &TokenStream) -> TokenStream {
 /// `raw as i32 * 10`
 fn to_whole(scale: &Scale<'_>, raw: &TokenStream) -> TokenStream {
     let Some((exact, of)) = scale.exact else { return quote!() };
-    let (ty, factor) = (int(of), Literal::i64_unsuffixed(exact.factor));
+    let (ty, factor) = (int(of), Literal::of(exact.factor));
     let is_cast = of != scale.bits.raw;
     let number = if is_cast { quote!(#raw as #ty) } else { raw.clone() };
     let product = match exact.factor {
@@ -102,7 +100,7 @@ fn to_whole(scale: &Scale<'_>, raw: &TokenStream) -> TokenStream {
         -1 => quote!(-#number),
         _ => quote!(#number * #factor),
     };
-    let bias = Literal::u64_unsuffixed(exact.bias.unsigned_abs());
+    let bias = Literal::of(exact.bias.unsigned_abs());
     match exact.bias {
         0 => product,
         negative if negative < 0 => quote!(#product - #bias),

@@ -10,17 +10,15 @@
 //! }
 //! ```
 
-use proc_macro2::{Literal, TokenStream};
-use quote::quote;
-
 use super::source::{all_hold, array, assign, joined, store_word, value_at, view_of_bits};
 use crate::emit::token::ident;
 use crate::emit::ty::{int, literal, number_in, value_of};
 use crate::rust::{Count, Key, Place, Slot, Stored, Switch};
+use crate::tokens::{Literal, TokenStream, quote};
 
 /// `(0..4).map_while(|index| self.esc(index))`
 pub(in crate::emit) fn all(get: &str, length: u8) -> TokenStream {
-    let (get, length) = (ident(get), Literal::u8_unsuffixed(length));
+    let (get, length) = (ident(get), Literal::of(length));
     quote!((0..#length).map_while(|index| self.#get(index)))
 }
 
@@ -80,7 +78,7 @@ pub(in crate::emit) fn set(get: &str, store: &str) -> TokenStream {
 /// Adds a slot behind those in use.
 pub(in crate::emit) fn push(count: Count<'_>, length: u8, store: &str) -> TokenStream {
     let (field, store, own) = (ident(count.field), ident(store), int(count.as_int.int));
-    let (used, length) = (used(count), Literal::u8_unsuffixed(length));
+    let (used, length) = (used(count), Literal::of(length));
     let more = value_of(count.as_int, &quote!(index as #own + 1));
     quote! {
         let index = #used;
@@ -105,11 +103,11 @@ pub(in crate::emit) fn store(slot: &Slot<'_>) -> TokenStream {
     let Slot { source, keys, sentinel, .. } = slot;
     let (view, optional) = (ident(source.view), !source.when.is_empty());
     let (sentinel, mark) = match sentinel {
-        Stored::Words(value) => (Literal::u128_unsuffixed(*value), None),
+        Stored::Words(value) => (Literal::of(*value), None),
         // A field has to say so, whatever the key and the switch have put into it.
         Stored::Field(place, value) => {
             let assign = assign(place, &literal(*value));
-            (Literal::u128_unsuffixed(0), Some(quote!(if slot.status.is_none() { #assign })))
+            (Literal::of(0), Some(quote!(if slot.status.is_none() { #assign })))
         }
     };
     let keys = keys.iter().filter_map(store_key);

@@ -1,11 +1,9 @@
 //! Where a message has a view: its words joined and stored, the value of its switch, and what must hold.
 
-use proc_macro2::{Literal, TokenStream};
-use quote::quote;
-
 use crate::emit::token::ident;
 use crate::emit::ty::{int, literal, number_in, value_of};
 use crate::rust::{Place, SlotElement, Source, Switch, Test, Word};
+use crate::tokens::{Literal, TokenStream, quote};
 
 /// The view, if the bits mean something.
 pub(in crate::emit) fn get(source: &Source<'_>) -> TokenStream {
@@ -37,7 +35,7 @@ pub(super) fn joined(source: &Source<'_>) -> TokenStream {
     let words = source.words.iter().map(|word| {
         let number = number_in(word.as_int, &value_at(&word.place));
         let number = if word.as_int.int == source.storage { number } else { quote!(#storage::from(#number)) };
-        let at = Literal::u8_unsuffixed(word.at);
+        let at = Literal::of(word.at);
         if word.at == 0 { number } else { quote!((#number << #at)) }
     });
     quote!(#(#words)|*)
@@ -45,7 +43,7 @@ pub(super) fn joined(source: &Source<'_>) -> TokenStream {
 
 /// `self.data1 = (bits >> 32) as u32;`
 pub(super) fn store_word(source: &Source<'_>, word: &Word<'_>) -> TokenStream {
-    let (own, at) = (int(word.as_int.int), Literal::u8_unsuffixed(word.at));
+    let (own, at) = (int(word.as_int.int), Literal::of(word.at));
     let bits = if word.at == 0 { quote!(bits) } else { quote!((bits >> #at)) };
     let number = if word.as_int.int == source.storage { bits } else { quote!(#bits as #own) };
     assign(&word.place, &value_of(word.as_int, &number))
@@ -79,7 +77,7 @@ pub(super) fn all_hold(when: &[Test<'_>]) -> TokenStream {
             quote!(#left != #right)
         }
         Test::WordsAreNot(value) => {
-            let value = Literal::u128_unsuffixed(*value);
+            let value = Literal::of(*value);
             quote!(bits != #value)
         }
     });
@@ -94,7 +92,7 @@ pub(super) fn value_at(place: &Place<'_>) -> TokenStream {
             quote!(self.#field)
         }
         Place::At(field, index) => {
-            let (field, index) = (ident(field), Literal::u8_unsuffixed(*index));
+            let (field, index) = (ident(field), Literal::of(*index));
             quote!(self.#field[#index])
         }
         Place::Element(element) => {

@@ -1,12 +1,10 @@
 //! A field of a topic: its declaration, its value where nothing is known, and its names.
 
-use proc_macro2::{Literal, TokenStream};
-use quote::quote;
-
 use crate::emit::doc;
 use crate::emit::token::ident;
 use crate::emit::ty::{int, literal};
 use crate::rust::{Plain, TopicField, TopicSlot, TopicType, Unknown};
+use crate::tokens::{Literal, TokenStream, quote};
 
 /// `pub esc_rpm: i32,` with its documentation.
 pub(super) fn declaration(field: &TopicField<'_>) -> TokenStream {
@@ -14,11 +12,11 @@ pub(super) fn declaration(field: &TopicField<'_>) -> TokenStream {
     let element = element(field.slot.ty);
     let ty = match (field.slot.ty, field.slot.len) {
         (TopicType::Plain(Plain::Char), len) => {
-            let len = Literal::u16_unsuffixed(len.unwrap_or(1));
+            let len = Literal::of(len.unwrap_or(1));
             quote!(wire::Chars<#len>)
         }
         (_, Some(len)) => {
-            let len = Literal::u16_unsuffixed(len);
+            let len = Literal::of(len);
             quote!([#element; #len])
         }
         (_, None) => element,
@@ -60,11 +58,11 @@ pub(super) fn unknown(field: &TopicField<'_>) -> TokenStream {
     let (name, element) = (ident(field.slot.ident), unknown_element(field.slot));
     let value = match (field.slot.ty, field.slot.len) {
         (TopicType::Plain(Plain::Char), len) => {
-            let len = Literal::u16_unsuffixed(len.unwrap_or(1));
+            let len = Literal::of(len.unwrap_or(1));
             quote!(wire::Chars([0; #len]))
         }
         (_, Some(len)) => {
-            let len = Literal::u16_unsuffixed(len);
+            let len = Literal::of(len);
             quote!([#element; #len])
         }
         (_, None) => element,

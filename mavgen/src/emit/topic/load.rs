@@ -1,12 +1,10 @@
 //! How what a definition has is read: one literal, then what is put over what is not known.
 
-use proc_macro2::{Literal, TokenStream};
-use quote::quote;
-
 use super::field::{element, plain};
 use crate::emit::token::{decimal, ident};
 use crate::emit::ty::maker;
 use crate::rust::{Held, Move, Part, Plain, Row, Scalars, TopicSlot, TopicType};
+use crate::tokens::{Literal, TokenStream, quote};
 
 /// What a function that reads a definition does and gives.
 pub(super) fn body(part: &Part<'_>) -> TokenStream {
@@ -95,7 +93,7 @@ fn fill(slot: TopicSlot<'_>, scalars: Scalars, target: &TokenStream, at: u32) ->
 fn loaded(slot: TopicSlot<'_>, Scalars { stored, len, widens, few }: Scalars, at: u32) -> TokenStream {
     let (name, at) = (slot.name, decimal(at));
     let of = if widens || slot.ty == TopicType::Plain(Plain::Char) { plain(stored) } else { element(slot.ty) };
-    let raw = match (stored, len.map(Literal::u16_unsuffixed)) {
+    let raw = match (stored, len.map(Literal::of)) {
         (Plain::Bool, Some(len)) => quote!(booleans::<#len>(p, #at, #name)?),
         (Plain::Bool, None) => quote!(boolean(p, #at, #name)?),
         _ if !widens && !few => quote!(get(p, #at)),

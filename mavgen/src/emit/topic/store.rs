@@ -1,13 +1,11 @@
 //! How a topic is written: every field that a definition has, where it has it, in its type.
 
-use proc_macro2::{Literal, TokenStream};
-use quote::quote;
-
 use super::field::plain;
 use super::load::part;
 use crate::emit::token::{decimal, ident};
 use crate::emit::ty::number_in;
 use crate::rust::{Held, Part, Plain, Row, Scalars, TopicSlot, TopicType};
+use crate::tokens::{Literal, TokenStream, quote};
 
 /// Statements that write a message into `p`; `source` is where it lies.
 pub(super) fn all(part: &Part<'_>, source: &TokenStream) -> TokenStream {
@@ -49,7 +47,7 @@ fn stored_as(slot: TopicSlot<'_>, scalars: Scalars, (source, unknown): (&TokenSt
     let (Scalars { stored, len, widens, few }, name) = (scalars, slot.name);
     let mut value = source.clone();
     if few {
-        let (len, bytes) = (Literal::u16_unsuffixed(len.unwrap_or(1)), (stored == Plain::Char).then(|| quote!(.0)));
+        let (len, bytes) = (Literal::of(len.unwrap_or(1)), (stored == Plain::Char).then(|| quote!(.0)));
         value = quote!(wire::generated::first::<_, #len>(&#value #bytes, &#unknown #bytes, #name)?);
     }
     if widens {

@@ -1,10 +1,8 @@
 //! `Debug` of a view: values with their units, as a person reads them.
 
-use proc_macro2::{Literal, TokenStream};
-use quote::quote;
-
 use crate::emit::token::ident;
 use crate::rust::Debugged;
+use crate::tokens::{Literal, TokenStream, quote};
 
 pub(super) fn debug(name: &str, members: &[Debugged<'_>]) -> TokenStream {
     let (ident, members) = (ident(name), members.iter().map(member));
@@ -29,7 +27,7 @@ fn member(member: &Debugged<'_>) -> TokenStream {
         }
         None => quote!(&value),
     };
-    match count.map(Literal::u8_unsuffixed) {
+    match count.map(Literal::of) {
         Some(count) => quote! {
             let value: [_; #count] = core::array::from_fn(|index| self.#getter(index).unwrap_or_default());
             shown.field(#name, &value);

@@ -1,12 +1,10 @@
 //! The type of a slot, or of values: a struct of public fields.
 
-use proc_macro2::TokenStream;
-use quote::quote;
-
 use crate::emit::doc;
 use crate::emit::token::ident;
 use crate::emit::ty::ty;
 use crate::rust::{RecordField, RecordType};
+use crate::tokens::{TokenStream, quote};
 
 /// `pub struct Esc { … }`
 pub(super) fn declaration(record: &RecordType<'_>) -> TokenStream {

@@ -1,20 +1,20 @@
 //! Plain lines of code that is written, and of tokens in any order.
 
-use proc_macro2::Span;
+use proc_macro2::{Spacing, TokenTree};
 use proptest::prelude::*;
-use quote::quote;
 
 use super::*;
+use crate::tokens::quote;
 
-fn check(items: TokenStream, expected: &str) {
+fn check(items: &TokenStream, expected: &str) {
     assert_eq!(lines(items), expected);
 }
 
 #[test]
 fn items() {
     check(
-        quote! {
-            //! A file.
+        &quote! {
+            #![doc = " A file."]
             use ::mavlink_wire as wire;
             use super::{a::B, c::*};
             /// A type with `"quotes"`.
@@ -29,12 +29,12 @@ fn items() {
             impl<'a> wire::Targeted for T<'a, 3> {}
             wire::message!(T { each a, maybe b });
         },
-        r#"//! A file.
+        r#"#![doc = " A file."]
 use ::mavlink_wire as wire;
 use super::{a::B, c::*};
 /// A type with `"quotes"`.
 ///
-/// A \ and "quotes".
+#[doc = " A \\ and \"quotes\"."]
 #[doc = "/ this"]
 #[doc = "two\nlines"]
 #[doc(alias = "T")]
@@ -58,7 +58,7 @@ wire::message!(T {
 #[test]
 fn statements() {
     check(
-        quote! {
+        &quote! {
             #[inline(always)]
             fn get<T: ?Sized>(&self, p: &mut [u8; 4]) -> <T as U>::X {
                 let Some((a, _)) = p.split_first_chunk::<4>() else { return Self::UNKNOWN };
@@ -106,8 +106,8 @@ fn get<T: ?Sized>(&self, p: &mut [u8; 4]) -> <T as U>::X {
 
 /// Tokens as a lexer sees them: operators whole, wherever the spaces are. What begins with `>` is taken apart, because that may
 /// close generics.
-fn flat(stream: TokenStream, out: &mut Vec<String>) {
-    let mut trees = trees(stream);
+fn flat(stream: proc_macro2::TokenStream, out: &mut Vec<String>) {
+    let mut trees = stream.into_iter().peekable();
     while let Some(tree) = trees.next() {
         match tree {
             TokenTree::Group(group) => {
@@ -118,8 +118,8 @@ fn flat(stream: TokenStream, out: &mut Vec<String>) {
             TokenTree::Punct(punct) => {
                 let (mut text, mut spacing) = (punct.to_string(), punct.spacing());
                 while spacing == Spacing::Joint
-                    && let Some(TokenTree::Punct(next)) = trees.as_slice().first()
-                    && is_operator(&format!("{text}{next}"))
+                    && let Some(TokenTree::Punct(next)) = trees.peek()
+                    && OPERATORS.contains(&&*format!("{text}{next}"))
                 {
                     text.push(next.as_char());
                     spacing = next.spacing();
@@ -130,30 +130,27 @@ fn flat(stream: TokenStream, out: &mut Vec<String>) {
                     false => out.push(text),
                 }
             }
-            TokenTree::Literal(literal) => match literal.to_string().strip_prefix('-') {
-                Some(magnitude) => out.extend(["-".to_owned(), magnitude.to_owned()]),
-                None => out.push(literal.to_string()),
-            },
-            TokenTree::Ident(word) => out.push(word.to_string()),
+            other => out.push(other.to_string()),
         }
     }
 }
 
-fn flattened(stream: TokenStream) -> Vec<String> {
+const OPERATORS: [&str; 25] = [
+    "::", "->", "=>", "..", "..=", "...", "==", "!=", "<=", ">=", "&&", "||", "<<", ">>", "<<=", ">>=", "+=", "-=",
+    "*=", "/=", "%=", "^=", "&=", "|=", "<-",
+];
+
+fn flattened(text: &str) -> Vec<String> {
     let mut out = Vec::new();
-    flat(stream, &mut out);
+    flat(text.parse().unwrap(), &mut out);
     out
 }
 
-fn word() -> impl Strategy<Value = Vec<TokenTree>> {
-    let words = ["a", "b", "r", "e5", "in", "fn", "impl", "as", "else", "self", "Self", "T", "doc", "x"];
-    let raw = Ident::new_raw("type", Span::call_site());
-    let words: Vec<Ident> = words.iter().map(|word| Ident::new(word, Span::call_site())).chain([raw]).collect();
-    prop::sample::select(words).prop_map(|word| vec![word.into()])
-}
-
-fn literal() -> impl Strategy<Value = Vec<TokenTree>> {
-    let texts = [
+fn token() -> impl Strategy<Value = Vec<&'static str>> {
+    let words = vec![
+        "a", "b", "r", "e5", "in", "fn", "impl", "as", "else", "self", "Self", "T", "doc", "x", "r#type", "'a", "_",
+    ];
+    let literals = vec![
         "1",
         "1.0",
         "2.",
@@ -166,38 +163,28 @@ fn literal() -> impl Strategy<Value = Vec<TokenTree>> {
         "r#\"s\"#",
         "\" a\\\"\"",
         "\"/\"",
-        "\"a\\nb\"",
         "-1",
+        "b\"x\"",
     ];
-    prop::sample::select(texts.map(|text| text.parse::<Literal>().unwrap()).to_vec()).prop_map(|text| vec![text.into()])
+    let signs =
+        vec!["~", "!", "@", "#", "$", "%", "^", "&", "*", "-", "=", "+", "|", ";", ":", ",", "<", ".", ">", "/", "?"];
+    let one =
+        prop::sample::select([words, literals, signs, OPERATORS[..24].to_vec()].concat()).prop_map(|token| vec![token]);
+    let docs = vec![
+        vec!["///"],
+        vec!["/// a \" \\"],
+        vec!["#", "[", "doc", "=", "\" a\"", "]"],
+        vec!["#", "!", "[", "a", "]"],
+    ];
+    prop_oneof![20 => one, 1 => prop::sample::select(docs)]
 }
 
-fn sign(sign: char, spacing: Spacing) -> TokenTree {
-    Punct::new(sign, spacing).into()
-}
-
-fn punct() -> impl Strategy<Value = Vec<TokenTree>> {
-    let signs: Vec<char> = "~!@#$%^&*-=+|;:,<.>/?".chars().collect();
-    let spacing = prop_oneof![Just(Spacing::Alone), Just(Spacing::Joint)];
-    (prop::sample::select(signs), spacing).prop_map(|(char, spacing)| vec![sign(char, spacing)])
-}
-
-fn operator() -> impl Strategy<Value = Vec<TokenTree>> {
-    let texts = ["::", "->", "=>", "..", "..=", "&&", "||", "<<", ">>", "<=", "==", "'a", "<", ">", "|", "."];
-    prop::sample::select(texts.to_vec()).prop_map(|text| text.parse::<TokenStream>().unwrap().into_iter().collect())
-}
-
-fn documentation() -> impl Strategy<Value = Vec<TokenTree>> {
-    let texts = ["", " a", "/", " \"\\", "a\nb", "\u{feff}"].map(Literal::string).to_vec();
-    prop::sample::select(texts).prop_map(|text| quote!(#[doc = #text]).into_iter().collect())
-}
-
-fn tokens() -> impl Strategy<Value = Vec<TokenTree>> {
-    let one = prop_oneof![3 => word(), 3 => literal(), 4 => punct(), 4 => operator(), 1 => documentation()];
-    one.prop_recursive(4, 60, 8, |inner| {
-        let delimiters = vec![Delimiter::Brace, Delimiter::Parenthesis, Delimiter::Bracket];
-        (prop::sample::select(delimiters), prop::collection::vec(inner, 0..8))
-            .prop_map(|(delimiter, parts)| vec![Group::new(delimiter, parts.into_iter().flatten().collect()).into()])
+fn tokens() -> impl Strategy<Value = Vec<&'static str>> {
+    token().prop_recursive(4, 60, 8, |inner| {
+        let delimiters = vec![("(", ")"), ("[", "]"), ("{", "}")];
+        let content = prop::collection::vec(inner, 0..8).prop_map(|parts| parts.concat());
+        (prop::sample::select(delimiters), content)
+            .prop_map(|((start, end), content)| [&[start], &*content, &[end]].concat())
     })
 }
 
@@ -206,10 +193,10 @@ proptest! {
 
     #[test]
     fn the_text_reads_back_as_the_same_tokens(parts in prop::collection::vec(tokens(), 0..10)) {
-        let stream: TokenStream = parts.into_iter().flatten().collect();
-        let text = lines(stream.clone());
-        let again = text.parse::<TokenStream>();
+        let tokens = parts.concat();
+        let text = lines(&TokenStream::of_tokens(&tokens));
+        let again = text.parse::<proc_macro2::TokenStream>();
         prop_assert!(again.is_ok(), "{text}");
-        prop_assert_eq!(flattened(stream), flattened(again.unwrap()), "{}", text);
+        prop_assert_eq!(flattened(&tokens.join("\n")), flattened(&text), "{}", text);
     }
 }

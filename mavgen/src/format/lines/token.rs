@@ -1,86 +1,43 @@
 //! What single tokens are for plain lines.
 
-use proc_macro2::{Delimiter, TokenTree};
-
-pub(super) fn is(tree: &TokenTree, char: char) -> bool {
-    matches!(tree, TokenTree::Punct(punct) if punct.as_char() == char)
-}
-
-pub(super) fn is_brackets(tree: &TokenTree) -> bool {
-    matches!(tree, TokenTree::Group(group) if group.delimiter() == Delimiter::Bracket)
-}
-
-/// What `doc = "…"` says, if that can be the text of a comment.
-pub(super) fn documentation(attribute: &[TokenTree]) -> Option<String> {
-    let [TokenTree::Ident(name), equals, TokenTree::Literal(text)] = attribute else { return None };
-    if name != "doc" || !is(equals, '=') {
-        return None;
+/// A line of documentation, also as `#[doc = "…"]`, if that is what comes, and what is behind it.
+pub(super) fn documentation<'t>(tokens: &'t [&'t str]) -> Option<([&'t str; 2], &'t [&'t str])> {
+    match tokens {
+        [line, behind @ ..] if line.starts_with("//") => Some((["", line], behind)),
+        ["#", "[", "doc", "=", text, "]", behind @ ..] => {
+            let text = text.strip_prefix('r').map_or(*text, |raw| raw.trim_matches('#'));
+            let text = text.strip_prefix('"')?.strip_suffix('"')?;
+            // `////` would be no documentation, and an escape stays one.
+            let is_line = !text.starts_with('/') && !text.contains('\\');
+            is_line.then_some((["///", text], behind))
+        }
+        _ => None,
     }
-    let text = text.to_string();
-    let raw = text.strip_prefix('r').map(|raw| raw.trim_matches('#'));
-    let content = raw.unwrap_or(&text).strip_prefix('"')?.strip_suffix('"')?;
-    let plain = if raw.is_none() && content.contains('\\') { unescaped(content)? } else { content.to_owned() };
-    (!plain.contains(['\n', '\r'])).then_some(plain)
 }
 
-/// A text without escapes; `None` if it has others than those of quotes and backslashes.
-fn unescaped(text: &str) -> Option<String> {
-    let (mut plain, mut chars) = (String::with_capacity(text.len()), text.chars());
-    while let Some(char) = chars.next() {
-        plain.push(match char {
-            '\\' => chars.next().filter(|escaped| matches!(escaped, '"' | '\\'))?,
-            _ => char,
-        });
-    }
-    Some(plain)
+/// Whether it is an identifier, a keyword or the like.
+pub(super) fn is_word(token: &str) -> bool {
+    token.starts_with(|letter: char| letter == '_' || letter.is_alphabetic())
 }
 
-/// Whether brackets hold rows, and not a few numbers.
-pub(super) fn is_table(content: &[TokenTree]) -> bool {
-    match content.iter().position(|tree| is(tree, ',')) {
-        None | Some(0) => false,
-        Some(1) => matches!(content.first(), Some(TokenTree::Group(_))),
-        Some(_) => true,
+/// Whether brackets that were opened hold rows, and not a few numbers.
+pub(super) fn is_table(content: &[&str]) -> bool {
+    let mut open = 0_usize;
+    for (at, token) in content.iter().enumerate() {
+        match *token {
+            "," if open == 0 => return at > 1,
+            "(" | "[" | "{" => open += 1,
+            ")" | "]" | "}" if open == 0 => return false,
+            ")" | "]" | "}" => open -= 1,
+            _ => {}
+        }
     }
+    false
 }
 
 /// Whether what comes behind braces belongs to their line.
-pub(super) fn continues(next: Option<&TokenTree>) -> bool {
-    match next {
-        Some(TokenTree::Punct(punct)) => matches!(punct.as_char(), ',' | ';' | '.' | '?' | '=' | '|'),
-        Some(TokenTree::Ident(word)) => word == "else" || word == "as" || word == "in",
-        _ => false,
-    }
-}
-
-/// The operators of more than one character.
-pub(super) fn is_operator(text: &str) -> bool {
-    matches!(
-        text,
-        "::" | "->"
-            | "=>"
-            | ".."
-            | "..="
-            | "..."
-            | "=="
-            | "!="
-            | "<="
-            | ">="
-            | "&&"
-            | "||"
-            | "<<"
-            | ">>"
-            | "<<="
-            | ">>="
-            | "+="
-            | "-="
-            | "*="
-            | "/="
-            | "%="
-            | "^="
-            | "&="
-            | "|="
-    )
+pub(super) fn continues(next: Option<&str>) -> bool {
+    matches!(next, Some("," | ";" | "." | "?" | "=" | "=>" | "|" | "else" | "as" | "in"))
 }
 
 /// Whether two characters begin or go on with an operator or a comment, if they stand together.
