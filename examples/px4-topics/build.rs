@@ -2,5 +2,5 @@
 
 fn main() {
     let px4 = mavgen::Builder::new("msg").overlay("msg.overlay.xml").name("px4");
-    px4.messages(["VehicleStatus"]).build_script(); // of PX4's own folder: these and what they nest
+    px4.messages(["VehicleStatus", "Cpuload"]).build_script(); // of PX4's own folder: these and what they nest
 }

@@ -4,6 +4,7 @@
 //! as records it stands in a log: [`ulog`] reads logs of any era, since each log says what its records look like, and fields
 //! are found by name.
 
+pub(crate) mod any;
 pub mod cdr;
 pub(crate) mod code;
 mod definition;
@@ -14,6 +15,7 @@ mod place;
 mod topic;
 pub mod ulog;
 
+pub use any::Topics;
 pub use cdr::CdrError;
 pub use definition::{Definition, ZenohKey};
 pub use field::{Element, Field, places};

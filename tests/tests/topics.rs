@@ -1,10 +1,10 @@
 //! uORB messages as mavgen makes them of `.msg` files: as CDR, as records of a log, and of several definitions.
 
 use mavlink_conformance::golden::definitions::{Quiet, Sensor, TankStatus};
-use mavlink_conformance::golden::topics::{Pump, PumpFaults, PumpStatus, PumpStatusMode, PumpStatusTrend};
+use mavlink_conformance::golden::topics::{Pump, PumpFaults, PumpStatus, PumpStatusMode, PumpStatusTrend, Topics};
 use mavlink_wire::Chars;
-use mavlink_wire::uorb::ulog::Binding;
-use mavlink_wire::uorb::{CdrError, Definition, Topic, TopicByLength};
+use mavlink_wire::uorb::ulog::{Binding, Log};
+use mavlink_wire::uorb::{CdrError, Definition, Topic, TopicByLength, Topics as _};
 
 fn pump(on: bool, rpm: u16) -> Pump {
     Pump { on, timestamp: u64::from(rpm) << 40, rpm }
@@ -210,4 +210,39 @@ fn a_record_of_an_older_definition() {
         *sensor = Sensor { timestamp: 0, value: 0.0, ..Sensor::UNKNOWN };
     }
     assert_eq!(read, expected);
+}
+
+/// The enum of the package gives the topics as the log has them, those of one message under each of its names.
+#[test]
+fn a_log_is_a_stream_of_all_topics() {
+    let mut log = b"ULog\x01\x12\x35\x01\0\0\0\0\0\0\0\0".to_vec();
+    let mut put = |kind: u8, payload: &[&[u8]]| {
+        let payload = payload.concat();
+        log.extend(u16::try_from(payload.len()).unwrap().to_le_bytes());
+        log.push(kind);
+        log.extend(payload);
+    };
+    for format in PumpStatus::MAIN.formats {
+        put(b'F', &[format.as_bytes()]);
+    }
+    for (id, instance, topic) in [(0, 0, "pump"), (1, 2, "pump_status"), (2, 1, "pump")] {
+        put(b'A', &[&[instance, id, 0], topic.as_bytes()]);
+    }
+    put(b'D', &[&[0, 0], &record(&pump(true, 1))]);
+    put(b'D', &[&[1, 0], &record(&station())]);
+    put(b'D', &[&[2, 0], &record(&pump(false, 2))]);
+    let seen = |log: &[u8]| -> Vec<_> {
+        let messages = Log::new(log).unwrap().messages::<Topics>();
+        messages.map(|logged| (logged.topic, logged.instance, logged.message.name(), logged.message)).collect()
+    };
+    let (first, second, third) = (pump(true, 1).into(), station().into(), pump(false, 2).into());
+    let expected = [("pump", 0, "Pump", first), ("pump_status", 2, "PumpStatus", second), ("pump", 1, "Pump", third)];
+    assert_eq!(seen(&log), expected);
+    assert_eq!((Pump::try_from(first), PumpStatus::try_from(first)), (Ok(pump(true, 1)), Err(first)));
+}
+
+fn record<T: Topic>(topic: &T) -> Vec<u8> {
+    let mut record = vec![0; T::DEFINITIONS[0].record_len as usize];
+    topic.store_record(&mut record).unwrap();
+    record
 }

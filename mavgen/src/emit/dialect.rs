@@ -26,12 +26,13 @@ pub(super) fn dialect(dialect: &DialectEnum<'_>) -> TokenStream {
         let (docs, name) = (doc::documentation(docs), ident(name));
         quote!(#docs #name(#name))
     });
+    let (completed, debug) = (ident(dialect.completed_by), dialect.derives_debug.then(|| quote!(Debug,)));
     quote! {
         #docs
-        #[derive(Clone, Copy, PartialEq)]
+        #[derive(Clone, Copy, #debug PartialEq)]
         #[non_exhaustive]
         #[allow(clippy::large_enum_variant, reason = "there is no allocator to box the large ones")]
         pub enum #name { #(#variants),* }
-        wire::dialect!(#name { #(#names),* });
+        wire::#completed!(#name { #(#names),* });
     }
 }

@@ -107,7 +107,8 @@ impl<'d> Items<'d> {
         });
         let docs = Docs::line(format!("Any message of the `{name}` dialect."))
             .then(Paragraph::line("New messages are added without a breaking release; match with a `_` arm."));
-        Ok(DialectEnum { ident, docs, variants: variants.try_collect_vec()? })
+        let variants = variants.try_collect_vec()?;
+        Ok(DialectEnum { ident, docs, variants, completed_by: "dialect", derives_debug: false })
     }
 }
 

@@ -48,6 +48,10 @@ pub(crate) struct DialectEnum<'d> {
     pub(crate) docs: Docs<'d>,
     /// By id.
     pub(crate) variants: Vec<Variant<'d>>,
+    /// The macro of the runtime that completes it: `dialect` or `topics`.
+    pub(crate) completed_by: &'static str,
+    /// Whether the macro does not implement `Debug`.
+    pub(crate) derives_debug: bool,
 }
 
 /// A message of a dialect.

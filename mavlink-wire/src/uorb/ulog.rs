@@ -7,6 +7,7 @@ mod error;
 mod fit;
 mod format;
 mod log;
+mod messages;
 mod records;
 mod samples;
 mod sections;
@@ -17,6 +18,7 @@ pub use binding::Binding;
 pub use error::LogError;
 pub use fit::Fit;
 pub use log::Log;
+pub use messages::{Logged, Messages};
 pub use records::{End, Record, Records};
 pub use samples::Samples;
 #[cfg(feature = "std")]

@@ -6,6 +6,7 @@ mod binding;
 mod cdr;
 mod damage;
 mod golden;
+mod messages;
 mod mutants;
 mod real;
 mod topic;

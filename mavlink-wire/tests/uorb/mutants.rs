@@ -5,7 +5,7 @@ use std::{env, fs};
 use mavlink_wire::uorb::ulog::Log;
 
 use crate::golden::{MAIN, V1_14, V2026_02};
-use crate::topic::EscStatus;
+use crate::topic::{Any, EscStatus};
 
 /// Mutants of a log.
 const MUTANTS: u64 = 1500;
@@ -72,6 +72,8 @@ fn read_mutants(log: &[u8]) -> usize {
         let mut samples = read.read::<EscStatus>();
         let count = samples.by_ref().count();
         assert!(samples.fit().to_string().len() < 4096, "{seed}");
+        let streamed = read.messages::<Any>().filter(|logged| matches!(logged.message, Any::EscStatus(_)));
+        assert_eq!(streamed.count(), count, "{seed}");
         all += count;
         let before = ends.iter().filter(|end| **end <= first).count();
         assert!(count >= before, "{seed}: {count} of {before}");

@@ -50,6 +50,16 @@ impl EscReport {
     };
 }
 
+/// As a package would have it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(clippy::large_enum_variant, reason = "as generated")]
+pub(crate) enum Any {
+    EscReport(EscReport),
+    EscStatus(EscStatus),
+}
+
+mavlink_wire::topics!(Any { EscReport, EscStatus });
+
 mavlink_wire::topic!(EscReport {
     timestamp,
     esc_errorcount,

@@ -4,6 +4,7 @@ use std::collections::HashSet;
 
 use super::spelling;
 use crate::diag::Diagnostics;
+use crate::ir::Name;
 use crate::lower::collision;
 use crate::lower::namespace::{Claim, Namespace, Scope, What};
 use crate::source::Span;
@@ -14,6 +15,8 @@ use crate::uorb::union::{Enum, Field, Message, Union};
 /// The names of a package, in the order of its model. A keyword is not raw here.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct UnionNames {
+    /// The enum over all messages: `Px4`.
+    pub(super) all: String,
     /// Of [`Union::messages`].
     pub(super) messages: Vec<TopicNames>,
     /// Of [`Union::enums`].
@@ -71,7 +74,7 @@ impl UnionNames {
         let mut messages: Vec<_> = union.messages.iter().map(|message| TopicNames::of(message, &reserved)).collect();
         let taken: HashSet<String> = messages.iter().map(|message| message.ty.clone()).collect();
         let enums: Vec<_> = union.enums.iter().map(|one| EnumNames::of(one, &taken)).collect();
-        types(union, &messages, &enums, diagnostics);
+        let all = types(union, &messages, &enums, diagnostics);
         for (message, names) in union.messages.iter().zip(&mut messages) {
             members(message, names, diagnostics);
             names.accessors = accessors(message, names, diagnostics);
@@ -84,7 +87,7 @@ impl UnionNames {
                 .map(|(entry, own)| (own.clone(), claim(What::Entry, &entry.constant.name, entry.constant.span)));
             apart(Scope::Constants, entries, diagnostics);
         }
-        Self { messages, enums, definitions }
+        Self { all, messages, enums, definitions }
     }
 }
 
@@ -121,14 +124,25 @@ impl EnumNames {
     }
 }
 
-fn types(union: &Union, messages: &[TopicNames], enums: &[EnumNames], diagnostics: &mut Diagnostics) {
+/// Checks the types, and names that over all messages: after the package, with the suffix `Topics` if something else has that.
+fn types(union: &Union, messages: &[TopicNames], enums: &[EnumNames], diagnostics: &mut Diagnostics) -> String {
     let messages =
         union.messages.iter().zip(messages).map(|(message, names)| {
             (names.ty.clone(), claim(What::Message, &message.name, Span::new(message.file, 0..0)))
         });
     let enums = union.enums.iter().zip(enums);
     let enums = enums.map(|(one, names)| (names.ty.clone(), claim(What::Enum, &one.name.text, one.name.span)));
-    apart(Scope::Types, messages.chain(enums), diagnostics);
+    let mut types = Namespace::of(Scope::Types);
+    let collisions = types.claim_by_age(messages.chain(enums).collect());
+    diagnostics.extend(collisions.iter().filter_map(collision::diagnostic));
+    let own = spelling::dialect_type_name(&union.name);
+    let own = if types.get(&own).is_some() { spelling::suffixed(&own, "Topics") } else { own };
+    match types.get(&own) {
+        Some(first) => diagnostics.push(collision::of_dialect(&union.name, &own, first)),
+        None if Name::fault(&own).is_some() => diagnostics.push(collision::no_name(&union.name)),
+        None => {}
+    }
+    own
 }
 
 /// Fields have different names, and so have constants.

@@ -8,8 +8,8 @@ use crate::internal::Internal;
 use crate::lower::docs::link;
 use crate::lower::files::{MARK, Options, ROOT_MARK};
 use crate::rust::{
-    Cell, Child, ChildAccess, Content, Docs, Export, File, Held, Paragraph, Part, Plain, Scalars, Topic, TopicSlot,
-    TopicType, Use,
+    Cell, Child, ChildAccess, Content, DialectEnum, Docs, Export, File, Held, Paragraph, Part, Plain, Scalars, Topic,
+    TopicSlot, TopicType, Use, Variant,
 };
 use crate::uorb::model::{EnumIndex, MessageIndex};
 use crate::uorb::union::Union;
@@ -21,7 +21,8 @@ pub(crate) fn tree<'d>(
     options: &'d Options,
 ) -> Result<Vec<File<'d>>, Internal> {
     let topics = Topics { union, names };
-    let mut files = vec![root(union, options), messages(topics)?];
+    let mut files = vec![root(topics, options), messages(topics)?];
+    files.extend((!union.messages.is_empty()).then(|| all(topics, options)));
     if !union.enums.is_empty() {
         files.push(enums(topics)?);
     }
@@ -47,13 +48,17 @@ fn header(sources: &str) -> String {
 }
 
 /// `mod.rs`. It begins with an item, so that `include!` takes it.
-fn root<'d>(union: &Union, options: &Options) -> File<'d> {
+fn root<'d>(Topics { union, names }: Topics<'d>, options: &Options) -> File<'d> {
     let (mut children, mut exports) = (Vec::new(), Vec::new());
     for (module, is_empty) in [("enums", union.enums.is_empty()), ("messages", union.messages.is_empty())] {
         if !is_empty {
             children.push(Child { ident: module.to_owned(), access: ChildAccess::Public, expect: false });
             exports.push(Export { of: Use::All(module.to_owned()), expect: false });
         }
+    }
+    if !union.messages.is_empty() {
+        children.push(Child { ident: ALL.to_owned(), access: ChildAccess::Private, expect: false });
+        exports.push(Export { of: Use::Names(ALL.to_owned(), vec![names.all.clone()]), expect: false });
     }
     let version = env!("CARGO_PKG_VERSION");
     File {
@@ -62,6 +67,36 @@ fn root<'d>(union: &Union, options: &Options) -> File<'d> {
         docs: Docs::line(about(union)),
         uses: Vec::new(),
         content: Content::Module { children, exports, aliases: Vec::new() },
+    }
+}
+
+/// The module of the enum over all messages.
+const ALL: &str = "topics";
+
+/// `topics.rs`: the enum over all messages.
+fn all<'d>(Topics { union, names }: Topics<'d>, options: &Options) -> File<'d> {
+    let mut messages: Vec<_> = names.messages.iter().zip(&union.messages).collect();
+    messages.sort_by_key(|(names, _)| &names.ty);
+    let imported = messages.iter().map(|(names, _)| names.ty.clone()).collect();
+    let variants = messages.into_iter().map(|(names, model)| {
+        let topics: Vec<String> = model.topics.iter().map(|topic| format!("`{topic}`")).collect();
+        Variant { ident: &names.ty, docs: Docs::line(format!("Of {}.", topics.join(", "))) }
+    });
+    let docs = Docs::line(format!("Any message of `{}`.", union.name))
+        .then(Paragraph::line("A later version may have more; match with a `_` arm."));
+    let item = DialectEnum {
+        ident: &names.all,
+        docs,
+        variants: variants.collect(),
+        completed_by: "topics",
+        derives_debug: true,
+    };
+    File {
+        path: format!("{ALL}.rs"),
+        header: header(&union.name),
+        docs: Docs::default(),
+        uses: vec![Use::Names("super::messages".to_owned(), imported), Use::Runtime(options.runtime.clone())],
+        content: Content::Dialect(item),
     }
 }
 

@@ -1,8 +1,8 @@
 //! A log in memory.
 
 use super::sections::Sections;
-use super::{Binding, LogError, Records, Samples, format};
-use crate::uorb::Topic;
+use super::{Binding, LogError, Messages, Records, Samples, format};
+use crate::uorb::{Topic, Topics};
 
 /// A ULog file in memory.
 #[derive(Clone, Debug)]
@@ -51,5 +51,11 @@ impl<'a> Log<'a> {
     #[must_use]
     pub fn read_topic<T: Topic>(&self, topic: &'a str) -> Samples<'a, T> {
         Samples::new(self.records(), topic)
+    }
+
+    /// What the log has of all topics of an enum, in the order of the log; what the enum does not have is passed over and counted.
+    #[must_use]
+    pub fn messages<T: Topics>(&self) -> Messages<'a, T> {
+        Messages::new(self.records())
     }
 }

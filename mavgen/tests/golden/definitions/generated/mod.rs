@@ -4,6 +4,8 @@
 //! uORB messages of `definitions`, of the definitions `main`, `v2`, `v1`.
 pub mod enums;
 pub mod messages;
+mod topics;
 
 pub use enums::*;
 pub use messages::*;
+pub use topics::Definitions;

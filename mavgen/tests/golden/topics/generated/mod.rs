@@ -4,6 +4,8 @@
 //! uORB messages of `topics`.
 pub mod enums;
 pub mod messages;
+mod topics;
 
 pub use enums::*;
 pub use messages::*;
+pub use topics::Topics;
