@@ -174,7 +174,7 @@ impl Builder {
     }
 
     /// Whether a formatter lays the sources out, as `mavgen generate` does, for people who commit and review them. Without
-    /// this, a statement is a line and a field is a line, however long: that takes a tenth of the time, and no dependency.
+    /// this, a statement is a line and a field is a line, however long: that takes a third of the time, and no dependency.
     ///
     /// The sources are the same otherwise. [`Builder::check`] has to be told what [`Builder::generate`] was told.
     #[cfg(feature = "format")]
