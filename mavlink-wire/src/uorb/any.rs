@@ -72,24 +72,24 @@ macro_rules! topics {
         const _: () = {
             /// The bindings of each topic of each message.
             #[allow(non_snake_case, reason = "fields are named as the variants")]
-            pub struct Bindings {
+            pub struct __Bindings {
                 $($topic: [::core::option::Option<$crate::uorb::ulog::Binding<$topic>>; <$topic as $crate::uorb::Topic>::TOPICS.len()],)*
             }
 
             impl $crate::uorb::Topics for $name {
-                type Bindings = Bindings;
+                type Bindings = __Bindings;
 
-                const UNBOUND: Bindings = Bindings {
+                const UNBOUND: __Bindings = __Bindings {
                     $($topic: [::core::option::Option::None; <$topic as $crate::uorb::Topic>::TOPICS.len()],)*
                 };
 
                 fn bind<'a>(
-                    bindings: &mut Bindings,
+                    bindings: &mut __Bindings,
                     topic: &str,
                     formats: &dyn ::core::ops::Fn(&str) -> ::core::option::Option<&'a str>,
                 ) -> ::core::option::Option<$crate::generated::Reader<Self>> {
                     $(
-                        let read = |bindings: &Bindings, at: usize, record: &[u8]| {
+                        let read = |bindings: &__Bindings, at: usize, record: &[u8]| {
                             let binding: &$crate::uorb::ulog::Binding<$topic> = bindings.$topic.get(at)?.as_ref()?;
                             binding.read(record).map(Self::$topic)
                         };

@@ -1,6 +1,7 @@
 //! A log of PX4 in flash, and a payload of CDR.
 
 use mavlink_autoquad::px4::EscStatus;
+use mavlink_autoquad::px4::px4_msgs::Px4Msgs;
 use mavlink_autoquad::wire::uorb::ulog::{End, Log};
 use mavlink_autoquad::wire::uorb::{Topic, TopicByLength};
 
@@ -14,7 +15,9 @@ pub fn worth() -> u8 {
         motors = motors.saturating_add(status.motors().fold(0, |count, _| count + 1));
         last = status;
     }
-    let is_whole = statuses.end() == End::Complete && statuses.unreadable() == 0;
+    let mut stream = log.messages::<Px4Msgs>();
+    let streamed = stream.by_ref().last().map(|logged| logged.message);
+    let is_whole = statuses.end() == End::Complete && statuses.unreadable() == 0 && streamed == Some(last.into());
     if is_whole { motors + u8::from(survives(&last)) } else { 0 }
 }
 

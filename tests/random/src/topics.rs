@@ -18,7 +18,7 @@ pub struct Topics {
 }
 
 const MESSAGES: [&str; 10] =
-    ["Option", "Place", "Topic", "Field", "Definition", "Pump", "PumpState", "Px4ioTank2", "Debug", "Default"];
+    ["Option", "Bindings", "Topics", "Field", "Definition", "Pump", "PumpState", "Px4ioTank2", "Debug", "Default"];
 
 const FIELDS: [&str; 24] = [
     "p",
