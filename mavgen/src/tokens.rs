@@ -255,6 +255,32 @@ mod tests {
         assert_eq!(tokens.to_string(), expected);
     }
 
+    /// Fills one template by both macros, and compares what a lexer reads.
+    macro_rules! same_as_quote {
+        ([$($name:ident = $texts:expr),*] $($template:tt)*) => {{
+            let ours = {
+                $(let $name = $texts.map(Ident::new);)*
+                quote!($($template)*)
+            };
+            let theirs = {
+                $(let $name = $texts.map(|text| ::quote::format_ident!("{text}"));)*
+                ::quote::quote!($($template)*)
+            };
+            let read: proc_macro2::TokenStream = ours.to_string().parse().unwrap();
+            assert_eq!(read.to_string(), theirs.to_string());
+        }};
+    }
+
+    #[test]
+    fn templates_say_what_those_of_quote_say() {
+        same_as_quote!([]);
+        same_as_quote!([name = Some("Tank"), none = None::<&str>] pub struct #name<'a> #none { pub level: &'a [u8; 4] });
+        same_as_quote!([fields = ["a", "b"]] Self { #(#fields: get(p, 0)?),* });
+        same_as_quote!([fields = ["a", "b"], types = ["A", "B"]] #(pub #fields,)* impl #(#types)|* {});
+        same_as_quote!([none = [""; 0]] wire::topic!(Tank { #(#none),* }, x..=y, -1 << 2, b"n", '\n', r#type));
+        same_as_quote!([name = Some("x")] match #name { 0 => { #name } _ => (#name[1], ::wire::f::<{ 8 }>(), *p != !q && a || b) });
+    }
+
     #[test]
     fn templates() {
         let (name, number, none) = (Ident::new("T"), Literal::of(3), None::<Ident>);

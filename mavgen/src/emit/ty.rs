@@ -108,10 +108,10 @@ mod tests {
     fn every_element_is_read_and_made_by_its_number() {
         for (element, read, made) in [
             (Element::Int(Int::of_bits(8, false)), "x", "n"),
-            (Element::F32, "x . to_bits ()", "f32 :: from_bits (n)"),
-            (Element::F64, "x . to_bits ()", "f64 :: from_bits (n)"),
-            (Element::Enum(tank(false)), "x . 0", "Tank (n)"),
-            (Element::Enum(tank(true)), "x . bits ()", "Tank :: from_bits_retain (n)"),
+            (Element::F32, "x . to_bits ( )", "f32 :: from_bits ( n )"),
+            (Element::F64, "x . to_bits ( )", "f64 :: from_bits ( n )"),
+            (Element::Enum(tank(false)), "x . 0", "Tank ( n )"),
+            (Element::Enum(tank(true)), "x . bits ( )", "Tank :: from_bits_retain ( n )"),
         ] {
             assert_eq!(number_in(element.as_int(), &quote!(x)).to_string(), read);
             assert_eq!(value_of(element.as_int(), &quote!(n)).to_string(), made);
@@ -122,8 +122,8 @@ mod tests {
     fn numbers_are_written_in_the_type_of_the_value() {
         for (given, expected) in [
             (Literal::Constant(tank(false), "FULL"), "Tank :: FULL"),
-            (Literal::Number(tank(false).as_int(), -1), "Tank (- 1)"),
-            (Literal::Number(tank(true).as_int(), 6), "Tank :: from_bits_retain (6)"),
+            (Literal::Number(tank(false).as_int(), -1), "Tank ( - 1 )"),
+            (Literal::Number(tank(true).as_int(), 6), "Tank :: from_bits_retain ( 6 )"),
             (Literal::Number(Element::Int(Int::of_bits(16, false)).as_int(), 65535), "65535"),
             (Literal::Float(-0.5), "- 0.5"),
         ] {
@@ -136,9 +136,9 @@ mod tests {
         let named = Ty::Named("Esc");
         for (given, expected) in [
             (Ty::Enum(tank(false)).optional(true), "Option < Tank >"),
-            (Ty::Array(Box::new(Ty::F32), 4).optional(true), "Option < [f32 ; 4] >"),
-            (Ty::Fallible(Error::View), "Result < () , wire :: ViewError >"),
-            (Ty::Fallible(Error::OutOfRange), "Result < () , wire :: OutOfRange >"),
+            (Ty::Array(Box::new(Ty::F32), 4).optional(true), "Option < [ f32 ; 4 ] >"),
+            (Ty::Fallible(Error::View), "Result < ( ) , wire :: ViewError >"),
+            (Ty::Fallible(Error::OutOfRange), "Result < ( ) , wire :: OutOfRange >"),
             (Ty::Iterator(Box::new(named)), "impl Iterator < Item = Esc > + '_"),
         ] {
             assert_eq!(ty(&given).to_string(), expected);
