@@ -4,8 +4,8 @@
 //! uORB messages of `px4_msgs`, of the definitions `main`, `v2026_02`, `v1_14`.
 pub mod enums;
 pub mod messages;
-mod topics;
+mod package;
 
 pub use enums::*;
 pub use messages::*;
-pub use topics::Px4Msgs;
+pub use package::Px4Msgs;

@@ -71,9 +71,9 @@ fn root<'d>(Topics { union, names }: Topics<'d>, options: &Options) -> File<'d> 
 }
 
 /// The module of the enum over all messages.
-const ALL: &str = "topics";
+const ALL: &str = "package";
 
-/// `topics.rs`: the enum over all messages.
+/// `package.rs`: the enum over all messages.
 fn all<'d>(Topics { union, names }: Topics<'d>, options: &Options) -> File<'d> {
     let mut messages: Vec<_> = names.messages.iter().zip(&union.messages).collect();
     messages.sort_by_key(|(names, _)| &names.ty);

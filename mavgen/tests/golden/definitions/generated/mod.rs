@@ -4,8 +4,8 @@
 //! uORB messages of `definitions`, of the definitions `main`, `v2`, `v1`.
 pub mod enums;
 pub mod messages;
-mod topics;
+mod package;
 
 pub use enums::*;
 pub use messages::*;
-pub use topics::Definitions;
+pub use package::Definitions;

@@ -4,8 +4,8 @@
 //! uORB messages of `topics`.
 pub mod enums;
 pub mod messages;
-mod topics;
+mod package;
 
 pub use enums::*;
 pub use messages::*;
-pub use topics::Topics;
+pub use package::Topics;
