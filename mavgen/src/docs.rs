@@ -38,13 +38,19 @@ pub(crate) fn first_sentence(text: &str) -> String {
 /// Breaks safe words into lines; no line begins with what markdown takes for the start of a block.
 pub(crate) fn wrap(words: &[String], width: usize) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
+    let mut filled = 0;
     for word in words {
-        match lines.last_mut().filter(|line| line.chars().count() + 1 + word.chars().count() <= width) {
+        filled += 1 + word.chars().count();
+        match lines.last_mut().filter(|_| filled <= width) {
             Some(line) => {
                 line.push(' ');
                 line.push_str(word);
             }
-            None => lines.push(not_a_block(word)),
+            None => {
+                let first = not_a_block(word);
+                filled = first.chars().count();
+                lines.push(first);
+            }
         }
     }
     lines
@@ -70,6 +76,9 @@ fn paragraphs(text: &str) -> Vec<Vec<String>> {
 
 /// One word without anything that markdown, rustdoc or the compiler would act on.
 fn safe_word(word: &str) -> String {
+    if word.bytes().all(|byte| byte.is_ascii_alphanumeric() || b".,;!?()'\"-+%=".contains(&byte)) {
+        return word.to_owned();
+    }
     let word: String = word.chars().filter(|&c| !is_invisible(c)).collect();
     let (before, inner, after) = punctuation(&word);
     if is_url(inner) {

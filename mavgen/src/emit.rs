@@ -12,7 +12,6 @@ mod field;
 mod message;
 mod method;
 mod modules;
-mod threads;
 mod token;
 #[cfg(feature = "uorb")]
 mod topic;
@@ -24,6 +23,7 @@ pub(crate) use token::{is_identifier, is_path};
 use crate::format::Layout;
 use crate::internal::Internal;
 use crate::rust::{Content, File};
+use crate::threads;
 use crate::tokens::{TokenStream, quote};
 
 /// A generated file.

@@ -80,6 +80,7 @@ mod rust;
 mod select;
 pub mod source;
 pub mod syntax;
+mod threads;
 mod tokens;
 #[cfg(feature = "uorb")]
 pub mod uorb;

@@ -3,6 +3,8 @@
 //! Knows nothing of XML: it keeps texts, and turns a byte range into file, line and column.
 
 use crate::collect::CollectVec as _;
+use std::collections::HashSet;
+use std::ffi::OsString;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
@@ -67,6 +69,11 @@ pub struct Position {
 pub struct SourceFile {
     path: PathBuf,
     text: String,
+    /// It began with a byte order mark, which the text lacks.
+    #[cfg(feature = "uorb")]
+    marked: bool,
+    /// An earlier file has its name.
+    is_name_taken: bool,
     /// Where lines start; made when the first position is asked for.
     lines: OnceLock<Vec<usize>>,
 }
@@ -87,6 +94,12 @@ impl SourceFile {
         &self.text
     }
 
+    /// Whether a byte order mark was before the text.
+    #[cfg(feature = "uorb")]
+    pub(crate) fn begins_with_mark(&self) -> bool {
+        self.marked
+    }
+
     /// Line and column of a byte offset.
     pub fn position(&self, offset: u32) -> Position {
         let lines = self.lines.get_or_init(|| {
@@ -105,16 +118,26 @@ impl SourceFile {
 #[derive(Clone, Debug, Default)]
 pub struct Sources {
     files: Vec<SourceFile>,
+    /// The last components of their paths.
+    names: HashSet<OsString>,
 }
 
 impl Sources {
     /// Adds a text, without its byte order mark; `path` is shown in diagnostics as it is given here.
     pub fn add(&mut self, path: impl Into<PathBuf>, text: impl Into<String>) -> FileId {
         let id = FileId(u32::try_from(self.files.len()).unwrap_or(u32::MAX));
-        let mut text = text.into();
+        let (path, mut text) = (path.into(), text.into());
         let marks = text.len() - text.trim_start_matches('\u{feff}').len();
         text.drain(..marks);
-        self.files.push(SourceFile { path: path.into(), text, lines: OnceLock::new() });
+        let is_name_taken = !self.names.insert(path.file_name().unwrap_or(path.as_os_str()).to_owned());
+        self.files.push(SourceFile {
+            path,
+            text,
+            #[cfg(feature = "uorb")]
+            marked: marks > 0,
+            is_name_taken,
+            lines: OnceLock::new(),
+        });
         id
     }
 
@@ -128,9 +151,8 @@ impl Sources {
     pub fn name(&self, id: FileId) -> String {
         let Some(file) = self.get(id) else { return String::new() };
         let name = file.name();
-        let is_taken = self.files.iter().take(id.0 as usize).any(|earlier| earlier.name() == name);
         match file.path.parent().and_then(Path::file_name) {
-            Some(folder) if is_taken => format!("{}/{name}", folder.to_string_lossy()),
+            Some(folder) if file.is_name_taken => format!("{}/{name}", folder.to_string_lossy()),
             _ => name,
         }
     }

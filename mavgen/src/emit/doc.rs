@@ -1,5 +1,7 @@
 //! Documentation attributes: what the XML says, and what only the generator knows.
 
+use std::fmt::Write as _;
+
 use crate::docs::{first_sentence, prose_with, words, wrap};
 use crate::rust::{Cell, Docs, ListItem, Paragraph};
 use crate::tokens::{TokenStream, quote};
@@ -89,37 +91,62 @@ fn join(paragraphs: impl IntoIterator<Item = Vec<String>>) -> Vec<String> {
 /// A column without content is left out.
 fn table(head: &[&str], rows: &[Vec<String>]) -> Vec<String> {
     let told = |column: &usize| rows.iter().filter_map(|row| row.get(*column)).any(|cell| !cell.is_empty());
-    let columns: Vec<usize> = (0..head.len()).filter(told).collect();
+    let head_len = head.len();
+    let columns: Vec<usize> = (0..head_len).filter(told).collect();
     let head: Vec<&str> = columns.iter().filter_map(|&column| head.get(column).copied()).collect();
     let chosen = |row: &Vec<String>| columns.iter().filter_map(|&column| row.get(column).cloned()).collect();
+    if columns.len() == head_len {
+        return aligned(&head, rows);
+    }
     aligned(&head, &rows.iter().map(chosen).collect::<Vec<_>>())
 }
 
 fn aligned(head: &[&str], rows: &[Vec<String>]) -> Vec<String> {
-    let last = head.len().saturating_sub(1);
     let width = |(column, title): (usize, &&str)| {
         let cells = rows.iter().filter_map(|row| row.get(column)).map(|cell| cell.chars().count());
         cells.fold(title.chars().count(), usize::max)
     };
-    let widths: Vec<usize> = head.iter().enumerate().map(width).collect();
-    let cell = |column: usize, width: usize, text: &str| match column {
-        0 => format!(" {text:>width$} "),
-        _ if column == last => format!(" {text} "),
-        _ => format!(" {text:<width$} "),
-    };
-    let row = |cells: &mut dyn Iterator<Item = &str>| {
-        let cells = widths.iter().zip(cells).enumerate().map(|(column, (width, text))| cell(column, *width, text));
-        format!("|{}|", cells.collect::<Vec<_>>().join("|"))
-    };
-    let rule = |(column, width): (usize, &usize)| match column {
-        0 => format!("{}:", "-".repeat(width + 1)),
-        _ if column == last => "---".to_owned(),
-        _ => "-".repeat(width + 2),
-    };
-    let rules: Vec<String> = widths.iter().enumerate().map(rule).collect();
-    let mut lines = vec![row(&mut head.iter().copied()), format!("|{}|", rules.join("|"))];
-    lines.extend(rows.iter().map(|cells| row(&mut cells.iter().map(String::as_str))));
+    let mut columns: Vec<Column> = head.iter().enumerate().map(width).map(Column::Left).collect();
+    // A table of one column has it to the right.
+    if let Some(last) = columns.last_mut() {
+        *last = Column::AsItIs;
+    }
+    if let (Some(first), Some(title)) = (columns.first_mut(), head.first()) {
+        *first = Column::Right(width((0, title)));
+    }
+    let mut lines = vec![row(&columns, head), rule(&columns)];
+    lines.extend(rows.iter().map(|cells| row(&columns, cells)));
     lines
+}
+
+/// How a column of a table is aligned, and how wide it is.
+enum Column {
+    Right(usize),
+    Left(usize),
+    AsItIs,
+}
+
+fn row(columns: &[Column], cells: &[impl AsRef<str>]) -> String {
+    let mut line = "|".to_owned();
+    for (column, text) in columns.iter().zip(cells) {
+        let text = text.as_ref();
+        // Writing into a String cannot fail.
+        let _ = match column {
+            Column::Right(width) => write!(line, " {text:>width$} |"),
+            Column::Left(width) => write!(line, " {text:<width$} |"),
+            Column::AsItIs => write!(line, " {text} |"),
+        };
+    }
+    line
+}
+
+fn rule(columns: &[Column]) -> String {
+    let rule = |column: &Column| match column {
+        Column::Right(width) => format!("{}:|", "-".repeat(width + 1)),
+        Column::Left(width) => format!("{}|", "-".repeat(width + 2)),
+        Column::AsItIs => "---|".to_owned(),
+    };
+    columns.iter().map(rule).fold("|".to_owned(), |line, rule| line + &rule)
 }
 
 #[cfg(test)]

@@ -1,12 +1,11 @@
 //! A folder of `.msg` files: each is read when it is asked for.
 
 use std::collections::BTreeMap;
-use std::fs::{self, File};
-use std::io::Read;
+use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::diag::{Code, Diagnostic, Diagnostics};
-use crate::source::{FileId, Sources, Span};
+use crate::source::{FileId, SourceFile, Sources, Span};
 
 /// PX4's own tree has the messages that have versions in a folder of this name, below that of the others.
 const VERSIONED: &str = "versioned";
@@ -83,7 +82,7 @@ impl Folder {
     pub(super) fn open(&self, name: &str, sources: &mut Sources, diagnostics: &mut Diagnostics) -> Option<FileId> {
         let path = self.get(name)?;
         let id = crate::read::open(path, sources, diagnostics)?;
-        if begins_with_mark(path) {
+        if sources.get(id).is_some_and(SourceFile::begins_with_mark) {
             let problem =
                 Diagnostic::new(Code::UorbEncoding, Span::new(id, 0..0), "the file begins with a byte order mark");
             diagnostics.push(problem.help("save it as UTF-8 without one: PX4's generator does not take it"));
@@ -102,10 +101,4 @@ fn collect(folder: &Path, files: &mut BTreeMap<String, PathBuf>) -> std::io::Res
         }
     }
     Ok(())
-}
-
-/// Whether the first bytes are a byte order mark; the text in the sources never has it.
-fn begins_with_mark(path: &Path) -> bool {
-    let mut bytes = [0; 3];
-    File::open(path).is_ok_and(|mut file| file.read_exact(&mut bytes).is_ok()) && bytes == *b"\xef\xbb\xbf"
 }

@@ -11,6 +11,7 @@ use crate::rust::{
     Cell, Child, ChildAccess, Content, DialectEnum, Docs, Export, File, Held, Paragraph, Part, Plain, Scalars, Topic,
     TopicSlot, TopicType, Use, Variant,
 };
+use crate::threads;
 use crate::uorb::model::{EnumIndex, MessageIndex};
 use crate::uorb::union::Union;
 
@@ -26,9 +27,12 @@ pub(crate) fn tree<'d>(
     if !union.enums.is_empty() {
         files.push(enums(topics)?);
     }
-    for at in 0..union.messages.len() {
-        files.push(topic(topics, MessageIndex(at), options)?);
-    }
+    let messages: Vec<_> = (0..union.messages.len()).map(MessageIndex).collect();
+    files.extend(
+        threads::in_order(&messages, |index| topic(topics, *index, options))
+            .into_iter()
+            .collect::<Result<Vec<_>, _>>()?,
+    );
     for (at, names) in names.enums.iter().enumerate() {
         let item = topics.enum_item(EnumIndex(at))?;
         let of = union.enums.get(at).map_or("", |one| one.message.as_str());
