@@ -40,6 +40,23 @@ pub(crate) fn open(path: &std::path::Path, sources: &mut Sources, diagnostics: &
     bytes::read(path, sources).map_err(|why| diagnostics.push(why.diagnostic(path))).ok()
 }
 
+/// The bytes of a file, for [`open_bytes`].
+#[cfg(feature = "uorb")]
+pub(crate) fn bytes_of(path: &std::path::Path) -> std::io::Result<Vec<u8>> {
+    bytes::load(path)
+}
+
+/// As [`open`], of a file whose bytes are there.
+#[cfg(feature = "uorb")]
+pub(crate) fn open_bytes(
+    path: &std::path::Path,
+    bytes: std::io::Result<Vec<u8>>,
+    sources: &mut Sources,
+    diagnostics: &mut Diagnostics,
+) -> Option<FileId> {
+    bytes::add(path, bytes, sources).map_err(|why| diagnostics.push(why.diagnostic(path))).ok()
+}
+
 /// Reads one dialect file.
 ///
 /// Returns what could be understood: an element that lacks a required attribute is left out, and a text that is not

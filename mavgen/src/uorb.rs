@@ -63,6 +63,7 @@ pub fn load(
     let names: Vec<String> = folder.meant(path).filter(|name| wanted(name)).map(str::to_owned).collect();
     let said = Said::of(overlays, &folder, diagnostics);
     let mut resolver = Resolver::new(folder, said, sources, diagnostics);
+    resolver.load(&names);
     for name in &names {
         resolver.message(name);
     }

@@ -33,9 +33,19 @@ impl NoText {
 
 /// Adds the text of the file at `path` to the sources.
 pub(super) fn read(path: &Path, sources: &mut Sources) -> Result<FileId, NoText> {
+    add(path, load(path), sources)
+}
+
+/// The bytes of a file, and one more than is allowed if there are so many.
+pub(super) fn load(path: &Path) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    let limited = File::open(path).map(|file| file.take(MAX_SIZE + 1));
-    limited.and_then(|mut file| file.read_to_end(&mut bytes)).map_err(NoText::Io)?;
+    File::open(path)?.take(MAX_SIZE + 1).read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
+/// Adds the text of what was [loaded](load) to the sources.
+pub(super) fn add(path: &Path, bytes: io::Result<Vec<u8>>, sources: &mut Sources) -> Result<FileId, NoText> {
+    let bytes = bytes.map_err(NoText::Io)?;
     if bytes.len() as u64 > MAX_SIZE {
         let message = format!("`{}` is larger than {} MiB", path.display(), MAX_SIZE >> 20);
         return Err(NoText::NotText(Diagnostic::without_place(Code::TooLarge, message).into()));

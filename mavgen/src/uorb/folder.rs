@@ -78,10 +78,21 @@ impl Folder {
         self.files.get(name).or_else(|| self.beside.get(name)).map(PathBuf::as_path)
     }
 
-    /// Adds the file of this message to the sources. `None` if there is none, or if it cannot be read, which is told.
-    pub(super) fn open(&self, name: &str, sources: &mut Sources, diagnostics: &mut Diagnostics) -> Option<FileId> {
+    /// The bytes of the file of this message, if there is one.
+    pub(super) fn load(&self, name: &str) -> Option<std::io::Result<Vec<u8>>> {
+        self.get(name).map(crate::read::bytes_of)
+    }
+
+    /// Adds the file of this message, whose bytes these are, to the sources. `None` if it cannot be read, which is told.
+    pub(super) fn open(
+        &self,
+        name: &str,
+        bytes: std::io::Result<Vec<u8>>,
+        sources: &mut Sources,
+        diagnostics: &mut Diagnostics,
+    ) -> Option<FileId> {
         let path = self.get(name)?;
-        let id = crate::read::open(path, sources, diagnostics)?;
+        let id = crate::read::open_bytes(path, bytes, sources, diagnostics)?;
         if sources.get(id).is_some_and(SourceFile::begins_with_mark) {
             let problem =
                 Diagnostic::new(Code::UorbEncoding, Span::new(id, 0..0), "the file begins with a byte order mark");

@@ -1,6 +1,7 @@
 //! From the syntax of `.msg` files to messages: looks types up, checks names, lays fields out.
 
 use std::collections::BTreeMap;
+use std::io;
 
 use super::folder::Folder;
 use super::hash::{message_hash, type_hash};
@@ -12,6 +13,7 @@ use super::syntax::{Comment, ConstantSyntax, FieldSyntax, GroupKind, MsgFile};
 use super::{names, refine, topic_name};
 use crate::diag::{Code, Diagnostic, Diagnostics, nearest};
 use crate::source::{FileId, Sources, Span, Spanned};
+use crate::threads;
 
 /// What is known of a message by its name.
 enum Known {
@@ -25,6 +27,8 @@ enum Known {
 
 pub(super) struct Resolver<'s> {
     folder: Folder,
+    /// The bytes of files that nobody asked for yet.
+    loaded: BTreeMap<String, io::Result<Vec<u8>>>,
     said: Said<'s>,
     sources: &'s mut Sources,
     diagnostics: &'s mut Diagnostics,
@@ -45,6 +49,7 @@ impl<'s> Resolver<'s> {
     ) -> Self {
         Self {
             folder,
+            loaded: BTreeMap::new(),
             said,
             sources,
             diagnostics,
@@ -53,6 +58,12 @@ impl<'s> Resolver<'s> {
             depths: Vec::new(),
             package: Package::default(),
         }
+    }
+
+    /// Loads the files of these messages, which take most of their time in the system, before they are asked for.
+    pub(super) fn load(&mut self, names: &[String]) {
+        let loaded = threads::in_order(names, |name| self.folder.load(name));
+        self.loaded = names.iter().cloned().zip(loaded).filter_map(|(name, bytes)| Some((name, bytes?))).collect();
     }
 
     pub(super) fn finish(self) -> Package {
@@ -89,7 +100,8 @@ impl<'s> Resolver<'s> {
     }
 
     fn read(&mut self, name: &str) -> Option<Message> {
-        let id = self.folder.open(name, self.sources, self.diagnostics)?;
+        let bytes = self.loaded.remove(name).or_else(|| self.folder.load(name))?;
+        let id = self.folder.open(name, bytes, self.sources, self.diagnostics)?;
         if !names::is_message(name) {
             let message = format!("`{name}` is not a name of a message");
             let problem = Diagnostic::new(Code::UorbName, Span::new(id, 0..0), message);
