@@ -17,7 +17,10 @@ pub use crate::uorb::code::{
     body, body_mut, boolean, booleans, each, elements, elements_mut, fill, first, fit, narrow, narrow_each, record_mut,
 };
 #[cfg(feature = "uorb")]
-pub use crate::uorb::{any::Reader, member::read_nested};
+pub use crate::uorb::{
+    any::{Bound, Reader},
+    member::read_nested,
+};
 
 #[cfg(feature = "bitflags")]
 #[doc(hidden)]

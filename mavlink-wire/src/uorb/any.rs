@@ -34,6 +34,10 @@ pub struct Reader<T: Topics> {
     read: fn(&T::Bindings, usize, &[u8]) -> Option<T>,
 }
 
+/// What came of binding a topic: `None` if the log has no format of it.
+#[doc(hidden)]
+pub type Bound<M> = Option<Binding<M>>;
+
 impl<T: Topics> Clone for Reader<T> {
     fn clone(&self) -> Self {
         *self
@@ -44,16 +48,16 @@ impl<T: Topics> Copy for Reader<T> {}
 
 impl<T: Topics> Reader<T> {
     /// Of a message that is carried by these topics, if this is one of them. `bound` has a place for each.
+    ///
+    /// A topic is bound once, also in vain: a log could subscribe to it without end, and its formats are searched each time.
     pub fn bind<'a, M: Topic>(
-        bound: &mut [Option<Binding<M>>],
+        bound: &mut [Option<Bound<M>>],
         topic: &str,
         formats: &dyn Fn(&str) -> Option<&'a str>,
         read: fn(&T::Bindings, usize, &[u8]) -> Option<T>,
     ) -> Option<Self> {
         let at = M::TOPICS.iter().position(|own| *own == topic)?;
-        if let Some(binding @ None) = bound.get_mut(at) {
-            *binding = Binding::of(topic, formats);
-        }
+        bound.get_mut(at)?.get_or_insert_with(|| Binding::of(topic, formats));
         Some(Self { topic: M::TOPICS.get(at)?, at, read })
     }
 
@@ -73,7 +77,7 @@ macro_rules! topics {
             /// The bindings of each topic of each message.
             #[allow(non_snake_case, reason = "fields are named as the variants")]
             pub struct __Bindings {
-                $($topic: [::core::option::Option<$crate::uorb::ulog::Binding<$topic>>; <$topic as $crate::uorb::Topic>::TOPICS.len()],)*
+                $($topic: [::core::option::Option<$crate::generated::Bound<$topic>>; <$topic as $crate::uorb::Topic>::TOPICS.len()],)*
             }
 
             impl $crate::uorb::Topics for $name {
@@ -90,7 +94,7 @@ macro_rules! topics {
                 ) -> ::core::option::Option<$crate::generated::Reader<Self>> {
                     $(
                         let read = |bindings: &__Bindings, at: usize, record: &[u8]| {
-                            let binding: &$crate::uorb::ulog::Binding<$topic> = bindings.$topic.get(at)?.as_ref()?;
+                            let binding: &$crate::uorb::ulog::Binding<$topic> = bindings.$topic.get(at)?.as_ref()?.as_ref()?;
                             binding.read(record).map(Self::$topic)
                         };
                         let reader = $crate::generated::Reader::bind(&mut bindings.$topic, topic, formats, read);

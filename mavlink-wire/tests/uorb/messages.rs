@@ -1,5 +1,7 @@
 //! A log as a stream of all topics that an enum has.
 
+use std::cell::Cell;
+
 use mavlink_wire::uorb::Topics;
 use mavlink_wire::uorb::ulog::{End, Log, Logged};
 
@@ -94,4 +96,18 @@ fn a_log_of_many_subscriptions_is_read_as_far_as_they_are_remembered() {
     records.extend((0..300).map(|id| data(id, 336)));
     let (seen, unreadable, unknown) = read(&log_of(&records));
     assert_eq!((seen.len(), unreadable, unknown), (256, 0, 44));
+}
+
+/// The formats of a log are searched once for each topic, however often a hostile log subscribes to one that has none.
+#[test]
+fn a_topic_without_a_format_is_looked_up_once() {
+    let (searched, mut bindings) = (Cell::new(0), Any::UNBOUND);
+    for _ in 0..1000 {
+        let formats = |_: &str| {
+            searched.set(searched.get() + 1);
+            None
+        };
+        assert!(Any::bind(&mut bindings, "esc_status", &formats).is_some());
+    }
+    assert_eq!(searched.get(), 1);
 }
