@@ -13,9 +13,9 @@ use ::mavlink_wire as wire;
     reason = "there is no allocator to box the large ones"
 )]
 pub enum Px4Msgs {
-    /// Of `esc_report`.
+    /// A message of the topic `esc_report`.
     EscReport(EscReport),
-    /// Of `esc_status`.
+    /// A message of the topic `esc_status`.
     EscStatus(EscStatus),
 }
 

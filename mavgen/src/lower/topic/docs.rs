@@ -9,15 +9,19 @@ use crate::rust::{Cell, Definition, Docs, Paragraph, Part};
 use crate::uorb::model::{Constant, Element, MessageIndex};
 use crate::uorb::union::{Enum, Field};
 
+/// The topics that carry a message: "topic `esc_status`", "topics `a`, `b`".
+pub(super) fn named_topics(topics: &[String]) -> String {
+    let names: Vec<String> = topics.iter().map(|topic| format!("`{topic}`")).collect();
+    format!("{} {}", if topics.len() == 1 { "topic" } else { "topics" }, names.join(", "))
+}
+
 impl<'d> Topics<'d> {
     /// What the file says, what carries it, and where the fields lie.
     pub(super) fn topic_docs(self, index: MessageIndex, definitions: &[Definition<'d>]) -> Result<Docs<'d>, Internal> {
         let Named { model, .. } = self.message(index)?;
-        let topics: Vec<String> = model.topics.iter().map(|topic| format!("`{topic}`")).collect();
-        let plural = if topics.len() == 1 { "topic" } else { "topics" };
         let version = model.version.map(|version| format!(", version {version}")).unwrap_or_default();
         let queue = model.queue.map(|queue| format!("; PX4 keeps {queue} of an instance")).unwrap_or_default();
-        let facts = format!("`{}`{version}: {plural} {}{queue}.", model.name, topics.join(", "));
+        let facts = format!("`{}`{version}: {}{queue}.", model.name, named_topics(&model.topics));
         let head = match definitions {
             [_] => "The bytes of a CDR body and of a record in a log:".to_owned(),
             _ => "The bytes of a CDR body by definition, and of a record in a log of the newest:".to_owned(),

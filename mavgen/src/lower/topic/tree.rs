@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use super::docs::named_topics;
 use super::{Named, Topics, UnionNames};
 use crate::docs::first_sentence;
 use crate::internal::Internal;
@@ -83,8 +84,8 @@ fn all<'d>(Topics { union, names }: Topics<'d>, options: &Options) -> File<'d> {
     messages.sort_by_key(|(names, _)| &names.ty);
     let imported = messages.iter().map(|(names, _)| names.ty.clone()).collect();
     let variants = messages.into_iter().map(|(names, model)| {
-        let topics: Vec<String> = model.topics.iter().map(|topic| format!("`{topic}`")).collect();
-        Variant { ident: &names.ty, docs: Docs::line(format!("Of {}.", topics.join(", "))) }
+        let docs = Docs::line(format!("A message of the {}.", named_topics(&model.topics)));
+        Variant { ident: &names.ty, docs }
     });
     let docs = Docs::line(format!("Any message of `{}`.", union.name))
         .then(Paragraph::line("A later version may have more; match with a `_` arm."));

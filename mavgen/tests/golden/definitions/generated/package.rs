@@ -13,13 +13,13 @@ use ::mavlink_wire as wire;
     reason = "there is no allocator to box the large ones"
 )]
 pub enum Definitions {
-    /// Of `inlet`.
+    /// A message of the topic `inlet`.
     Inlet(Inlet),
-    /// Of `quiet`.
+    /// A message of the topic `quiet`.
     Quiet(Quiet),
-    /// Of `sensor`.
+    /// A message of the topic `sensor`.
     Sensor(Sensor),
-    /// Of `tank_status`.
+    /// A message of the topic `tank_status`.
     TankStatus(TankStatus),
 }
 

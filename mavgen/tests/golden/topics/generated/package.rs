@@ -13,9 +13,9 @@ use ::mavlink_wire as wire;
     reason = "there is no allocator to box the large ones"
 )]
 pub enum Topics {
-    /// Of `pump`.
+    /// A message of the topic `pump`.
     Pump(Pump),
-    /// Of `pump_status`, `pump_status_groundtruth`.
+    /// A message of the topics `pump_status`, `pump_status_groundtruth`.
     PumpStatus(PumpStatus),
 }
 
