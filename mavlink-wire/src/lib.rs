@@ -141,6 +141,7 @@ mod parser;
 pub mod prelude;
 pub mod reflect;
 mod routes;
+mod seek;
 mod sender;
 #[cfg(feature = "signing")]
 pub mod signing;

@@ -2,7 +2,7 @@
 
 use crate::FrameError;
 #[cfg(feature = "fast-crc")]
-use crate::parser::work;
+use crate::{parser::work, seek};
 
 /// First byte of a MAVLink 1 frame.
 pub(crate) const STX_V1: u8 = 0xFE;
@@ -104,13 +104,18 @@ impl Header {
     }
 }
 
+/// Whether a frame may start with this byte.
+pub(crate) const fn is_start(byte: u8) -> bool {
+    matches!(byte, STX_V1 | STX_V2)
+}
+
 /// How many bytes further the next frame may start, if none starts with the first byte.
 #[cfg(feature = "fast-crc")]
 #[inline]
 pub(crate) fn to_next_start(bytes: &[u8]) -> usize {
     let count = match bytes.get(1..).unwrap_or_default() {
-        [STX_V1 | STX_V2, ..] => 1,
-        others => 1 + memchr::memchr2(STX_V1, STX_V2, others).unwrap_or(others.len()),
+        [next, ..] if is_start(*next) => 1,
+        others => 1 + seek::first(others, is_start).unwrap_or(others.len()),
     };
     work::count(count);
     count

@@ -2,8 +2,6 @@
 
 use core::fmt;
 
-use memchr::memchr;
-
 use super::wire::Wire;
 use crate::TooLong;
 
@@ -44,7 +42,7 @@ impl<const N: usize> Chars<N> {
     /// The bytes up to the first NUL.
     #[must_use]
     pub fn as_bytes(&self) -> &[u8] {
-        self.0.get(..memchr(0, &self.0).unwrap_or(N)).unwrap_or_default()
+        self.0.split(|&byte| byte == 0).next().unwrap_or_default()
     }
 
     /// The text up to the first NUL.

@@ -2,8 +2,6 @@
 
 use core::fmt;
 
-use memchr::memchr;
-
 use super::Number;
 use crate::message::chars;
 use crate::{EnumInfo, FieldInfo, Invalid, Kind};
@@ -88,7 +86,7 @@ impl<'a> Field<'a> {
         let start = usize::from(self.info.offset).min(self.payload.len());
         let there = self.payload.get(start..).unwrap_or_default();
         let field = there.get(..self.info.size()).unwrap_or(there);
-        field.get(..memchr(0, field).unwrap_or(field.len())).unwrap_or_default()
+        field.split(|&byte| byte == 0).next().unwrap_or_default()
     }
 }
 

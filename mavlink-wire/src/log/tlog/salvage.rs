@@ -34,10 +34,9 @@
 //! Everything else is skipped, byte by byte. Frames of fewer than two bytes of payload are so short here that they have no
 //! length any more: they are skipped, too.
 
-use memchr::memchr;
-
 use super::{DAY_US, TIME};
 use crate::header::STX_V1;
+use crate::seek;
 use crate::{ComponentId, SystemId, Table};
 
 /// Times that may be: the years 2012 to 2099.
@@ -123,7 +122,7 @@ impl<'b> Iterator for Records<'b, '_> {
         while !self.rest.is_empty() {
             // No time and start of a frame, no record.
             let others = self.rest.get(TIME..).unwrap_or_default();
-            self.skip(memchr(STX_V1, others).unwrap_or(self.rest.len()));
+            self.skip(seek::first(others, |byte| byte == STX_V1).unwrap_or(self.rest.len()));
             if let Some((time_us, frame)) = self.record() {
                 self.rest = self.rest.get(TIME + frame.len()..).unwrap_or_default();
                 self.time_us = Some(time_us);

@@ -1,11 +1,10 @@
 //! What there is at a place of a log.
 
-use memchr::memchr2;
-
 use super::{CENTURY_US, DAY_US, Entry, TIME};
 use crate::frame::Candidate;
-use crate::header::{Header, STX_V1, STX_V2};
+use crate::header::{Header, is_start};
 use crate::parser::prefixes::Prefixes;
+use crate::seek;
 use crate::{Frame, FrameError, Table};
 
 /// The search for entries, from one place to the next.
@@ -72,7 +71,7 @@ impl<'t> Scan<'t> {
                 }
                 let others = rest.get(1..).unwrap_or_default();
                 // Without a start, the last bytes may still be the time in front of one.
-                self.pass(1 + memchr2(STX_V1, STX_V2, others).unwrap_or(others.len()))
+                self.pass(1 + seek::first(others, is_start).unwrap_or(others.len()))
             }
         }
     }

@@ -8,7 +8,7 @@
 use super::{Examined, Search, Step};
 use crate::MAX_FRAME;
 use crate::frame::Facts;
-use crate::header::{LONGEST, STX_V1, STX_V2, to_next_start};
+use crate::header::{LONGEST, is_start, to_next_start};
 
 impl Search<'_> {
     /// Whether the unverified frame of this length at the start of `bytes`, which may go on behind it, is to be handed over;
@@ -16,7 +16,7 @@ impl Search<'_> {
     #[inline(never)]
     pub(super) fn doubt(&mut self, bytes: &[u8], length: usize, facts: Facts, at_end: bool) -> Result<(), Step> {
         let next = bytes.get(length);
-        let between = !self.skipped && next.map_or(at_end, |&byte| matches!(byte, STX_V1 | STX_V2));
+        let between = !self.skipped && next.map_or(at_end, |&byte| is_start(byte));
         if !between && !self.sightings.are_alike(facts) {
             match self.search_inside(bytes, length, at_end) {
                 Ok(()) => {}

@@ -2,8 +2,6 @@
 
 use core::{iter, str};
 
-use memchr::memchr;
-
 use super::Records;
 use crate::uorb::Kind;
 
@@ -45,7 +43,7 @@ pub(super) fn fields(text: &str) -> impl Iterator<Item = Option<FormatField<'_>>
 
 /// What stands before and behind the first of these bytes. `str::split_once` could panic, as far as a linker can see.
 fn cut(text: &str, byte: u8) -> Option<(&str, &str)> {
-    let at = memchr(byte, text.as_bytes())?;
+    let at = text.bytes().position(|other| other == byte)?;
     Some((text.get(..at)?, text.get(at + 1..)?))
 }
 

@@ -1,8 +1,7 @@
 //! The records of a log, one after the other; what is damaged is passed over.
 
-use memchr::memchr;
-
 use super::sections::Sections;
+use crate::seek;
 
 /// A record of a log: its kind and its payload.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -87,7 +86,7 @@ fn synchronised(bytes: &[u8]) -> Option<&[u8]> {
     let first = SYNC.get(MAGIC_AT).copied()?;
     let mut from = MAGIC_AT;
     loop {
-        let at = from + memchr(first, bytes.get(from..)?)?;
+        let at = from + seek::first(bytes.get(from..)?, |byte| byte == first)?;
         let found = bytes.get(at - MAGIC_AT..).filter(|rest| rest.starts_with(&SYNC));
         if found.is_some() {
             return found;
