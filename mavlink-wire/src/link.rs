@@ -77,6 +77,7 @@ mod connection;
 mod ends;
 mod error;
 mod file;
+mod forward;
 mod inbox;
 mod line;
 mod options;
@@ -103,9 +104,3 @@ pub(crate) use inbox::Inbox;
 pub(crate) use outbox::Outbox;
 pub(crate) use peers::Peers;
 pub(crate) use pending::Pending;
-
-/// Whether to go on receiving as if nothing had happened: Windows gives the news that a datagram reached nobody to the receiver.
-pub(crate) fn is_passing(kind: std::io::ErrorKind) -> bool {
-    use std::io::ErrorKind::{ConnectionRefused, ConnectionReset, Interrupted};
-    matches!(kind, Interrupted | ConnectionReset | ConnectionRefused)
-}

@@ -8,6 +8,8 @@ use std::thread;
 use std::time::Duration;
 
 use super::LinkError;
+use crate::adapters::pause::{is_interrupted, is_not_now};
+
 use super::ends::{Attempt, Ends, Opener};
 
 /// How long an attempt to connect may take.
@@ -99,15 +101,9 @@ impl<E: Ends> Opener<E> for Listener {
     fn attempt(&mut self) -> Attempt<E> {
         match self.0.accept() {
             Ok((stream, _)) => ready(stream).map_err(LinkError::Io).and_then(with_peer),
-            // Of one that has gone again before it was accepted, too.
-            Err(error)
-                if matches!(
-                    error.kind(),
-                    ErrorKind::WouldBlock | ErrorKind::Interrupted | ErrorKind::ConnectionAborted
-                ) =>
-            {
-                Ok(None)
-            }
+            // One that has gone again before it was accepted.
+            Err(error) if error.kind() == ErrorKind::ConnectionAborted => Ok(None),
+            Err(error) if is_interrupted(&error) || is_not_now(&error) => Ok(None),
             Err(error) => Err(LinkError::Io(error)),
         }
     }

@@ -2,27 +2,15 @@
 
 use std::io::{ErrorKind, Read, Result};
 
+use crate::adapters::frame_reader::frame_reader;
 use crate::adapters::incoming::{ENOUGH, Incoming};
+use crate::adapters::pause::uninterrupted;
 use crate::parser::not_told;
 use crate::{Frame, Statistics, Table};
 
-/// Bytes that are read at once.
-const CHUNK: usize = 4096;
+frame_reader!(4096);
 
-/// Reads frames from `R`, which needs no buffer of its own: 4096 bytes are read at once.
-#[derive(Debug)]
-pub struct FrameReader<'t, R> {
-    inner: R,
-    incoming: Incoming<'t, [u8; CHUNK]>,
-}
-
-impl<'t, R: Read> FrameReader<'t, R> {
-    /// A reader that verifies the messages of this table, and hands over others unverified.
-    #[must_use]
-    pub const fn new(inner: R, table: &'t Table<'t>) -> Self {
-        Self { inner, incoming: Incoming::new(table) }
-    }
-
+impl<R: Read, const N: usize> FrameReader<'_, R, N> {
     /// The next frame. `None` at the end, when what waited for more bytes was searched as well; a file that has grown since
     /// can be read on.
     ///
@@ -55,48 +43,8 @@ impl<'t, R: Read> FrameReader<'t, R> {
             if read >= ENOUGH {
                 return Err(ErrorKind::WouldBlock.into());
             }
-            match self.inner.read(self.incoming.space()) {
-                Ok(count) => read += self.incoming.fill(count),
-                Err(error) if error.kind() == ErrorKind::Interrupted => {}
-                Err(error) => return Err(error),
-            }
+            let count = uninterrupted(|| self.inner.read(self.incoming.space()))?;
+            read += self.incoming.fill(count);
         }
-    }
-
-    /// The frames that there are without reading more, for a link that pauses: call it until it gives `None`. An unfinished
-    /// frame is given up, and what came behind it is searched: see [`Parser::finish`](crate::Parser::finish).
-    pub fn finish(&mut self) -> Option<Frame<'_>> {
-        self.finish_reporting_bad_checksums(not_told)
-    }
-
-    /// The frames that there are without reading more, as [`finish`](Self::finish) gives them. `bad_checksum` is told the
-    /// message of each frame that [`Statistics::bad_checksums`] counts.
-    pub fn finish_reporting_bad_checksums(&mut self, mut bad_checksum: impl FnMut(u32)) -> Option<Frame<'_>> {
-        let found = self.incoming.finish(&mut bad_checksum)?;
-        Some(self.incoming.frame(&found))
-    }
-}
-
-impl<R> FrameReader<'_, R> {
-    /// What was found so far, and what could not be read.
-    #[must_use]
-    pub fn statistics(&self) -> Statistics {
-        self.incoming.statistics()
-    }
-
-    /// What is read from.
-    #[must_use]
-    pub fn get_ref(&self) -> &R {
-        &self.inner
-    }
-
-    /// What is read from. Bytes that are taken out of it are missing here.
-    pub fn get_mut(&mut self) -> &mut R {
-        &mut self.inner
-    }
-
-    /// What was read from. Bytes that were read, and are no frame yet, are lost.
-    pub fn into_inner(self) -> R {
-        self.inner
     }
 }

@@ -2,23 +2,14 @@
 
 use std::io::{ErrorKind, Result, Write};
 
+use crate::adapters::frame_writer::frame_writer;
 use crate::adapters::outgoing::Outgoing;
+use crate::adapters::pause::{is_not_now, uninterrupted};
 use crate::{Encode, Frame, Sender};
 
-/// Writes frames to `W`, each by one call of [`Write::write`] if the link takes it whole.
-#[derive(Debug)]
-pub struct FrameWriter<W> {
-    inner: W,
-    outgoing: Outgoing,
-}
+frame_writer!();
 
 impl<W: Write> FrameWriter<W> {
-    /// A writer of what this sender makes.
-    #[must_use]
-    pub const fn new(inner: W, sender: Sender) -> Self {
-        Self { inner, outgoing: Outgoing::new(sender) }
-    }
-
     /// Sends a message. If the link takes only a part of the frame now, the rest is kept and goes out before the next one.
     ///
     /// # Errors
@@ -58,49 +49,18 @@ impl<W: Write> FrameWriter<W> {
     /// Writes what is left of the last frame. A link that takes no more for now is no error: the rest is kept.
     fn try_write_pending(&mut self) -> Result<()> {
         match self.write_pending() {
-            Err(error) if matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::TimedOut) => Ok(()),
+            Err(error) if is_not_now(&error) => Ok(()),
             result => result,
         }
     }
 
     fn write_pending(&mut self) -> Result<()> {
         while !self.outgoing.pending().is_empty() {
-            match self.inner.write(self.outgoing.pending()) {
-                Ok(0) => return Err(ErrorKind::WriteZero.into()),
-                Ok(count) => self.outgoing.advance(count),
-                Err(error) if error.kind() == ErrorKind::Interrupted => {}
-                Err(error) => return Err(error),
+            match uninterrupted(|| self.inner.write(self.outgoing.pending()))? {
+                0 => return Err(ErrorKind::WriteZero.into()),
+                count => self.outgoing.advance(count),
             }
         }
         Ok(())
-    }
-}
-
-impl<W> FrameWriter<W> {
-    /// Whether a part of the last frame is not written yet.
-    #[must_use]
-    pub fn is_pending(&self) -> bool {
-        !self.outgoing.pending().is_empty()
-    }
-
-    /// What makes the frames.
-    pub fn sender(&mut self) -> &mut Sender {
-        &mut self.outgoing.sender
-    }
-
-    /// What is written to.
-    #[must_use]
-    pub fn get_ref(&self) -> &W {
-        &self.inner
-    }
-
-    /// What is written to. What else is written to it must not come between the parts of a frame.
-    pub fn get_mut(&mut self) -> &mut W {
-        &mut self.inner
-    }
-
-    /// What was written to. What is left of the last frame is lost.
-    pub fn into_inner(self) -> W {
-        self.inner
     }
 }

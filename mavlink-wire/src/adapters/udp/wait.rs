@@ -5,7 +5,8 @@ use std::net::UdpSocket;
 use std::time::Instant;
 
 use super::Endpoint;
-use crate::link::{MAX_CHUNK, is_passing};
+use crate::adapters::pause::{is_not_now, is_passing};
+use crate::link::MAX_CHUNK;
 
 impl Endpoint<'_> {
     /// Waits for the next datagram, or until the rest of a frame has been waited for long enough.
@@ -29,8 +30,8 @@ impl Endpoint<'_> {
                 work.count(length);
                 Ok(())
             }
-            Err(error) if is_passing(error.kind()) => Ok(()),
-            Err(error) if matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::TimedOut) => {
+            Err(error) if is_passing(&error) => Ok(()),
+            Err(error) if is_not_now(&error) => {
                 // The caller may want to wait longer than for the rest of a frame: the next check says.
                 let ours = limit.is_some_and(|limit| waited >= limit);
                 if self.inbox.give_up() || ours { Ok(()) } else { Err(error) }

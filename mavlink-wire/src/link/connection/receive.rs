@@ -2,13 +2,14 @@
 
 use std::boxed::Box;
 use std::fs::File;
-use std::io::{ErrorKind, Read};
+use std::io::Read;
 use std::sync::Arc;
 use std::thread;
 use std::time::{Duration, Instant};
 
 use super::stream::Stream;
 use super::udp::Receiving;
+use crate::adapters::pause::{is_interrupted, is_not_now, uninterrupted};
 use crate::link::file::{Log, Recording};
 use crate::link::line::{End, Line};
 use crate::link::shared::Shared;
@@ -178,8 +179,7 @@ fn read(
             inbox.fill(length, open.peer, began.elapsed());
             *heard = Instant::now();
         }
-        Err(error) if error.kind() == ErrorKind::Interrupted => {}
-        Err(error) if matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::TimedOut) => {
+        Err(error) if is_interrupted(&error) || is_not_now(&error) => {
             inbox.give_up();
             if heard.elapsed() >= SILENT {
                 line.replace_silent();
@@ -197,14 +197,12 @@ fn read_file(file: &mut File, ended: &mut bool, inbox: &mut Inbox<'_>) -> Result
     if core::mem::take(ended) {
         return Err(LinkError::Ended);
     }
-    match file.read(inbox.space()) {
-        Ok(0) => {
+    match uninterrupted(|| file.read(inbox.space())).map_err(LinkError::Io)? {
+        0 => {
             inbox.end();
             *ended = true;
         }
-        Ok(length) => inbox.fill(length, Peer::NEARBY, Duration::ZERO),
-        Err(error) if error.kind() == ErrorKind::Interrupted => {}
-        Err(error) => return Err(LinkError::Io(error)),
+        length => inbox.fill(length, Peer::NEARBY, Duration::ZERO),
     }
     Ok(())
 }

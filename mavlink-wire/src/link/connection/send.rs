@@ -9,6 +9,7 @@ use std::time::{Duration, Instant};
 use std::vec::Vec;
 
 use super::stream::Stream;
+use crate::adapters::pause::{is_interrupted, is_not_now};
 use crate::frame::key::SETUP_SIGNING;
 use crate::link::line::{End, Line};
 use crate::link::shared::Shared;
@@ -275,8 +276,8 @@ impl SendHalf {
         {
             match pending.write(|frames| open.stream.write_within(frames, limit)) {
                 Ok(count) if count > 0 => self.shared.counters.count_sent(pending.advance(count)),
-                Err(error) if error.kind() == ErrorKind::Interrupted => {}
-                Err(error) if matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::TimedOut) => break,
+                Err(error) if is_interrupted(&error) => {}
+                Err(error) if is_not_now(&error) => break,
                 taken => {
                     self.drop_pending(pending);
                     line.lose(end, &taken.map_or_else(|error| error, |_| ErrorKind::WriteZero.into()));

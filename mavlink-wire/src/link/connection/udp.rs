@@ -5,7 +5,8 @@ use std::net::{SocketAddr, ToSocketAddrs, UdpSocket};
 use std::time::{Duration, Instant};
 
 use super::stream::Timeout;
-use crate::link::{Inbox, LinkError, is_passing};
+use crate::adapters::pause::{is_not_now, is_passing};
+use crate::link::{Inbox, LinkError};
 
 /// A socket that receives.
 pub(super) struct Receiving {
@@ -24,10 +25,8 @@ impl Receiving {
         let began = Instant::now();
         match self.socket.recv_from(inbox.space()) {
             Ok((length, from)) => inbox.fill(length, from.into(), began.elapsed()),
-            Err(error) if is_passing(error.kind()) => {}
-            Err(error) if matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::TimedOut) => {
-                inbox.give_up();
-            }
+            Err(error) if is_passing(&error) => {}
+            Err(error) if is_not_now(&error) => drop(inbox.give_up()),
             Err(error) => return Err(LinkError::Io(error)),
         }
         Ok(())

@@ -15,9 +15,10 @@ use ::tokio::time::{sleep, timeout, timeout_at};
 
 use super::Common;
 use super::ends::{Hand, Opened};
+use crate::adapters::pause::{is_interrupted, is_passing};
 use crate::link::file::{Log, Recording};
 use crate::link::line::{End, Line};
-use crate::link::{Inbox, LinkError, LinkStatistics, Peer, is_passing};
+use crate::link::{Inbox, LinkError, LinkStatistics, Peer};
 use crate::parser::not_told;
 #[cfg(feature = "signing")]
 use crate::signing::Verifier;
@@ -167,7 +168,7 @@ async fn wait(carrier: &mut Carrier, inbox: &mut Inbox<'static>) -> Result<(), L
     match carrier {
         Carrier::Datagrams(socket) => match within(patience, socket.recv_from(inbox.space())).await {
             Some(Ok((length, from))) => inbox.fill(length, from.into(), began.elapsed()),
-            Some(Err(error)) if is_passing(error.kind()) => {}
+            Some(Err(error)) if is_passing(&error) => {}
             Some(Err(error)) => return Err(LinkError::Io(error)),
             None => drop(inbox.give_up()),
         },
@@ -210,7 +211,7 @@ async fn read(line: &Line<Opened>, end: &mut Option<End<Hand>>, heard: &mut Inst
             inbox.fill(length, open.peer, began.elapsed());
             *heard = Instant::now();
         }
-        Some(Err(error)) if error.kind() == ErrorKind::Interrupted => {}
+        Some(Err(error)) if is_interrupted(&error) => {}
         Some(Err(error)) => {
             inbox.end();
             line.lose(end, &error);

@@ -14,6 +14,7 @@ use ::tokio::time::timeout;
 
 use super::Common;
 use super::ends::{Hand, Opened};
+use crate::adapters::pause::is_interrupted;
 use crate::frame::key::SETUP_SIGNING;
 use crate::link::connection::{is_sent, of_sending};
 use crate::link::line::{End, Line};
@@ -313,7 +314,7 @@ impl SendHalf {
         {
             match poll_fn(|context| pending.write(|frames| open.stream.poll_write(context, frames))).await {
                 Ok(count) if count > 0 => self.common.shared.counters.count_sent(pending.advance(count)),
-                Err(error) if error.kind() == ErrorKind::Interrupted => {}
+                Err(error) if is_interrupted(&error) => {}
                 taken => {
                     self.drop_pending(pending);
                     line.lose(end, &taken.map_or_else(|error| error, |_| ErrorKind::WriteZero.into()));

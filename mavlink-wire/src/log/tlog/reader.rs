@@ -1,10 +1,11 @@
 //! Logs from anything that is read.
 
-use std::io::{ErrorKind, Read, Result};
+use std::io::{Read, Result};
 
 use super::scan::{Scan, Sight};
 use super::{Entry, MAX_ENTRY, TIME};
 use crate::Table;
+use crate::adapters::pause::uninterrupted;
 use crate::frame::Outline;
 
 /// Bytes that are held: some entries, and never less than one.
@@ -33,7 +34,7 @@ impl<'t, R: Read> Reader<'t, R> {
     ///
     /// # Errors
     ///
-    /// What `R` says, except for [`ErrorKind::Interrupted`]. Nothing is lost: read again.
+    /// What `R` says, except for [`Interrupted`](std::io::ErrorKind::Interrupted). Nothing is lost: read again.
     pub fn read(&mut self) -> Result<Option<Entry<'_>>> {
         self.read_reporting_bad_checksums(|_| ())
     }
@@ -68,17 +69,10 @@ impl<'t, R: Read> Reader<'t, R> {
     fn fill(&mut self) -> Result<()> {
         self.buffer.copy_within(self.start..self.end, 0);
         (self.start, self.end) = (0, self.end - self.start);
-        loop {
-            match self.inner.read(self.buffer.get_mut(self.end..).unwrap_or_default()) {
-                Ok(count) => {
-                    self.end = CHUNK.min(self.end + count);
-                    self.ended = count == 0;
-                    return Ok(());
-                }
-                Err(error) if error.kind() == ErrorKind::Interrupted => {}
-                Err(error) => return Err(error),
-            }
-        }
+        let count = uninterrupted(|| self.inner.read(self.buffer.get_mut(self.end..).unwrap_or_default()))?;
+        self.end = CHUNK.min(self.end + count);
+        self.ended = count == 0;
+        Ok(())
     }
 }
 
