@@ -24,7 +24,7 @@ use crate::format::Layout;
 use crate::internal::Internal;
 use crate::rust::{Content, File};
 use crate::threads;
-use crate::tokens::{TokenStream, quote};
+use crate::tokens::{ToTokens, TokenStream, quote};
 
 /// A generated file.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -41,26 +41,25 @@ pub(crate) fn emit(files: &[File<'_>], layout: Layout) -> Result<Vec<GeneratedFi
 }
 
 fn generate(file: &File<'_>, layout: Layout) -> Result<GeneratedFile, Internal> {
-    let (docs, uses) = (doc::inner_documentation(&file.docs), file.uses.iter().map(modules::import));
-    let content = content(&file.content);
-    let text = layout.text(&quote!(#docs #(#uses)* #content))?;
-    Ok(GeneratedFile { path: file.path.clone(), text: format!("{}\n\n{text}", file.header) })
+    let File { path, header, docs, uses, content } = file;
+    let items = quote!(#{doc::inner_documentation(docs)} #(for used in uses => use #used;)* #content);
+    Ok(GeneratedFile { path: path.clone(), text: format!("{header}\n\n{}", layout.text(&items)?) })
 }
 
 /// The items of a file.
-fn content(content: &Content<'_>) -> TokenStream {
-    match content {
-        Content::Module { children, exports, aliases } => modules::module(children, exports, aliases),
-        Content::Commands(module, carriers) => {
-            let (module, carriers) = (self::content(module), command::carriers(carriers));
-            quote!(#module #carriers)
+impl ToTokens for Content<'_> {
+    fn to_tokens(&self, tokens: &mut TokenStream) {
+        match self {
+            Content::Module { children, exports, aliases } => modules::module(children, exports, aliases),
+            Content::Commands(module, carriers) => quote!(#module #{command::carriers(carriers)}),
+            Content::Message(message) => message::message(message),
+            #[cfg(feature = "uorb")]
+            Content::Topic(topic) => topic::topic(topic),
+            Content::View(view) => view::view(view),
+            Content::Enum(one) => enums::enum_(one),
+            Content::Command(command) => command::command(command),
+            Content::Dialect(dialect) => dialect::dialect(dialect),
         }
-        Content::Message(message) => message::message(message),
-        #[cfg(feature = "uorb")]
-        Content::Topic(topic) => topic::topic(topic),
-        Content::View(view) => view::view(view),
-        Content::Enum(one) => enums::enum_(one),
-        Content::Command(command) => command::command(command),
-        Content::Dialect(dialect) => dialect::dialect(dialect),
+        .to_tokens(tokens);
     }
 }

@@ -9,15 +9,7 @@ use std::fmt::{self, Display, Write};
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct TokenStream(String);
 
-/// An identifier, which `r#` begins if it is a keyword.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Ident(String);
-
-/// A number without a suffix.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Literal(String);
-
-/// What stands in code for `#name` in [`quote!`]. A text stands as a literal.
+/// What stands in code for `#name` in [`quote!`]. A text stands as a literal, and a number without a suffix.
 pub(crate) trait ToTokens {
     /// Adds it.
     fn to_tokens(&self, tokens: &mut TokenStream);
@@ -29,6 +21,9 @@ pub(crate) trait ToTokens {
         tokens
     }
 }
+
+pub(crate) type Ident = TokenStream;
+pub(crate) type Literal = TokenStream;
 
 impl TokenStream {
     /// Nothing yet.
@@ -46,6 +41,12 @@ impl TokenStream {
         self.0.push_str(tokens);
     }
 
+    /// Adds one token.
+    pub(crate) fn push_token(&mut self, token: &dyn Display) {
+        // Writing into a String cannot fail.
+        let _ = writeln!(self.0, "{token}");
+    }
+
     /// Adds a line of documentation, `///` or `//!`. A line break in it would end it.
     pub(crate) fn push_doc(&mut self, sign: &'static str, line: &str) {
         self.0.push_str(sign);
@@ -54,6 +55,13 @@ impl TokenStream {
         }
         self.0.extend(line.split(['\n', '\r']));
         self.0.push('\n');
+    }
+
+    /// One token, as it is written.
+    pub(crate) fn of(token: impl Display) -> Self {
+        let mut tokens = Self::default();
+        tokens.push_token(&token);
+        tokens
     }
 
     /// A path: `::mavlink_wire`, `super::enums::MavState`.
@@ -95,11 +103,6 @@ impl TokenStream {
         }
         Self(inner.to_owned())
     }
-
-    fn push_token(&mut self, token: impl Display) {
-        // Writing into a String cannot fail.
-        let _ = writeln!(self.0, "{token}");
-    }
 }
 
 /// Separated by spaces.
@@ -109,60 +112,15 @@ impl Display for TokenStream {
     }
 }
 
-impl FromIterator<TokenStream> for TokenStream {
-    fn from_iter<I: IntoIterator<Item = Self>>(parts: I) -> Self {
-        let mut tokens = Self::default();
-        parts.into_iter().for_each(|part| tokens.0.push_str(&part.0));
-        tokens
-    }
-}
-
-impl Extend<TokenStream> for TokenStream {
-    fn extend<I: IntoIterator<Item = Self>>(&mut self, parts: I) {
-        parts.into_iter().for_each(|part| self.0.push_str(&part.0));
-    }
-}
-
-impl Ident {
-    /// This word, which has to be an identifier.
-    pub(crate) fn new(word: &str) -> Self {
-        Self(word.to_owned())
-    }
-
-    /// A keyword as an identifier.
-    pub(crate) fn new_raw(word: &str) -> Self {
-        Self(format!("r#{word}"))
-    }
-}
-
-impl Literal {
-    /// A number as it is written.
-    pub(crate) fn of(number: impl Display) -> Self {
-        Self(number.to_string())
-    }
-}
-
 impl ToTokens for TokenStream {
     fn to_tokens(&self, tokens: &mut TokenStream) {
         tokens.0.push_str(&self.0);
     }
 }
 
-impl ToTokens for Ident {
-    fn to_tokens(&self, tokens: &mut TokenStream) {
-        tokens.push_token(&self.0);
-    }
-}
-
-impl ToTokens for Literal {
-    fn to_tokens(&self, tokens: &mut TokenStream) {
-        tokens.push_token(&self.0);
-    }
-}
-
 impl ToTokens for str {
     fn to_tokens(&self, tokens: &mut TokenStream) {
-        tokens.push_token(format_args!("{self:?}"));
+        tokens.push_token(&format_args!("{self:?}"));
     }
 }
 
@@ -172,11 +130,29 @@ impl ToTokens for String {
     }
 }
 
+/// Numbers that are not negative, which would be two tokens.
+macro_rules! number {
+    ($($number:ty)*) => {$(
+        impl ToTokens for $number {
+            fn to_tokens(&self, tokens: &mut TokenStream) {
+                tokens.push_token(self);
+            }
+        }
+    )*};
+}
+number!(u8 u16 u32 u64 u128);
+
 impl<T: ToTokens> ToTokens for Option<T> {
     fn to_tokens(&self, tokens: &mut TokenStream) {
         if let Some(one) = self {
             one.to_tokens(tokens);
         }
+    }
+}
+
+impl<T: ToTokens> ToTokens for Box<T> {
+    fn to_tokens(&self, tokens: &mut TokenStream) {
+        (**self).to_tokens(tokens);
     }
 }
 
@@ -186,7 +162,12 @@ impl<T: ToTokens + ?Sized> ToTokens for &T {
     }
 }
 
-/// Code with what `#name` stands for. `#(#names),*` has all that an iterator gives, with a separator or without.
+/// Code, written as it will be but for what begins with `#`:
+///
+/// - `#name`, `#{name.value()}`: what a value stands for.
+/// - `#(#names),*`: each that a list gives, with a separator or without.
+/// - `#(for one in list => pub #{ident(one)};)*`: the same with a pattern, and with anything in it.
+/// - `#(if condition => pub)`, `#(if let Some(units) = units => .units(#units))`: nothing if it does not hold.
 macro_rules! quote {
     ($($template:tt)*) => {{
         #[allow(unused_mut, reason = "a template may be empty")]
@@ -203,20 +184,37 @@ macro_rules! push {
     ($to:ident [$(($($token:tt)*))+]) => {
         $to.push(::core::concat!($($($token)*, "\n"),+));
     };
-    ($to:ident [$($before:tt)*] #($($one:tt)*)* $($behind:tt)*) => {
+    ($to:ident [$($before:tt)*] #{$value:expr} $($behind:tt)*) => {
         $crate::tokens::push!($to [$($before)*]);
-        $crate::tokens::repeat!($to () ($($one)*) $($one)*);
+        $crate::tokens::ToTokens::to_tokens(&$value, &mut $to);
         $crate::tokens::push!($to [] $($behind)*);
     };
-    ($to:ident [$($before:tt)*] #($($one:tt)*) $separator:tt * $($behind:tt)*) => {
+    ($to:ident [$($before:tt)*] #(if let $pattern:pat = $value:expr => $($then:tt)*) $($behind:tt)*) => {
         $crate::tokens::push!($to [$($before)*]);
-        $crate::tokens::repeat!($to ($separator) ($($one)*) $($one)*);
+        if let $pattern = $value {
+            $crate::tokens::push!($to [] $($then)*);
+        }
+        $crate::tokens::push!($to [] $($behind)*);
+    };
+    ($to:ident [$($before:tt)*] #(if $condition:expr => $($then:tt)*) $($behind:tt)*) => {
+        $crate::tokens::push!($to [$($before)*]);
+        if $condition {
+            $crate::tokens::push!($to [] $($then)*);
+        }
+        $crate::tokens::push!($to [] $($behind)*);
+    };
+    ($to:ident [$($before:tt)*] #($($each:tt)*)* $($behind:tt)*) => {
+        $crate::tokens::push!($to [$($before)*]);
+        $crate::tokens::repeat!($to () $($each)*);
+        $crate::tokens::push!($to [] $($behind)*);
+    };
+    ($to:ident [$($before:tt)*] #($($each:tt)*) $separator:tt * $($behind:tt)*) => {
+        $crate::tokens::push!($to [$($before)*]);
+        $crate::tokens::repeat!($to ($separator) $($each)*);
         $crate::tokens::push!($to [] $($behind)*);
     };
     ($to:ident [$($before:tt)*] #$name:ident $($behind:tt)*) => {
-        $crate::tokens::push!($to [$($before)*]);
-        $crate::tokens::ToTokens::to_tokens(&$name, &mut $to);
-        $crate::tokens::push!($to [] $($behind)*);
+        $crate::tokens::push!($to [$($before)*] #{$name} $($behind)*);
     };
     ($to:ident [$($before:tt)*] { $($inner:tt)* } $($behind:tt)*) => {
         $crate::tokens::push!($to [$($before)* ("{")] $($inner)*);
@@ -236,19 +234,30 @@ macro_rules! push {
 }
 pub(crate) use push;
 
-/// Adds a template for each item of the first name in it.
+/// Adds a template for each item: of the list that it names, or else of the first name in it.
 macro_rules! repeat {
-    ($to:ident ($($separator:tt)?) ($($one:tt)*) #$name:ident $($behind:tt)*) => {
-        let start = $to.len();
-        for $name in $name {
-            if start < $to.len() {
-                $crate::tokens::push!($to [] $($separator)?);
-            }
-            $crate::tokens::push!($to [] $($one)*);
+    ($to:ident () for $one:pat in $list:expr => $($each:tt)*) => {
+        for $one in $list {
+            $crate::tokens::push!($to [] $($each)*);
         }
     };
-    ($to:ident ($($separator:tt)?) ($($one:tt)*) $before:tt $($behind:tt)*) => {
-        $crate::tokens::repeat!($to ($($separator)?) ($($one)*) $($behind)*);
+    ($to:ident ($separator:tt) for $one:pat in $list:expr => $($each:tt)*) => {
+        let start = $to.len();
+        for $one in $list {
+            if start < $to.len() {
+                $crate::tokens::push!($to [] $separator);
+            }
+            $crate::tokens::push!($to [] $($each)*);
+        }
+    };
+    ($to:ident ($($separator:tt)?) $($each:tt)*) => {
+        $crate::tokens::repeat!(@ $to ($($separator)?) ($($each)*) $($each)*);
+    };
+    (@ $to:ident ($($separator:tt)?) ($($each:tt)*) #$name:ident $($behind:tt)*) => {
+        $crate::tokens::repeat!($to ($($separator)?) for $name in $name => $($each)*);
+    };
+    (@ $to:ident ($($separator:tt)?) ($($each:tt)*) $before:tt $($behind:tt)*) => {
+        $crate::tokens::repeat!(@ $to ($($separator)?) ($($each)*) $($behind)*);
     };
 }
 pub(crate) use repeat;
@@ -256,6 +265,10 @@ pub(crate) use repeat;
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn word(text: &str) -> TokenStream {
+        TokenStream::of(text)
+    }
 
     fn check(tokens: &TokenStream, expected: &str) {
         assert_eq!(tokens.to_string(), expected);
@@ -265,7 +278,7 @@ mod tests {
     macro_rules! same_as_quote {
         ([$($name:ident = $texts:expr),*] $($template:tt)*) => {{
             let ours = {
-                $(let $name = $texts.map(Ident::new);)*
+                $(let $name = $texts.map(word);)*
                 quote!($($template)*)
             };
             let theirs = {
@@ -289,8 +302,8 @@ mod tests {
 
     #[test]
     fn templates() {
-        let (name, number, none) = (Ident::new("T"), Literal::of(3), None::<Ident>);
-        let (fields, texts) = (["a", "b"].map(Ident::new), ["x\"", "\n"]);
+        let (name, number, none) = (word("T"), 3_u8, None::<TokenStream>);
+        let (fields, texts) = (["a", "b"].map(word), ["x\"", "\n"]);
         check(&quote!(), "");
         check(
             &quote!(impl<'a> #name #none { const N: [u8; #number] = *b"N"; }),
@@ -299,6 +312,21 @@ mod tests {
         let again = fields.clone();
         check(&quote!(Self { #(self.#fields),* } #(, #again)*), "Self { self . a , self . b } , a , b");
         check(&quote!(#(#texts)&&*), "\"x\\\"\" && \"\\n\"");
+    }
+
+    #[test]
+    fn templates_have_conditions_and_loops() {
+        let (names, none) = (["a", "b"], None::<u8>);
+        check(
+            &quote!(f(#(for (at, name) in names.iter().enumerate() => #{word(name)}: #{at as u64}),*)),
+            "f ( a : 0 , b : 1 )",
+        );
+        check(&quote!(#(for name in names => mod #{word(name)};)* end), "mod a ; mod b ; end");
+        check(&quote!(x #(if names.len() > 1 => { y }) #(if names.is_empty() => z)), "x { y }");
+        check(
+            &quote!(x #(if let Some(one) = Some(1_u8) => .f(#one)) #(if let Some(one) = none => .g(#one)) y),
+            "x . f ( 1 ) y",
+        );
     }
 
     #[test]

@@ -13,26 +13,20 @@
 //! wire::dialect!(Acme { Heartbeat });
 //! ```
 
-use super::doc;
 use super::token::ident;
 use crate::rust::{DialectEnum, Variant};
 use crate::tokens::{TokenStream, quote};
 
 /// The items of `dialect.rs`.
 pub(super) fn dialect(dialect: &DialectEnum<'_>) -> TokenStream {
-    let (docs, name) = (doc::documentation(&dialect.docs), ident(dialect.ident));
-    let names = dialect.variants.iter().map(|variant| ident(variant.ident));
-    let variants = dialect.variants.iter().map(|Variant { ident: name, docs }| {
-        let (docs, name) = (doc::documentation(docs), ident(name));
-        quote!(#docs #name(#name))
-    });
-    let (completed, debug) = (ident(dialect.completed_by), dialect.derives_debug.then(|| quote!(Debug,)));
+    let DialectEnum { ident: name, docs, variants, completed_by, derives_debug } = dialect;
+    let name = ident(name);
     quote! {
         #docs
-        #[derive(Clone, Copy, #debug PartialEq)]
+        #[derive(Clone, Copy, #(if *derives_debug => Debug,) PartialEq)]
         #[non_exhaustive]
         #[allow(clippy::large_enum_variant, reason = "there is no allocator to box the large ones")]
-        pub enum #name { #(#variants),* }
-        wire::#completed!(#name { #(#names),* });
+        pub enum #name { #(for Variant { ident: name, docs } in variants => #docs #{ident(name)}(#{ident(name)})),* }
+        wire::#{ident(completed_by)}!(#name { #(for variant in variants => #{ident(variant.ident)}),* });
     }
 }

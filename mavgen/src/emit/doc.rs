@@ -1,51 +1,53 @@
 //! Documentation attributes: what the XML says, and what only the generator knows.
 
-use std::fmt::Write as _;
-
+use crate::collect::CollectVec as _;
 use crate::docs::{first_sentence, prose_with, words, wrap};
 use crate::rust::{Cell, Docs, ListItem, Paragraph};
-use crate::tokens::{TokenStream, quote};
+use crate::tokens::{ToTokens, TokenStream, quote};
 
 /// Characters of a line of a list, without indentation.
 const LIST_WIDTH: usize = 92;
 
-/// The documentation of a file, a `//!` each line.
-pub(crate) fn inner_documentation(docs: &Docs<'_>) -> TokenStream {
-    commented("//!", docs)
-}
-
 /// The documentation of an item, a `///` each line.
-pub(crate) fn documentation(docs: &Docs<'_>) -> TokenStream {
-    commented("///", docs)
+impl ToTokens for Docs<'_> {
+    fn to_tokens(&self, tokens: &mut TokenStream) {
+        lines(self).iter().for_each(|line| tokens.push_doc("///", line));
+    }
 }
 
-fn commented(sign: &'static str, docs: &Docs<'_>) -> TokenStream {
+/// The documentation of a file, a `//!` each line.
+pub(super) fn inner_documentation(docs: &Docs<'_>) -> TokenStream {
     let mut tokens = TokenStream::default();
-    lines(docs).iter().for_each(|line| tokens.push_doc(sign, line));
+    lines(docs).iter().for_each(|line| tokens.push_doc("//!", line));
     tokens
+}
+
+pub(crate) fn documentation<'a>(docs: &'a Docs<'a>) -> &'a Docs<'a> {
+    docs
 }
 
 /// The paragraphs, of which those that say nothing are left out.
 fn lines(docs: &Docs<'_>) -> Vec<String> {
-    join(docs.0.iter().map(|paragraph| match paragraph {
-        Paragraph::Prose(text, sentences) => {
-            let words = sentences.iter().flat_map(|sentence| sentence.split(' ')).map(str::to_owned);
-            prose_with(text, words.collect())
-        }
+    let paragraphs = docs.0.iter().map(|paragraph| match paragraph {
+        Paragraph::Prose(text, sentences) => prose_with(text, own_words(sentences).collect_vec()),
         Paragraph::Lines(lines) => lines.clone(),
-        Paragraph::List(items) => items.iter().flat_map(list_item).collect(),
+        Paragraph::List(items) => items.iter().flat_map(list_item).collect_vec(),
         Paragraph::Table(head, rows) => {
-            let cells = |row: &Vec<Cell<'_>>| row.iter().map(cell).collect();
-            table(head, &rows.iter().map(cells).collect::<Vec<_>>())
+            table(head, &rows.iter().map(|row| row.iter().map(cell).collect_vec()).collect_vec())
         }
-    }))
+    });
+    paragraphs.filter(|paragraph| !paragraph.is_empty()).collect_vec().join(&String::new())
+}
+
+fn own_words(sentences: &[String]) -> impl Iterator<Item = String> {
+    sentences.iter().flat_map(|sentence| sentence.split(' ')).map(str::to_owned)
 }
 
 /// An item of a list, wrapped and indented; nothing if it says nothing.
 fn list_item(item: &ListItem<'_>) -> Vec<String> {
     let ListItem { head, label, text, sentences, link } = item;
     let mut text = words(text);
-    text.extend(sentences.iter().flat_map(|sentence| sentence.split(' ')).map(str::to_owned));
+    text.extend(own_words(sentences));
     text.extend(link.clone());
     if text.is_empty() && label.is_empty() {
         return Vec::new();
@@ -74,79 +76,31 @@ pub(crate) fn alias(alias: Option<&str>) -> Option<TokenStream> {
     alias.map(|alias| quote!(#[doc(alias = #alias)]))
 }
 
-/// Paragraphs joined into one documentation, empty ones left out.
-fn join(paragraphs: impl IntoIterator<Item = Vec<String>>) -> Vec<String> {
-    let mut joined: Vec<String> = Vec::new();
-    for paragraph in paragraphs.into_iter().filter(|paragraph| !paragraph.is_empty()) {
-        if !joined.is_empty() {
-            joined.push(String::new());
-        }
-        joined.extend(paragraph);
-    }
-    joined
-}
-
 /// A markdown table with aligned columns: the first to the right, the last as it is.
 ///
 /// A column without content is left out.
 fn table(head: &[&str], rows: &[Vec<String>]) -> Vec<String> {
-    let told = |column: &usize| rows.iter().filter_map(|row| row.get(*column)).any(|cell| !cell.is_empty());
-    let head_len = head.len();
-    let columns: Vec<usize> = (0..head_len).filter(told).collect();
-    let head: Vec<&str> = columns.iter().filter_map(|&column| head.get(column).copied()).collect();
-    let chosen = |row: &Vec<String>| columns.iter().filter_map(|&column| row.get(column).cloned()).collect();
-    if columns.len() == head_len {
-        return aligned(&head, rows);
-    }
-    aligned(&head, &rows.iter().map(chosen).collect::<Vec<_>>())
-}
-
-fn aligned(head: &[&str], rows: &[Vec<String>]) -> Vec<String> {
-    let width = |(column, title): (usize, &&str)| {
-        let cells = rows.iter().filter_map(|row| row.get(column)).map(|cell| cell.chars().count());
-        cells.fold(title.chars().count(), usize::max)
-    };
-    let mut columns: Vec<Column> = head.iter().enumerate().map(width).map(Column::Left).collect();
-    // A table of one column has it to the right.
-    if let Some(last) = columns.last_mut() {
-        *last = Column::AsItIs;
-    }
-    if let (Some(first), Some(title)) = (columns.first_mut(), head.first()) {
-        *first = Column::Right(width((0, title)));
-    }
-    let mut lines = vec![row(&columns, head), rule(&columns)];
-    lines.extend(rows.iter().map(|cells| row(&columns, cells)));
-    lines
-}
-
-/// How a column of a table is aligned, and how wide it is.
-enum Column {
-    Right(usize),
-    Left(usize),
-    AsItIs,
-}
-
-fn row(columns: &[Column], cells: &[impl AsRef<str>]) -> String {
-    let mut line = "|".to_owned();
-    for (column, text) in columns.iter().zip(cells) {
-        let text = text.as_ref();
-        // Writing into a String cannot fail.
-        let _ = match column {
-            Column::Right(width) => write!(line, " {text:>width$} |"),
-            Column::Left(width) => write!(line, " {text:<width$} |"),
-            Column::AsItIs => write!(line, " {text} |"),
+    let column = |at: usize| rows.iter().map(move |row| row.get(at).map_or("", String::as_str));
+    let told = head.iter().enumerate().filter(|(at, _)| column(*at).any(|cell| !cell.is_empty())).collect_vec();
+    let mut lines = vec!["|".to_owned(); rows.len() + 2];
+    for (place, (at, title)) in told.iter().enumerate() {
+        let width = column(*at).chain([**title]).fold(0, |width, cell| width.max(cell.chars().count()));
+        // A table of one column has it to the right.
+        let (is_first, is_last) = (place == 0, place + 1 == told.len());
+        let shown = |cell: &str| match (is_first, is_last) {
+            (true, _) => format!(" {cell:>width$} |"),
+            (_, true) => format!(" {cell} |"),
+            _ => format!(" {cell:<width$} |"),
         };
+        let rule = match (is_first, is_last) {
+            (true, _) => format!("{:-<width$}-:|", ""),
+            (_, true) => "---|".to_owned(),
+            _ => format!("{:-<width$}--|", ""),
+        };
+        let cells = [shown(title), rule].into_iter().chain(column(*at).map(shown));
+        lines.iter_mut().zip(cells).for_each(|(line, cell)| line.push_str(&cell));
     }
-    line
-}
-
-fn rule(columns: &[Column]) -> String {
-    let rule = |column: &Column| match column {
-        Column::Right(width) => format!("{}:|", "-".repeat(width + 1)),
-        Column::Left(width) => format!("{}|", "-".repeat(width + 2)),
-        Column::AsItIs => "---|".to_owned(),
-    };
-    columns.iter().map(rule).fold("|".to_owned(), |line, rule| line + &rule)
+    lines
 }
 
 #[cfg(test)]

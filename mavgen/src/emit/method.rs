@@ -1,60 +1,53 @@
 //! A method: what its signature says, around the body of its kind.
 
 use super::body::{accessor, bits, record, scaled, slots, source};
-use super::doc;
 use super::token::ident;
-use super::ty::{number_in, ty, value_of};
-use crate::rust::{Bind, Kind, Method, Receiver, Sig, Ty};
-use crate::tokens::{TokenStream, quote};
+use super::ty::{number_in, value_of};
+use crate::rust::{Bind, Kind, Method, Param, Receiver, Sig, Ty};
+use crate::tokens::{ToTokens, TokenStream, quote};
 
-pub(super) fn method(method: &Method<'_>) -> TokenStream {
-    let Method { ident: name, sig, docs, inline, kind } = method;
-    let Sig { public, is_const, receiver, params, result } = sig;
-    let (docs, name, body) = (doc::documentation(docs), ident(name), body(kind));
-    let inline = inline.then(|| quote!(#[inline]));
-    let must_use = (*receiver == Receiver::MutValue && *result == Ty::Own).then(|| quote!(#[must_use]));
-    let public = public.then(|| quote!(pub));
-    let is_const = is_const.then(|| quote!(const));
-    let receiver = match receiver {
-        Receiver::None => None,
-        Receiver::Value => Some(quote!(self)),
-        Receiver::Ref => Some(quote!(&self)),
-        Receiver::Mut => Some(quote!(&mut self)),
-        Receiver::MutValue => Some(quote!(mut self)),
-    };
-    let params = params.iter().map(|param| {
-        let (name, ty) = (ident(param.ident), ty(&param.ty));
-        quote!(#name: #ty)
-    });
-    let params = receiver.into_iter().chain(params);
-    let result = match result {
-        Ty::Unit => quote!(),
-        other => {
-            let other = ty(other);
-            quote!(-> #other)
+pub(super) fn method<'a>(method: &'a Method<'a>) -> &'a Method<'a> {
+    method
+}
+
+impl ToTokens for Method<'_> {
+    fn to_tokens(&self, tokens: &mut TokenStream) {
+        let Self { ident: name, sig, docs, inline, kind } = self;
+        let is_chained = sig.receiver == Receiver::MutValue && sig.result == Ty::Own;
+        quote! {
+            #docs
+            #(if *inline => #[inline])
+            #(if is_chained => #[must_use])
+            #(if sig.public => pub) #(if sig.is_const => const) fn #{ident(name)} #sig {
+                #{body(kind)}
+            }
         }
-    };
-    quote! {
-        #docs
-        #inline
-        #must_use
-        #public #is_const fn #name(#(#params),*) #result {
-            #body
-        }
+        .to_tokens(tokens);
+    }
+}
+
+/// `(&self, index: usize) -> u8`
+impl ToTokens for Sig<'_> {
+    fn to_tokens(&self, tokens: &mut TokenStream) {
+        let Self { public: _, is_const: _, receiver, params, result } = self;
+        let receiver = match receiver {
+            Receiver::None => None,
+            Receiver::Value => Some(quote!(self)),
+            Receiver::Ref => Some(quote!(&self)),
+            Receiver::Mut => Some(quote!(&mut self)),
+            Receiver::MutValue => Some(quote!(mut self)),
+        };
+        let params = params.iter().map(|Param { ident: name, ty }| quote!(#{ident(name)}: #ty));
+        let params = receiver.into_iter().chain(params);
+        quote!((#(#params),*) #(if *result != Ty::Unit => -> #result)).to_tokens(tokens);
     }
 }
 
 fn body(kind: &Kind<'_>) -> TokenStream {
     match kind {
-        Kind::FromBits { switch } => {
-            let switch = switch.iter().map(|name| ident(name));
-            quote!(Self { bits #(, #switch)* })
-        }
+        Kind::FromBits { switch } => quote!(Self { bits #(if let Some(switch) = switch => , #{ident(switch)}) }),
         Kind::Bits => quote!(self.bits),
-        Kind::SwitchGet(name) => {
-            let name = ident(name);
-            quote!(self.#name)
-        }
+        Kind::SwitchGet(name) => quote!(self.#{ident(name)}),
         Kind::MemberGet(of) => bits::get(of),
         Kind::MemberSet(of) => bits::set(of),
         Kind::With { set, indexed, fallible } => with(set, *indexed, *fallible),
@@ -83,32 +76,22 @@ fn body(kind: &Kind<'_>) -> TokenStream {
 
 /// `self.set_rpm(value)`, and then `self`; a `match`, because `?` is for no `const fn`.
 fn with(set: &str, indexed: bool, fallible: bool) -> TokenStream {
-    let (set, index) = (ident(set), indexed.then(|| quote!(index,)));
-    if !fallible {
-        return quote! {
-            self.#set(#index value);
-            self
-        };
-    }
-    quote! {
-        match self.#set(#index value) {
-            Ok(()) => Ok(self),
-            Err(error) => Err(error),
-        }
+    let set = quote!(self.#{ident(set)}(#(if indexed => index,) value));
+    match fallible {
+        true => quote!(match #set { Ok(()) => Ok(self), Err(error) => Err(error), }),
+        false => quote!(#set; self),
     }
 }
 
 /// `MavState(self.state)`, if the condition holds.
 fn bind_get(bind: &Bind<'_>) -> TokenStream {
-    let field = ident(bind.field);
-    let value = value_of(bind.bound.as_int(), &quote!(self.#field));
+    let value = value_of(bind.bound.as_int(), &quote!(self.#{ident(bind.field)}));
     source::if_all_hold(bind.when.as_slice(), &value)
 }
 
 /// `self.state = value.0;`
 fn bind_set(bind: &Bind<'_>) -> TokenStream {
-    let (field, number) = (ident(bind.field), number_in(bind.bound.as_int(), &quote!(value)));
-    quote!(self.#field = #number;)
+    quote!(self.#{ident(bind.field)} = #{number_in(bind.bound.as_int(), &quote!(value))};)
 }
 
 /// The row of the command in `PARAMS`, if it has one.

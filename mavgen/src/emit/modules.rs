@@ -3,58 +3,43 @@
 use super::doc;
 use super::token::ident;
 use crate::rust::{Alias, Child, ChildAccess, Export, Use};
-use crate::tokens::{TokenStream, quote};
+use crate::tokens::{ToTokens, TokenStream, quote};
 
 /// `mod heartbeat; …`, then `pub use heartbeat::Heartbeat; …`, and what is deprecated by an alias.
 pub(super) fn module(children: &[Child], exports: &[Export], aliases: &[Alias<'_>]) -> TokenStream {
-    let children = children.iter().map(|Child { ident: name, access, expect }| {
-        let (name, expect) = (ident(name), expect_deprecated(*expect));
-        match access {
-            ChildAccess::Private => quote!(#expect mod #name;),
-            ChildAccess::Hidden => quote!(#expect #[doc(hidden)] pub mod #name;),
-            ChildAccess::Public => quote!(#expect pub mod #name;),
-        }
-    });
-    let exports = exports.iter().map(|Export { of, expect }| {
-        let (of, expect) = (used(of), expect_deprecated(*expect));
-        quote!(#expect pub use #of;)
-    });
-    let aliases = aliases.iter().map(alias);
-    quote!(#(#children)* #(#exports)* #(#aliases)*)
+    quote! {
+        #(for Child { ident: name, access, expect } in children =>
+            #{expect_deprecated(*expect)}
+            #(if *access == ChildAccess::Hidden => #[doc(hidden)])
+            #(if *access != ChildAccess::Private => pub)
+            mod #{ident(name)};
+        )*
+        #(for Export { of, expect } in exports => #{expect_deprecated(*expect)} pub use #of;)*
+        #(#aliases)*
+    }
 }
 
 /// `#[deprecated(…)] pub type HilControls = hil_controls::HilControls;`
-fn alias(alias: &Alias<'_>) -> TokenStream {
-    let Alias { ident: name, alias, docs, deprecated, module } = alias;
-    let (docs, alias, deprecated) = (doc::documentation(docs), doc::alias(*alias), doc::deprecated(Some(deprecated)));
-    let (name, module) = (ident(name), ident(module));
-    quote!(#docs #alias #deprecated pub type #name = #module::#name;)
+impl ToTokens for Alias<'_> {
+    fn to_tokens(&self, tokens: &mut TokenStream) {
+        let Self { ident: name, alias, docs, deprecated, module } = self;
+        let (alias, deprecated) = (doc::alias(*alias), doc::deprecated(Some(deprecated)));
+        let (name, module) = (ident(name), ident(module));
+        quote!(#docs #alias #deprecated pub type #name = #module::#name;).to_tokens(tokens);
+    }
 }
 
-/// `use super::super::enums::{MavState, MavType};`
-pub(super) fn import(import: &Use) -> TokenStream {
-    let used = used(import);
-    quote!(use #used;)
-}
-
-fn used(of: &Use) -> TokenStream {
-    match of {
-        Use::Names(module, names) => {
-            let (module, names) = (TokenStream::of_path(module), names.iter().map(|name| ident(name)));
-            quote!(#module::{#(#names),*})
+/// `super::super::enums::{MavState, MavType}`
+impl ToTokens for Use {
+    fn to_tokens(&self, tokens: &mut TokenStream) {
+        let path = TokenStream::of_path;
+        match self {
+            Self::Names(module, names) => quote!(#{path(module)}::{#(for name in names => #{ident(name)}),*}),
+            Self::All(module) => quote!(#{path(module)}::*),
+            Self::Runtime(runtime) => quote!(#{path(runtime)} as wire),
+            Self::Generated(functions) => quote!(wire::generated::{#(for name in functions => #{ident(name)}),*}),
         }
-        Use::All(module) => {
-            let module = TokenStream::of_path(module);
-            quote!(#module::*)
-        }
-        Use::Runtime(crate_path) => {
-            let runtime = TokenStream::of_path(crate_path);
-            quote!(#runtime as wire)
-        }
-        Use::Generated(functions) => {
-            let functions = functions.iter().map(|name| ident(name));
-            quote!(wire::generated::{#(#functions),*})
-        }
+        .to_tokens(tokens);
     }
 }
 

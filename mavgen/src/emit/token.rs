@@ -1,11 +1,13 @@
 //! Small tokens: identifiers and literals, printed as a person would write them.
 
+use std::fmt::Debug;
+
 use crate::lower::spelling::{is_keyword, is_path_keyword};
-use crate::tokens::{Ident, Literal, ToTokens, TokenStream, quote};
+use crate::tokens::{TokenStream, quote};
 
 /// An identifier; a keyword becomes a raw one.
-pub(crate) fn ident(name: &str) -> Ident {
-    if is_keyword(name) { Ident::new_raw(name) } else { Ident::new(name) }
+pub(crate) fn ident(name: &str) -> TokenStream {
+    TokenStream::of(format_args!("{}{name}", if is_keyword(name) { "r#" } else { "" }))
 }
 
 /// Whether this is an identifier that needs no `r#`.
@@ -26,25 +28,20 @@ fn is_word(text: &str) -> bool {
     plain.starts_with(is_letter) && plain.chars().all(|letter| is_letter(letter) || letter.is_numeric())
 }
 
-/// A decimal number without a type suffix.
-pub(crate) fn decimal(value: impl Into<u64>) -> Literal {
-    Literal::of(value.into())
+pub(crate) fn decimal(value: impl Into<u64>) -> u64 {
+    value.into()
 }
 
 /// A number of which the bits matter: `1 << 31`, `0x8001`, `0`.
 pub(crate) fn bits(value: u64) -> TokenStream {
-    if value.is_power_of_two() {
-        let bit = decimal(value.trailing_zeros());
-        return quote!(1 << #bit);
-    }
-    mask(value)
+    if value.is_power_of_two() { quote!(1 << #{value.trailing_zeros()}) } else { mask(value) }
 }
 
 /// A number as a hexadecimal mask: `0x8000_0000`.
 pub(crate) fn mask(value: impl Into<u128>) -> TokenStream {
     let value = value.into();
     if value < 10 {
-        return Literal::of(value).to_token_stream();
+        return quote!(#value);
     }
     let digits = format!("{value:x}");
     let mut grouped = String::from("0x");
@@ -54,34 +51,33 @@ pub(crate) fn mask(value: impl Into<u128>) -> TokenStream {
         }
         grouped.push(digit);
     }
-    Literal::of(grouped).to_token_stream()
+    TokenStream::of(grouped)
 }
 
-/// An integer that may be negative, without a type suffix.
+/// An integer that may be negative.
 pub(crate) fn integer(value: i128) -> TokenStream {
-    let magnitude = Literal::of(value.unsigned_abs());
-    if value < 0 { quote!(-#magnitude) } else { quote!(#magnitude) }
+    quote!(#(if value < 0 => -) #{value.unsigned_abs()})
 }
 
-/// A float without a type suffix.
+/// A `f32`, or a `f64` that is a number; without a type suffix.
 pub(crate) fn float(value: f64) -> TokenStream {
-    if value.is_nan() { quote!(f32::NAN) } else { finite(value, format!("{:?}", value.abs())) }
+    if value.is_nan() { quote!(f32::NAN) } else { finite(value, &value.abs()) }
 }
 
 /// A `f64` without a type suffix.
 pub(crate) fn double(value: f64) -> TokenStream {
-    if value.is_nan() { quote!(f64::NAN) } else { float(value) }
+    if value.is_nan() { quote!(f64::NAN) } else { finite(value, &value.abs()) }
 }
 
 /// A `f32` without a type suffix, and no more digits than it has.
 pub(crate) fn single(value: f32) -> TokenStream {
-    if value.is_nan() { quote!(f32::NAN) } else { finite(value.into(), format!("{:?}", value.abs())) }
+    if value.is_nan() { quote!(f32::NAN) } else { finite(value.into(), &value.abs()) }
 }
 
 /// A number by its magnitude, in debug formatting: that writes `1e30` and keeps the point of `2.0`.
-fn finite(value: f64, magnitude: String) -> TokenStream {
-    let magnitude = Literal::of(magnitude);
-    if value.is_sign_negative() { quote!(-#magnitude) } else { quote!(#magnitude) }
+fn finite(value: f64, magnitude: &dyn Debug) -> TokenStream {
+    let magnitude = TokenStream::of(format_args!("{magnitude:?}"));
+    quote!(#(if value.is_sign_negative() => -) #magnitude)
 }
 
 #[cfg(test)]
@@ -101,7 +97,7 @@ mod tests {
         assert_eq!(float(-1.5).to_string(), "- 1.5");
         assert_eq!(float(-0.0).to_string(), "- 0.0");
         assert_eq!(float(1e300).to_string(), "1e300");
-        assert_eq!(ident("type").to_token_stream().to_string(), "r#type");
+        assert_eq!(ident("type").to_string(), "r#type");
     }
 
     #[test]

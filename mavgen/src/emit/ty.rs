@@ -1,56 +1,78 @@
 //! Types, and the numbers in values and out of them.
 
-use super::token::{decimal, float, ident, integer};
-use crate::rust::{AsInt, EnumType, Error, Int, Literal, Through, Ty};
-use crate::tokens::{Ident, TokenStream, quote};
+use super::token::{float, ident, integer};
+use crate::rust::{AsInt, EnumType, Error, Int, Literal, Through, Ty, Unknown};
+use crate::tokens::{ToTokens, TokenStream, quote};
 
-pub(super) fn int(int: Int) -> Ident {
-    ident(int.name())
+impl ToTokens for Int {
+    fn to_tokens(&self, tokens: &mut TokenStream) {
+        tokens.push_token(&self.name());
+    }
+}
+
+/// Its name.
+impl ToTokens for EnumType<'_> {
+    fn to_tokens(&self, tokens: &mut TokenStream) {
+        ident(self.ident).to_tokens(tokens);
+    }
 }
 
 /// `u16`, `Option<MavState>`; `()` where nothing is given.
-pub(super) fn ty(of: &Ty<'_>) -> TokenStream {
-    match of {
-        Ty::Int(one) => {
-            let name = int(*one);
-            quote!(#name)
+impl ToTokens for Ty<'_> {
+    fn to_tokens(&self, tokens: &mut TokenStream) {
+        match self {
+            Self::Int(int) => quote!(#int),
+            Self::F32 => quote!(f32),
+            Self::F64 => quote!(f64),
+            Self::Bool => quote!(bool),
+            Self::Usize => quote!(usize),
+            Self::Unit => quote!(()),
+            Self::Own => quote!(Self),
+            Self::Enum(one) => quote!(#one),
+            Self::Named(name) => ident(name),
+            Self::Array(inner, length) => quote!([#inner; #length]),
+            Self::Option(inner) => quote!(Option<#inner>),
+            Self::Fallible(error) => quote!(Result<(), #error>),
+            Self::Made(error) => quote!(Result<Self, #error>),
+            Self::Params => quote!(&'static [wire::ParamInfo]),
+            Self::Iterator(item) => quote!(impl Iterator<Item = #item> + '_),
         }
-        Ty::F32 => quote!(f32),
-        Ty::F64 => quote!(f64),
-        Ty::Bool => quote!(bool),
-        Ty::Usize => quote!(usize),
-        Ty::Unit => quote!(()),
-        Ty::Own => quote!(Self),
-        Ty::Enum(one) => named(one.ident),
-        Ty::Named(name) => named(name),
-        Ty::Array(inner, length) => {
-            let (inner, length) = (ty(inner), decimal(*length));
-            quote!([#inner; #length])
-        }
-        Ty::Option(inner) => {
-            let inner = ty(inner);
-            quote!(Option<#inner>)
-        }
-        Ty::Fallible(error) => result(&quote!(()), *error),
-        Ty::Made(error) => result(&quote!(Self), *error),
-        Ty::Params => quote!(&'static [wire::ParamInfo]),
-        Ty::Iterator(item) => {
-            let item = ty(item);
-            quote!(impl Iterator<Item = #item> + '_)
-        }
+        .to_tokens(tokens);
     }
 }
 
-fn result(of: &TokenStream, error: Error) -> TokenStream {
-    match error {
-        Error::OutOfRange => quote!(Result<#of, wire::OutOfRange>),
-        Error::View => quote!(Result<#of, wire::ViewError>),
+impl ToTokens for Error {
+    fn to_tokens(&self, tokens: &mut TokenStream) {
+        match self {
+            Self::OutOfRange => quote!(wire::OutOfRange),
+            Self::View => quote!(wire::ViewError),
+        }
+        .to_tokens(tokens);
     }
 }
 
-fn named(name: &str) -> TokenStream {
-    let name = ident(name);
-    quote!(#name)
+/// `65535`, `MavAutopilot::AUTOQUAD`, `PodKind(7)`
+impl ToTokens for Literal<'_> {
+    fn to_tokens(&self, tokens: &mut TokenStream) {
+        match self {
+            Self::Constant(one, constant) => quote!(#one::#{ident(constant)}),
+            Self::Number(as_int, number) => value_of(*as_int, &integer(*number)),
+            Self::Float(value) => float(*value),
+        }
+        .to_tokens(tokens);
+    }
+}
+
+/// `65535`, `f32::NAN`
+impl ToTokens for Unknown<'_> {
+    fn to_tokens(&self, tokens: &mut TokenStream) {
+        match self {
+            Self::Is(literal) => quote!(#literal),
+            Self::NanF32 => quote!(f32::NAN),
+            Self::NanF64 => quote!(f64::NAN),
+        }
+        .to_tokens(tokens);
+    }
 }
 
 /// The integer in a value: `x`, `x.0`, `x.bits()`.
@@ -67,10 +89,7 @@ pub(super) fn number_in(as_int: AsInt<'_>, value: &TokenStream) -> TokenStream {
 pub(super) fn value_of(as_int: AsInt<'_>, number: &TokenStream) -> TokenStream {
     match as_int.through {
         Through::Plain => number.clone(),
-        Through::Open(one) | Through::Flags(one) => {
-            let maker = maker(one);
-            quote!(#maker(#number))
-        }
+        Through::Open(one) | Through::Flags(one) => quote!(#{maker(one)}(#number)),
         Through::Float => quote!(f32::from_bits(#number)),
         Through::Double => quote!(f64::from_bits(#number)),
     }
@@ -78,20 +97,17 @@ pub(super) fn value_of(as_int: AsInt<'_>, number: &TokenStream) -> TokenStream {
 
 /// What makes an enum of its integer: `T`, `T::from_bits_retain`.
 pub(super) fn maker(of: EnumType<'_>) -> TokenStream {
-    let ty = ident(of.ident);
-    if of.flags { quote!(#ty::from_bits_retain) } else { quote!(#ty) }
+    quote!(#of #(if of.flags => ::from_bits_retain))
 }
 
-/// `65535`, `MavAutopilot::AUTOQUAD`, `PodKind(7)`
+pub(super) fn int(int: Int) -> Int {
+    int
+}
+pub(super) fn ty(of: &Ty<'_>) -> TokenStream {
+    of.to_token_stream()
+}
 pub(super) fn literal(literal: Literal<'_>) -> TokenStream {
-    match literal {
-        Literal::Constant(one, constant) => {
-            let (ty, constant) = (ident(one.ident), ident(constant));
-            quote!(#ty::#constant)
-        }
-        Literal::Number(as_int, number) => value_of(as_int, &integer(number)),
-        Literal::Float(value) => float(value),
-    }
+    literal.to_token_stream()
 }
 
 #[cfg(test)]
@@ -127,7 +143,7 @@ mod tests {
             (Literal::Number(Element::Int(Int::of_bits(16, false)).as_int(), 65535), "65535"),
             (Literal::Float(-0.5), "- 0.5"),
         ] {
-            assert_eq!(literal(given).to_string(), expected);
+            assert_eq!(quote!(#given).to_string(), expected);
         }
     }
 
@@ -141,7 +157,7 @@ mod tests {
             (Ty::Fallible(Error::OutOfRange), "Result < ( ) , wire :: OutOfRange >"),
             (Ty::Iterator(Box::new(named)), "impl Iterator < Item = Esc > + '_"),
         ] {
-            assert_eq!(ty(&given).to_string(), expected);
+            assert_eq!(quote!(#given).to_string(), expected);
         }
     }
 }

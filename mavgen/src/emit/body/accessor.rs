@@ -16,57 +16,56 @@
 //! All of them are inlined: there are hundreds, of which a program uses a few, and code that is not made costs no build time.
 
 use crate::emit::token::ident;
-use crate::emit::ty::{int, literal, maker, number_in, value_of};
+use crate::emit::ty::{maker, number_in, value_of};
 use crate::rust::{Convert, Extent, Sentinel, Unknown};
-use crate::tokens::{Literal, TokenStream, quote};
+use crate::tokens::{TokenStream, quote};
 
 /// The value, if it is known.
-pub(in crate::emit) fn get(sentinel: &Sentinel<'_>) -> TokenStream {
-    let field = ident(sentinel.field);
-    let known = is_known(sentinel.unknown);
-    match sentinel.extent {
+pub(in crate::emit) fn get(Sentinel { field, unknown, extent }: &Sentinel<'_>) -> TokenStream {
+    let (field, known) = (ident(field), is_known(*unknown));
+    match extent {
         Extent::Scalar => {
-            let unknown = is_unknown(sentinel.unknown, &quote!(self.#field));
+            let unknown = is_unknown(*unknown, &quote!(self.#field));
             quote!(if #unknown { None } else { Some(self.#field) })
         }
         Extent::Each => quote!(self.#field.get(index).copied().filter(|&v| #known)),
         Extent::First => quote!(self.#field.get(index).copied().filter(|&v| index != 0 || #known)),
         Extent::Whole(_) => {
-            let unknown = is_unknown(sentinel.unknown, &quote!(self.#field[0]));
+            let unknown = is_unknown(*unknown, &quote!(self.#field[0]));
             quote!(if #unknown { None } else { Some(self.#field) })
         }
     }
 }
 
 /// The elements, each if it is known.
-pub(in crate::emit) fn iter(sentinel: &Sentinel<'_>) -> TokenStream {
-    let (field, known) = (ident(sentinel.field), is_known(sentinel.unknown));
-    match sentinel.extent {
+pub(in crate::emit) fn iter(Sentinel { field, unknown, extent }: &Sentinel<'_>) -> TokenStream {
+    let (field, known) = (ident(field), is_known(*unknown));
+    match extent {
         Extent::First => quote!(self.#field.iter().enumerate().map(|(index, &v)| (index != 0 || #known).then_some(v))),
         _ => quote!(self.#field.iter().map(|&v| (#known).then_some(v))),
     }
 }
 
 /// Puts the value, or what says that it is not known, into the field.
-pub(in crate::emit) fn set(sentinel: &Sentinel<'_>) -> TokenStream {
-    let (field, unknown) = (ident(sentinel.field), unknown_value(sentinel.unknown));
-    match sentinel.extent {
-        Extent::Scalar => quote!(self.#field = value.unwrap_or(#unknown);),
-        Extent::Whole(length) => {
-            let length = Literal::of(length);
-            quote!(self.#field = value.unwrap_or([#unknown; #length]);)
-        }
-        Extent::Each | Extent::First => quote! {
-            let element = self.#field.get_mut(index).ok_or(wire::OutOfRange)?;
-            *element = value.unwrap_or(#unknown);
-            Ok(())
-        },
+pub(in crate::emit) fn set(Sentinel { field, unknown, extent }: &Sentinel<'_>) -> TokenStream {
+    match extent {
+        Extent::Scalar => quote!(self.#{ident(field)} = value.unwrap_or(#unknown);),
+        Extent::Whole(length) => quote!(self.#{ident(field)} = value.unwrap_or([#unknown; #length]);),
+        Extent::Each | Extent::First => set_element(field, &quote!(value.unwrap_or(#unknown))),
+    }
+}
+
+fn set_element(field: &str, value: &TokenStream) -> TokenStream {
+    quote! {
+        let element = self.#{ident(field)}.get_mut(index).ok_or(wire::OutOfRange)?;
+        *element = #value;
+        Ok(())
     }
 }
 
 /// The number as the enum, if it is known and one.
 pub(in crate::emit) fn get_enum(convert: &Convert<'_>) -> TokenStream {
-    let (field, enum_int, to) = (ident(convert.field), int(convert.to.int), convert.to.as_int());
+    let (field, enum_int, to) = (ident(convert.field), convert.to.int, convert.to.as_int());
     if !convert.is_optional() {
         return value_of(to, &quote!(#enum_int::from(self.#field)));
     }
@@ -75,43 +74,29 @@ pub(in crate::emit) fn get_enum(convert: &Convert<'_>) -> TokenStream {
         false => quote!(Some(self.#field)),
     };
     let filter = convert.unknown.map(is_known).map(|known| quote!(.filter(|&v| #known)));
-    if convert.always_gets() {
-        let value = value_of(to, &quote!(#enum_int::from(v)));
-        return quote!(#number #filter.map(|v| #value));
+    match convert.always_gets() {
+        true => quote!(#number #filter.map(|v| #{value_of(to, &quote!(#enum_int::from(v)))})),
+        false => quote!(#number #filter.and_then(|v| #enum_int::try_from(v).ok()).map(#{maker(convert.to)})),
     }
-    let maker = maker(convert.to);
-    quote!(#number #filter.and_then(|v| #enum_int::try_from(v).ok()).map(#maker))
 }
 
 /// Puts the number of the enum into the field, if it fits.
 pub(in crate::emit) fn set_enum(convert: &Convert<'_>) -> TokenStream {
-    let (field, own) = (ident(convert.field), int(convert.int));
-    let number = number_in(convert.to.as_int(), &quote!(value));
+    let (own, number) = (convert.int, number_in(convert.to.as_int(), &quote!(value)));
     let number = match convert.always_sets() {
         true => quote!(#own::from(#number)),
         false => quote!(#own::try_from(#number).map_err(|_| wire::OutOfRange)?),
     };
-    match (convert.element, convert.always_sets()) {
-        (false, true) => quote!(self.#field = #number;),
-        (false, false) => quote! {
-            self.#field = #number;
-            Ok(())
-        },
-        (true, _) => quote! {
-            let element = self.#field.get_mut(index).ok_or(wire::OutOfRange)?;
-            *element = #number;
-            Ok(())
-        },
+    match convert.element {
+        true => set_element(convert.field, &number),
+        false => quote!(self.#{ident(convert.field)} = #number; #(if !convert.always_sets() => Ok(()))),
     }
 }
 
 /// `self.x == 65535`, `self.x.is_nan()`
 fn is_unknown(unknown: Unknown<'_>, value: &TokenStream) -> TokenStream {
     match unknown {
-        Unknown::Is(sentinel) => {
-            let sentinel = literal(sentinel);
-            quote!(#value == #sentinel)
-        }
+        Unknown::Is(sentinel) => quote!(#value == #sentinel),
         Unknown::NanF32 | Unknown::NanF64 => quote!(#value.is_nan()),
     }
 }
@@ -119,19 +104,7 @@ fn is_unknown(unknown: Unknown<'_>, value: &TokenStream) -> TokenStream {
 /// `v != 65535`, `!v.is_nan()`
 fn is_known(unknown: Unknown<'_>) -> TokenStream {
     match unknown {
-        Unknown::Is(sentinel) => {
-            let sentinel = literal(sentinel);
-            quote!(v != #sentinel)
-        }
+        Unknown::Is(sentinel) => quote!(v != #sentinel),
         Unknown::NanF32 | Unknown::NanF64 => quote!(!v.is_nan()),
-    }
-}
-
-/// `65535`, `f32::NAN`
-fn unknown_value(unknown: Unknown<'_>) -> TokenStream {
-    match unknown {
-        Unknown::Is(sentinel) => literal(sentinel),
-        Unknown::NanF32 => quote!(f32::NAN),
-        Unknown::NanF64 => quote!(f64::NAN),
     }
 }

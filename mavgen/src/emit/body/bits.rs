@@ -1,61 +1,46 @@
 //! Getters and setters of named bits: masks, shifts, and the test for a layout.
 
-use std::ops::RangeInclusive;
-
 use crate::emit::token::{ident, mask};
-use crate::emit::ty::{int, number_in, value_of};
+use crate::emit::ty::{number_in, value_of};
 use crate::ir::Repeat;
 use crate::rust::{AsInt, BitField, Holds, Int, Present, Selector, Through};
-use crate::tokens::{Literal, TokenStream, quote};
+use crate::tokens::{TokenStream, quote};
 
 /// What the bits hold: `((self.bits >> 29) & 0x7fff) as u16`, `self.bits & (1 << 4) != 0`; in an `Option` where there may be none.
 pub(in crate::emit) fn get(bits: &BitField<'_>) -> TokenStream {
     let value = match as_int(bits) {
-        None => {
-            let bit = At::of(bits).left(&quote!(1));
-            quote!(self.bits & #bit != 0)
-        }
+        None => quote!(self.bits & #{shifted(&quote!(1), &quote!(<<), &place(bits))} != 0),
         Some(as_int) => {
-            let raw = read(bits.storage, &At::of(bits), bits.width, bits.raw);
-            let wanted = int(as_int.int);
-            let number = if bits.raw == as_int.int { raw } else { quote!((#raw) as #wanted) };
+            let (raw, wanted) = (read(bits.storage, &place(bits), bits.width, bits.raw), as_int.int);
+            let number = if bits.raw == wanted { raw } else { quote!((#raw) as #wanted) };
             value_of(as_int, &number)
         }
     };
-    let there = bits.present.as_ref().map(|present| {
-        let (selector, patterns) = (selector(bits.storage, present), patterns(present));
-        quote! {
-            match #selector {
-                #patterns => Some(#value),
-                _ => None,
-            }
+    let value = match &bits.present {
+        Some(present) => {
+            let (selector, patterns) = (selector(bits.storage, present), patterns(present));
+            quote!(match #selector { #patterns => Some(#value), _ => None, })
         }
-    });
-    match (bits.repeat.map(|repeat| Literal::of(repeat.count)), there) {
-        (None, None) => value,
-        (None, Some(there)) => there,
-        (Some(count), None) => quote!(if index < #count { Some(#value) } else { None }),
-        (Some(count), Some(there)) => quote!(if index < #count { #there } else { None }),
+        None if bits.repeat.is_some() => quote!(Some(#value)),
+        None => value,
+    };
+    match bits.repeat {
+        Some(Repeat { count, .. }) => quote!(if index < #count { #value } else { None }),
+        None => value,
     }
 }
 
 /// Puts `value` into the bits if it fits, and if there are such bits.
 pub(in crate::emit) fn set(bits: &BitField<'_>) -> TokenStream {
-    let is_there = bits.present.as_ref().map(|present| {
-        let (selector, patterns) = (selector(bits.storage, present), patterns(present));
-        quote! {
-            match #selector {
-                #patterns => {}
-                _ => return Err(wire::ViewError::Absent),
-            }
-        }
-    });
-    let is_one = bits.repeat.map(|repeat| {
-        let count = Literal::of(repeat.count);
-        quote!(if index >= #count { return Err(wire::ViewError::OutOfRange); })
-    });
-    let store = store(bits);
-    quote!(#is_there #is_one #store)
+    quote! {
+        #(if let Some(present) = &bits.present => match #{selector(bits.storage, present)} {
+            #{patterns(present)} => {}
+            _ => return Err(wire::ViewError::Absent),
+        })
+        #(if let Some(Repeat { count, .. }) = bits.repeat =>
+            if index >= #count { return Err(wire::ViewError::OutOfRange); })
+        #{store(bits)}
+    }
 }
 
 /// What the bits hold as an integer; `None` for a flag.
@@ -68,82 +53,65 @@ fn as_int<'d>(bits: &BitField<'d>) -> Option<AsInt<'d>> {
 }
 
 fn store(bits: &BitField<'_>) -> TokenStream {
-    let at = At::of(bits);
-    let done = (!bits.always_sets()).then(|| quote!(Ok(())));
-    let Some(as_int) = as_int(bits) else {
-        let bit = at.left(&quote!(1));
-        return quote! {
-            self.bits = if value { self.bits | #bit } else { self.bits & !#bit };
-            #done
-        };
-    };
-    let number = number_in(as_int, &quote!(value));
-    if as_int.int.bits() == bits.width {
-        let bits = write(bits, &at, &number, as_int.int);
-        return quote! {
-            self.bits = #bits;
-            #done
-        };
-    }
-    let (range, bits) = (raw_range(bits), write(bits, &at, &quote!(raw), as_int.int));
-    quote! {
-        match #number {
-            raw @ #range => {
-                self.bits = #bits;
-                Ok(())
-            }
-            _ => Err(wire::ViewError::OutOfRange),
+    let place = place(bits);
+    let value = match as_int(bits) {
+        None => {
+            let bit = shifted(&quote!(1), &quote!(<<), &place);
+            quote!(if value { self.bits | #bit } else { self.bits & !#bit })
         }
-    }
+        Some(as_int) => {
+            let number = number_in(as_int, &quote!(value));
+            if as_int.int.bits() != bits.width {
+                return quote! {
+                    match #number {
+                        raw @ #{raw_range(bits)} => {
+                            self.bits = #{write(bits, &place, &quote!(raw), as_int.int)};
+                            Ok(())
+                        }
+                        _ => Err(wire::ViewError::OutOfRange),
+                    }
+                };
+            }
+            write(bits, &place, &number, as_int.int)
+        }
+    };
+    quote!(self.bits = #value; #(if !bits.always_sets() => Ok(())))
 }
 
 /// The raw number: `((self.bits >> 29) & 0x7fff) as u16`.
-fn read(storage: Int, at: &At, width: u8, raw: Int) -> TokenStream {
-    let shifted = at.right(&quote!(self.bits));
+fn read(storage: Int, place: &Option<TokenStream>, width: u8, raw: Int) -> TokenStream {
+    let shifted = shifted(&quote!(self.bits), &quote!(>>), place);
     // An integer that is exactly as wide takes no more bits than it should: the cast drops the others.
-    let number = if width == raw.bits() {
-        shifted
-    } else {
-        let mask = mask_of(width);
-        quote!((#shifted & #mask))
-    };
-    let unsigned = int(raw.unsigned());
-    let number = if raw.unsigned() == storage { number } else { quote!((#number as #unsigned)) };
-    if !raw.is_signed() {
-        return number.without_parentheses();
-    }
+    let number = if width == raw.bits() { shifted } else { quote!((#shifted & #{mask_of(width)})) };
+    let unsigned = raw.unsigned();
+    let number = if unsigned == storage { number } else { quote!((#number as #unsigned)) };
     // Two's complement: the sign bit goes to the top, and comes back with its copies.
-    let signed = int(raw);
     match raw.bits() - width {
-        0 => quote!(#number as #signed),
-        spare => {
-            let spare = Literal::of(spare);
-            quote!(((#number << #spare) as #signed) >> #spare)
-        }
+        _ if !raw.is_signed() => number.without_parentheses(),
+        0 => quote!(#number as #raw),
+        spare => quote!(((#number << #spare) as #raw) >> #spare),
     }
 }
 
 /// `(self.bits & !(0x7fff << 29)) | ((raw as u64) << 29)`
-fn write(bits: &BitField<'_>, at: &At, number: &TokenStream, of: Int) -> TokenStream {
-    let (storage, mask) = (int(bits.storage), mask_of(bits.width));
-    if bits.width == bits.storage.bits() {
-        return if of == bits.storage { number.clone() } else { quote!(#number as #storage) };
+fn write(bits: &BitField<'_>, place: &Option<TokenStream>, number: &TokenStream, of: Int) -> TokenStream {
+    let (storage, mask) = (bits.storage, mask_of(bits.width));
+    if bits.width == storage.bits() {
+        return quote!(#number #(if of != storage => as #storage));
     }
-    let number = if of == bits.storage { number.clone() } else { quote!((#number as #storage)) };
+    let number = if of == storage { number.clone() } else { quote!((#number as #storage)) };
     let number = if of.is_signed() { quote!((#number & #mask)) } else { number };
-    let (place, value) = (at.left(&mask), at.left(&number));
-    quote!((self.bits & !#place) | #value)
+    let [own, value] = [mask, number].map(|bits| shifted(&bits, &quote!(<<), place));
+    quote!((self.bits & !#own) | #value)
 }
 
 /// `0..=0xfff`, `-256..=255`: the raw numbers that fit.
 pub(super) fn raw_range(bits: &BitField<'_>) -> TokenStream {
     if !bits.raw.is_signed() {
-        let mask = mask_of(bits.width);
-        return quote!(0..=#mask);
+        return quote!(0..=#{mask_of(bits.width)});
     }
     let end = 1_u128 << (bits.width.max(1) - 1);
-    let (start, last) = (Literal::of(end), Literal::of(end - 1));
-    quote!(-#start..=#last)
+    quote!(-#end..=#{end - 1})
 }
 
 /// `0xfff`
@@ -154,71 +122,29 @@ fn mask_of(width: u8) -> TokenStream {
 /// The value that selects the layout: `self.data_version`.
 fn selector(storage: Int, present: &Present<'_>) -> TokenStream {
     match present.selector {
-        Selector::Field(name) => {
-            let name = ident(name);
-            quote!(self.#name)
-        }
-        Selector::Bits { at, width } => read(storage, &At::Bit(at), width, Int::of_bits(width, false)),
+        Selector::Field(name) => quote!(self.#{ident(name)}),
+        Selector::Bits { at, width } => read(storage, &first(at), width, Int::of_bits(width, false)),
     }
 }
 
 /// `3..=9 | 30..=255`
 fn patterns(present: &Present<'_>) -> TokenStream {
-    let patterns = present.ranges.iter().map(pattern);
-    quote!(#(#patterns)|*)
+    let ranges = present.ranges.iter().map(|range| (range.start(), range.end()));
+    quote!(#(for (start, end) in ranges => #start #(if start != end => ..=#end))|*)
 }
 
-fn pattern(range: &RangeInclusive<u64>) -> TokenStream {
-    let (start, end) = (Literal::of(*range.start()), Literal::of(*range.end()));
-    if range.start() == range.end() { quote!(#start) } else { quote!(#start..=#end) }
+/// Where bits begin: `29`, `(3 + index * 2)`; nothing at the first bit.
+fn place(bits: &BitField<'_>) -> Option<TokenStream> {
+    let Some(Repeat { stride, .. }) = bits.repeat else { return first(bits.at) };
+    let start = first(bits.at).map(|at| quote!(#at +));
+    Some(quote!((#start index #(if stride != 1 => * #stride))))
 }
 
-/// Where bits begin.
-enum At {
-    /// At this bit.
-    Bit(u8),
-    /// At the bit that this expression gives.
-    Computed(TokenStream),
+fn first(at: u8) -> Option<TokenStream> {
+    (at != 0).then(|| quote!(#at))
 }
 
-impl At {
-    fn of(bits: &BitField<'_>) -> Self {
-        match bits.repeat {
-            None => Self::Bit(bits.at),
-            Some(Repeat { stride, .. }) => Self::Computed(position(bits.at, stride)),
-        }
-    }
-
-    fn right(&self, value: &TokenStream) -> TokenStream {
-        match self {
-            Self::Bit(0) => value.clone(),
-            Self::Bit(at) => {
-                let at = Literal::of(*at);
-                quote!((#value >> #at))
-            }
-            Self::Computed(at) => quote!((#value >> (#at))),
-        }
-    }
-
-    fn left(&self, value: &TokenStream) -> TokenStream {
-        match self {
-            Self::Bit(0) => value.clone(),
-            Self::Bit(at) => {
-                let at = Literal::of(*at);
-                quote!((#value << #at))
-            }
-            Self::Computed(at) => quote!((#value << (#at))),
-        }
-    }
-}
-
-/// `3 + index * 2`
-fn position(at: u8, stride: u8) -> TokenStream {
-    let (start, step) = (Literal::of(at), Literal::of(stride));
-    match (at, stride) {
-        (0, 1) => quote!(index),
-        (0, _) => quote!(index * #step),
-        (_, 1) => quote!(#start + index),
-        _ => quote!(#start + index * #step),
-    }
+/// `(self.bits >> 29)`, `(1 << 29)`
+fn shifted(value: &TokenStream, shift: &TokenStream, place: &Option<TokenStream>) -> TokenStream {
+    place.as_ref().map_or_else(|| value.clone(), |place| quote!((#value #shift #place)))
 }

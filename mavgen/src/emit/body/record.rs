@@ -16,22 +16,18 @@
 use super::slots::{key, stored};
 use super::source::{assign, if_all_hold};
 use crate::emit::token::ident;
-use crate::emit::ty::literal;
 use crate::rust::{Record, Test};
 use crate::tokens::{TokenStream, quote};
 
 /// The values, if the condition holds.
-pub(in crate::emit) fn get(record: &Record<'_>) -> TokenStream {
-    let (name, values) = (ident(record.ident), record.values.iter().map(key));
-    if_all_hold(record.when.as_slice(), &quote!(#name { #(#values),* }))
+pub(in crate::emit) fn get(Record { ident: name, values, when }: &Record<'_>) -> TokenStream {
+    if_all_hold(when.as_slice(), &quote!(#{ident(name)} { #(for value in values => #{key(value)}),* }))
 }
 
 /// Puts the values into their fields, and makes the condition hold.
-pub(in crate::emit) fn set(record: &Record<'_>) -> TokenStream {
-    let condition = record.when.iter().filter_map(|test| match test {
-        Test::Is(place, value) => Some(assign(place, &literal(*value))),
-        Test::IsNot(..) | Test::WordsAreNot(_) => None,
-    });
-    let values = record.values.iter().map(|value| stored(value, &quote!(value)));
-    quote!(#(#condition)* #(#values)*)
+pub(in crate::emit) fn set(Record { values, when, .. }: &Record<'_>) -> TokenStream {
+    quote! {
+        #(if let Some(Test::Is(place, value)) = when => #{assign(place, &quote!(#value))})
+        #(for value in values => #{stored(value, &quote!(value))})*
+    }
 }

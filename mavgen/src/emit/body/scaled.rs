@@ -10,31 +10,27 @@
 
 use super::bits::raw_range;
 use crate::emit::token::ident;
-use crate::emit::ty::int;
 use crate::rust::{Int, Scale};
-use crate::tokens::{Literal, TokenStream, quote};
+use crate::tokens::{TokenStream, quote};
 
 /// `f32::from(self.voltage_raw()) / 100.0`, through the `Option` of the raw number if there is one.
 pub(in crate::emit) fn get(scale: &Scale<'_>) -> TokenStream {
-    if !scale.bits.is_optional() {
-        return to_float(scale, &raw(scale));
+    let raw = raw(scale);
+    match scale.bits.is_optional() {
+        true => quote!(#raw.map(|raw| #{to_float(scale, &quote!(raw))})),
+        false => to_float(scale, &raw),
     }
-    let (raw, value) = (raw(scale), to_float(scale, &quote!(raw)));
-    quote!(#raw.map(|raw| #value))
 }
 
 /// The nearest raw number, if it fits.
 pub(in crate::emit) fn set(scale: &Scale<'_>) -> TokenStream {
-    let [factor, bias, divisor] = [scale.factor, scale.bias, scale.divisor].map(Literal::of);
+    let [factor, bias, divisor] = [scale.factor, scale.bias, scale.divisor].map(TokenStream::of);
     let (setter, index) = (ident(&scale.set_raw), scale.bits.repeat.map(|_| quote!(index,)));
     // The pattern is one of `i64`, which holds every raw number that a float can name exactly.
-    let range = if scale.bits.raw == Int::of_bits(64, false) { quote!(0..=i64::MAX) } else { raw_range(&scale.bits) };
-    let ty = int(scale.bits.raw);
-    let number = if scale.bits.raw == Int::of_bits(64, true) { quote!(raw) } else { quote!(raw as #ty) };
-    let set = match scale.bits.always_sets() {
-        true => quote!({ self.#setter(#index #number); Ok(()) }),
-        false => quote!(self.#setter(#index #number),),
-    };
+    let [unsigned, signed] = [false, true].map(|signed| scale.bits.raw == Int::of_bits(64, signed));
+    let range = if unsigned { quote!(0..=i64::MAX) } else { raw_range(&scale.bits) };
+    let set = quote!(self.#setter(#index raw #(if !signed => as #{scale.bits.raw})));
+    let set = if scale.bits.always_sets() { quote!({ #set; Ok(()) }) } else { quote!(#set,) };
     quote! {
         match wire::generated::raw_of(value, #factor, #bias, #divisor) {
             Some(raw @ #range) => #set
@@ -46,44 +42,41 @@ pub(in crate::emit) fn set(scale: &Scale<'_>) -> TokenStream {
 /// `self.voltage_raw() as i32 * 10`; a `match` through an `Option`, because `Option::map` is no `const fn`.
 pub(in crate::emit) fn exact(scale: &Scale<'_>) -> TokenStream {
     let raw = raw(scale);
-    if !scale.bits.is_optional() {
-        return to_whole(scale, &raw);
+    match scale.bits.is_optional() {
+        true => quote!(match #raw { Some(raw) => Some(#{to_whole(scale, &quote!(raw))}), None => None }),
+        false => to_whole(scale, &raw),
     }
-    let value = to_whole(scale, &quote!(raw));
-    quote!(match #raw { Some(raw) => Some(#value), None => None })
 }
 
 /// `self.voltage_raw()`
 fn raw(scale: &Scale<'_>) -> TokenStream {
-    let (getter, index) = (ident(&scale.get_raw), scale.bits.repeat.map(|_| quote!(index)));
-    quote!(self.#getter(#index))
+    quote!(self.#{ident(&scale.get_raw)}(#(if scale.bits.repeat.is_some() => index)))
 }
 
 /// `(f32::from(raw) - 128.0) / 4.0`: one division of exact numbers, so that the result is the nearest float.
 fn to_float(scale: &Scale<'_>, raw: &TokenStream) -> TokenStream {
-    if (scale.factor, scale.bias, scale.divisor) == (1, 0, 1) {
-        return if scale.bits.raw.bits() <= 16 { quote!(f32::from(#raw)) } else { quote!(#raw as f32) };
+    let Scale { factor, bias, divisor, .. } = *scale;
+    let is_narrow = scale.bits.raw.bits() <= 16;
+    if (factor, bias, divisor) == (1, 0, 1) {
+        return if is_narrow { quote!(f32::from(#raw)) } else { quote!(#raw as f32) };
     }
-    let float = ident(if scale.in_f32 { "f32" } else { "f64" });
-    let number = if scale.bits.raw.bits() <= 16 { quote!(#float::from(#raw)) } else { quote!((#raw as #float)) };
-    let literal = |value: u64| Literal::of(format_args!("{}.0", value as f64));
-    let product = match (scale.factor.unsigned_abs(), literal(scale.factor.unsigned_abs())) {
-        (1, _) => number,
-        (_, factor) => quote!(#number * #factor),
-    };
-    let bias = literal(scale.bias.unsigned_abs());
+    let float = if scale.in_f32 { quote!(f32) } else { quote!(f64) };
+    let number = if is_narrow { quote!(#float::from(#raw)) } else { quote!((#raw as #float)) };
+    let literal = |value: i64| TokenStream::of(format_args!("{}.0", value.unsigned_abs() as f64));
+    let product = quote!(#number #(if factor.unsigned_abs() != 1 => * #{literal(factor)}));
+    let offset = literal(bias);
     // `-x` would make a negative zero of zero.
-    let sum = match (scale.factor < 0, scale.bias) {
+    let sum = match (factor < 0, bias) {
         (false, 0) => product,
-        (false, 1..) => quote!(#product + #bias),
-        (false, _) => quote!(#product - #bias),
-        (true, 0..) => quote!(#bias - #product),
-        (true, _) => quote!(-#bias - #product),
+        (false, 1..) => quote!(#product + #offset),
+        (false, _) => quote!(#product - #offset),
+        (true, 0..) => quote!(#offset - #product),
+        (true, _) => quote!(-#offset - #product),
     };
-    let value = match (scale.factor < 0 || scale.bias != 0, scale.divisor, literal(scale.divisor.unsigned_abs())) {
-        (_, 1, _) => sum,
-        (false, _, divisor) => quote!(#sum / #divisor),
-        (true, _, divisor) => quote!((#sum) / #divisor),
+    let value = match (factor < 0 || bias != 0, divisor) {
+        (_, 1) => sum,
+        (false, _) => quote!(#sum / #{literal(divisor)}),
+        (true, _) => quote!((#sum) / #{literal(divisor)}),
     };
     if scale.in_f32 { value } else { quote!((#value) as f32) }
 }
@@ -91,19 +84,18 @@ fn to_float(scale: &Scale<'_>, raw: &TokenStream) -> TokenStream {
 /// `raw as i32 * 10`
 fn to_whole(scale: &Scale<'_>, raw: &TokenStream) -> TokenStream {
     let Some((exact, of)) = scale.exact else { return quote!() };
-    let (ty, factor) = (int(of), Literal::of(exact.factor));
     let is_cast = of != scale.bits.raw;
-    let number = if is_cast { quote!(#raw as #ty) } else { raw.clone() };
+    let number = quote!(#raw #(if is_cast => as #of));
     let product = match exact.factor {
         1 => number,
         -1 if is_cast => quote!(-(#number)),
         -1 => quote!(-#number),
-        _ => quote!(#number * #factor),
+        factor => quote!(#number * #{TokenStream::of(factor)}),
     };
-    let bias = Literal::of(exact.bias.unsigned_abs());
+    let bias = exact.bias.unsigned_abs();
     match exact.bias {
         0 => product,
-        negative if negative < 0 => quote!(#product - #bias),
-        _ => quote!(#product + #bias),
+        ..0 => quote!(#product - #bias),
+        1.. => quote!(#product + #bias),
     }
 }

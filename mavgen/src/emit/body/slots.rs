@@ -12,42 +12,29 @@
 
 use super::source::{all_hold, array, assign, joined, store_word, value_at, view_of_bits};
 use crate::emit::token::ident;
-use crate::emit::ty::{int, literal, number_in, value_of};
+use crate::emit::ty::{number_in, value_of};
 use crate::rust::{Count, Key, Place, Slot, Stored, Switch};
-use crate::tokens::{Literal, TokenStream, quote};
+use crate::tokens::{TokenStream, quote};
 
 /// `(0..4).map_while(|index| self.esc(index))`
 pub(in crate::emit) fn all(get: &str, length: u8) -> TokenStream {
-    let (get, length) = (ident(get), Literal::of(length));
-    quote!((0..#length).map_while(|index| self.#get(index)))
+    quote!((0..#length).map_while(|index| self.#{ident(get)}(index)))
 }
 
 /// The slot of an index, if it is in use.
 pub(in crate::emit) fn get(slot: &Slot<'_>) -> TokenStream {
     let Slot { ident: name, source, count, elements, keys, .. } = slot;
-    let in_use = count.map(|count| {
-        let used = used(count);
-        quote!(if index >= #used { return None; })
-    });
-    let locals = elements.iter().map(|element| {
-        let (local, array) = (ident(&element.local), array(element));
-        quote!(let #local = *#array.get(index)?;)
-    });
-    let (name, bits, view) = (ident(name), joined(source), view_of_bits(source));
+    let view = view_of_bits(source);
     let status = match source.when.as_slice() {
         [] => view,
-        when => {
-            let all = all_hold(when);
-            quote!(if #all { Some(#view) } else { None })
-        }
+        when => quote!(if #{all_hold(when)} { Some(#view) } else { None }),
     };
-    let keys = keys.iter().map(key);
     quote! {
-        #in_use
-        #(#locals)*
-        let bits = #bits;
+        #(if let Some(count) = count => if index >= #{used(*count)} { return None; })
+        #(for element in elements => let #{ident(&element.local)} = *#{array(element)}.get(index)?;)*
+        let bits = #{joined(source)};
         let status = #status;
-        Some(#name { #(#keys,)* status })
+        Some(#{ident(name)} { #(for one in keys => #{key(one)},)* status })
     }
 }
 
@@ -55,46 +42,39 @@ pub(in crate::emit) fn get(slot: &Slot<'_>) -> TokenStream {
 pub(super) fn key(key: &Key<'_>) -> TokenStream {
     let (name, value) = (ident(key.ident), value_at(&key.place));
     match (key.invalid, &key.place) {
-        (Some(invalid), _) => {
-            let invalid = literal(invalid);
-            quote!(#name: Some(#value).filter(|&v| v != #invalid))
-        }
-        (None, Place::Element(element)) if element.local == key.ident => quote!(#name),
+        (Some(invalid), _) => quote!(#name: Some(#value).filter(|&v| v != #invalid)),
+        (None, Place::Element(element)) if element.local == key.ident => name,
         (None, _) => quote!(#name: #value),
     }
 }
 
 /// Sets a slot that is in use.
 pub(in crate::emit) fn set(get: &str, store: &str) -> TokenStream {
-    let (get, store) = (ident(get), ident(store));
     quote! {
-        if self.#get(index).is_none() {
+        if self.#{ident(get)}(index).is_none() {
             return Err(wire::ViewError::NoSuchSlot);
         }
-        self.#store(index, slot).ok_or(wire::ViewError::NoSuchSlot)
+        self.#{ident(store)}(index, slot).ok_or(wire::ViewError::NoSuchSlot)
     }
 }
 
 /// Adds a slot behind those in use.
 pub(in crate::emit) fn push(count: Count<'_>, length: u8, store: &str) -> TokenStream {
-    let (field, store, own) = (ident(count.field), ident(store), int(count.as_int.int));
-    let (used, length) = (used(count), Literal::of(length));
-    let more = value_of(count.as_int, &quote!(index as #own + 1));
+    let own = count.as_int.int;
     quote! {
-        let index = #used;
+        let index = #{used(count)};
         if index >= #length {
             return Err(wire::ViewError::Full);
         }
-        self.#store(index, slot).ok_or(wire::ViewError::Full)?;
-        self.#field = #more;
+        self.#{ident(store)}(index, slot).ok_or(wire::ViewError::Full)?;
+        self.#{ident(count.field)} = #{value_of(count.as_int, &quote!(index as #own + 1))};
         Ok(())
     }
 }
 
 /// A count as an index.
 fn used(count: Count<'_>) -> TokenStream {
-    let field = ident(count.field);
-    let number = number_in(count.as_int, &quote!(self.#field));
+    let number = number_in(count.as_int, &quote!(self.#{ident(count.field)}));
     if count.as_int.int.bits() <= 16 { quote!(usize::from(#number)) } else { quote!(#number as usize) }
 }
 
@@ -103,45 +83,30 @@ pub(in crate::emit) fn store(slot: &Slot<'_>) -> TokenStream {
     let Slot { source, keys, sentinel, .. } = slot;
     let (view, optional) = (ident(source.view), !source.when.is_empty());
     let (sentinel, mark) = match sentinel {
-        Stored::Words(value) => (Literal::of(*value), None),
+        Stored::Words(value) => (*value, None),
         // A field has to say so, whatever the key and the switch have put into it.
-        Stored::Field(place, value) => {
-            let assign = assign(place, &literal(*value));
-            (Literal::of(0), Some(quote!(if slot.status.is_none() { #assign })))
-        }
+        Stored::Field(place, value) => (0, Some(assign(place, &quote!(#value)))),
     };
-    let keys = keys.iter().filter_map(store_key);
-    let words = source.words.iter().map(|word| store_word(source, word));
     let switch = source.switch.as_ref().map(|Switch { place, as_int, get }| {
         let get = ident(get);
         let number = if optional { quote!(slot.status.map_or(0, #view::#get)) } else { quote!(slot.status.#get()) };
         assign(place, &value_of(*as_int, &number))
     });
+    // A scalar belongs to all slots: the first to be set would decide, so none does.
+    let own = keys.iter().filter(|key| matches!(key.place, Place::Element(_)));
     let bits = if optional { quote!(slot.status.map_or(#sentinel, #view::bits)) } else { quote!(slot.status.bits()) };
     quote! {
         let bits = #bits;
-        #(#keys)*
-        #(#words)*
+        #(for key in own => #{stored(key, &quote!(slot))})*
+        #(for word in &source.words => #{store_word(source, word)})*
         #switch
-        #mark
+        #(if let Some(mark) = mark => if slot.status.is_none() { #mark })
         Some(())
     }
 }
 
-/// Nothing for a scalar, which belongs to all slots: the first to be set would decide, so none does.
-fn store_key(key: &Key<'_>) -> Option<TokenStream> {
-    matches!(key.place, Place::Element(_)).then(|| stored(key, &quote!(slot)))
-}
-
 /// `self.value1 = value.pdop;`
 pub(super) fn stored(key: &Key<'_>, record: &TokenStream) -> TokenStream {
-    let name = ident(key.ident);
-    let value = match key.invalid {
-        Some(invalid) => {
-            let invalid = literal(invalid);
-            quote!(#record.#name.unwrap_or(#invalid))
-        }
-        None => quote!(#record.#name),
-    };
-    assign(&key.place, &value)
+    let unwrap = key.invalid.map(|invalid| quote!(.unwrap_or(#invalid)));
+    assign(&key.place, &quote!(#record.#{ident(key.ident)} #unwrap))
 }
