@@ -48,6 +48,7 @@ pub mod serde {
     };
     pub use crate::glue::serde::message::{deserialize_message, serialize_message};
     pub use crate::glue::serde::topic::{Exact, Exactly, exactly};
+    pub use crate::glue::serde::topics::{AnyTopic, Content, deserialize_topics, serialize_topic};
     pub use crate::glue::serde::value::{deserialize_enum, serialize_enum};
     pub use crate::glue::serde::views::{HasViews, Views};
 }

@@ -8,6 +8,6 @@ mod bitflags;
 pub mod defmt;
 #[cfg(feature = "mavlink-core")]
 pub mod interop;
-mod optional;
+pub(crate) mod optional;
 #[cfg(feature = "serde")]
 pub mod serde;

@@ -161,6 +161,9 @@ pub(crate) use frame::header;
 pub use frame::{ComponentId, Frame, FrameBuf, Signature, SystemId, Timestamp, Version, crc};
 #[cfg(feature = "mavlink-core")]
 pub use glue::interop;
+#[doc(hidden)]
+#[allow(unused_imports, unreachable_pub, reason = "every feature may be on")]
+pub use glue::optional::*;
 #[cfg(feature = "serde")]
 pub use glue::serde;
 pub use log::tlog;

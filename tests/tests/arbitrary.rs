@@ -4,9 +4,10 @@ use std::collections::BTreeSet;
 
 use arbitrary::{Arbitrary, Unstructured};
 use mavlink_autoquad::autoquad::{Attitude, Autoquad, AutoquadNavStatus, MavState, Statustext};
-use mavlink_conformance::golden::topics::PumpStatus;
+use mavlink_conformance::golden::topics::{PumpStatus, Topics};
 use mavlink_conformance::payload::{Canonical, Fill};
 use mavlink_conformance::random::Random;
+use mavlink_wire::uorb::Topics as _;
 use mavlink_wire::{Chars, Dialect, Encode, Message};
 
 fn bytes(random: &mut Random) -> Vec<u8> {
@@ -67,4 +68,14 @@ fn a_topic_comes_of_its_bytes() {
     let status = PumpStatus::arbitrary(&mut Unstructured::new(&[1, 0, 0, 0, 0, 0, 0, 0, 2, 255, 8])).unwrap();
     assert_eq!((status.timestamp, status.mode.0, status.trend.0, status.faults.bits()), (1, 2, -1, 8));
     assert_eq!((status.level, status.pumps[2].rpm), (0.0, 0));
+}
+
+#[test]
+fn every_topic_of_a_package_comes_up() {
+    let (mut random, mut seen) = (Random::new(3), BTreeSet::new());
+    for _ in 0..100 {
+        let bytes = bytes(&mut random);
+        seen.insert(Topics::arbitrary(&mut Unstructured::new(&bytes)).unwrap().name());
+    }
+    assert_eq!(seen, BTreeSet::from(["Pump", "PumpStatus"]));
 }

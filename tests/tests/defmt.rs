@@ -5,7 +5,7 @@ use mavlink_autoquad::autoquad::{
     MavType, SetupSigning, Statustext,
 };
 use mavlink_autoquad::esc::{DisarmReason, Update};
-use mavlink_conformance::golden::topics::{Pump, PumpStatus, PumpStatusMode};
+use mavlink_conformance::golden::topics::{Pump, PumpStatus, PumpStatusMode, Topics};
 use mavlink_conformance::payload::Fill;
 use mavlink_conformance::random::Random;
 use mavlink_wire::reflect::Reflected;
@@ -157,6 +157,7 @@ fn a_topic_names_its_fields_and_their_values() {
     status.pumps[1] = Pump { rpm: 0x5678, ..Pump::UNKNOWN };
     let [name, mode, fill, pressure] = [sent("PumpStatus"), sent("mode"), sent("MODE_FILL"), sent("pressure")];
     let [pumps, nested] = [sent("pumps"), sent("Pump")];
-    let log = log(&status);
-    assert!(has(&log, &[&name, &mode, &fill, &pressure, &[0x34, 0x12], &pumps, &nested, &[0x78, 0x56]]));
+    for log in [log(&status), log(&Topics::from(status))] {
+        assert!(has(&log, &[&name, &mode, &fill, &pressure, &[0x34, 0x12], &pumps, &nested, &[0x78, 0x56]]));
+    }
 }

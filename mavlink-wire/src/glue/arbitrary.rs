@@ -41,6 +41,23 @@ macro_rules! __arbitrary_record {
     };
 }
 
+/// Implements the trait for an enum over structs: each as often as the others.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __arbitrary_topics {
+    ($name:ident { $($topic:ident),* }) => {
+        impl<'a> $crate::generated::arbitrary::Arbitrary<'a> for $name {
+            fn arbitrary(
+                bytes: &mut $crate::generated::arbitrary::Unstructured<'a>,
+            ) -> $crate::generated::arbitrary::Result<Self> {
+                let topics: &[fn(&mut $crate::generated::arbitrary::Unstructured<'a>) -> _] =
+                    &[$(|bytes| $crate::generated::arbitrary::Arbitrary::arbitrary(bytes).map(Self::$topic)),*];
+                (bytes.choose(topics)?)(bytes)
+            }
+        }
+    };
+}
+
 /// A message.
 ///
 /// # Errors

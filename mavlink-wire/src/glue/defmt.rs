@@ -60,6 +60,21 @@ macro_rules! __defmt_record {
     };
 }
 
+/// Implements the trait for an enum over structs: that of the struct.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __defmt_topics {
+    ($name:ident { $($topic:ident),* }) => {
+        impl $crate::generated::defmt::Format for $name {
+            fn format(&self, f: $crate::generated::defmt::Formatter<'_>) {
+                match self {
+                    $(Self::$topic(topic) => $crate::generated::defmt::Format::format(topic, f),)*
+                }
+            }
+        }
+    };
+}
+
 /// Implements the trait for an enum.
 #[doc(hidden)]
 #[macro_export]

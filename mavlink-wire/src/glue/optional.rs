@@ -1,108 +1,35 @@
-//! What the optional features add to messages, enums, flags, dialects, views and slots: nothing, where they are off.
+//! What the optional features add to generated types: nothing, where they are off.
 //!
 //! Generated code cannot ask for the features of this crate, so its macros call these in any case.
 
-#[cfg(not(feature = "serde"))]
+/// Nothing.
 #[doc(hidden)]
 #[macro_export]
-macro_rules! __serde {
-    ($($any:tt)*) => {};
-}
-
-#[cfg(not(feature = "serde"))]
-#[doc(hidden)]
-#[macro_export]
-macro_rules! __serde_message_views {
-    ($($any:tt)*) => {};
-}
-
-#[cfg(not(feature = "serde"))]
-#[doc(hidden)]
-#[macro_export]
-macro_rules! __serde_dialect_views {
-    ($($any:tt)*) => {};
-}
-
-#[cfg(not(feature = "serde"))]
-#[doc(hidden)]
-#[macro_export]
-macro_rules! __serde_view {
-    ($($any:tt)*) => {};
-}
-
-#[cfg(not(feature = "serde"))]
-#[doc(hidden)]
-#[macro_export]
-macro_rules! __serde_record {
-    ($($any:tt)*) => {};
-}
-
-#[cfg(not(feature = "serde"))]
-#[doc(hidden)]
-#[macro_export]
-macro_rules! __serde_topic {
-    ($($any:tt)*) => {};
-}
-
-#[cfg(not(feature = "serde"))]
-#[doc(hidden)]
-#[macro_export]
-macro_rules! __serde_variants {
-    ($($any:tt)*) => {};
-}
-
-#[cfg(not(feature = "defmt"))]
-#[doc(hidden)]
-#[macro_export]
-macro_rules! __defmt {
-    ($($any:tt)*) => {};
-}
-
-#[cfg(not(feature = "defmt"))]
-#[doc(hidden)]
-#[macro_export]
-macro_rules! __defmt_view {
-    ($($any:tt)*) => {};
-}
-
-#[cfg(not(feature = "defmt"))]
-#[doc(hidden)]
-#[macro_export]
-macro_rules! __defmt_record {
-    ($($any:tt)*) => {};
-}
-
-#[cfg(not(feature = "defmt"))]
-#[doc(hidden)]
-#[macro_export]
-macro_rules! __defmt_variants {
+macro_rules! __nothing {
     ($($any:tt)*) => {};
 }
 
 #[cfg(not(feature = "arbitrary"))]
-#[doc(hidden)]
-#[macro_export]
-macro_rules! __arbitrary {
-    ($($any:tt)*) => {};
-}
-
-#[cfg(not(feature = "arbitrary"))]
-#[doc(hidden)]
-#[macro_export]
-macro_rules! __arbitrary_record {
-    ($($any:tt)*) => {};
-}
+pub use crate::{
+    __nothing as __arbitrary, __nothing as __arbitrary_record, __nothing as __arbitrary_topics,
+    __nothing as __random_message,
+};
 
 #[cfg(not(feature = "bitflags"))]
-#[doc(hidden)]
-#[macro_export]
-macro_rules! __bitflags {
-    ($($any:tt)*) => {};
-}
+pub use crate::__nothing as __bitflags;
+
+#[cfg(not(feature = "defmt"))]
+pub use crate::{
+    __nothing as __defmt, __nothing as __defmt_record, __nothing as __defmt_topics, __nothing as __defmt_variants,
+    __nothing as __defmt_view,
+};
 
 #[cfg(not(feature = "mavlink-core"))]
-#[doc(hidden)]
-#[macro_export]
-macro_rules! __mavlink_core {
-    ($($any:tt)*) => {};
-}
+pub use crate::__nothing as __mavlink_core;
+
+#[cfg(not(feature = "serde"))]
+pub use crate::{
+    __nothing as __serde, __nothing as __serde_dialect_views, __nothing as __serde_message_views,
+    __nothing as __serde_record, __nothing as __serde_topic, __nothing as __serde_topics,
+    __nothing as __serde_variants, __nothing as __serde_view,
+};

@@ -40,6 +40,11 @@
 //! its bytes. A dialect's enum is a variant whose index is the message id, so that data survives new messages; MessagePack and
 //! CBOR write the variant's name, which is the message's. CBOR by `ciborium` makes signalling NaNs of `float`s quiet.
 //!
+//! # uORB messages
+//!
+//! A message of PX4 is a struct of its fields, as the `.msg` file spells them, or a tuple of them. The enum of a package is
+//! `{"EscStatus": {…}}`, or a tuple of the name and the message, so that data survives new messages.
+//!
 //! # Frames, ids and counters
 //!
 //! An [`Envelope`] is a message with its [`Header`]. A frame is written with all of its bytes, but not read, since a checksum
@@ -62,6 +67,7 @@ pub(crate) mod message;
 mod named;
 mod record;
 pub(crate) mod topic;
+pub(crate) mod topics;
 pub(crate) mod value;
 pub(crate) mod views;
 

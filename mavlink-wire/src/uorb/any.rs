@@ -67,7 +67,7 @@ impl<T: Topics> Reader<T> {
 }
 
 /// Completes an enum over topics, whose variants have the names of the types in them: [`Topics`](crate::uorb::Topics), `From` each
-/// message, and `TryFrom` back (the error is the enum, unchanged).
+/// message, `TryFrom` back (the error is the enum, unchanged), and what the optional features add.
 ///
 /// `topics!(Px4 { EscStatus, VehicleStatus })`
 #[macro_export]
@@ -134,5 +134,9 @@ macro_rules! topics {
                 }
             }
         )*
+
+        $crate::__serde_topics!($name { $($topic),* });
+        $crate::__defmt_topics!($name { $($topic),* });
+        $crate::__arbitrary_topics!($name { $($topic),* });
     };
 }

@@ -1,7 +1,7 @@
 //! uORB messages: by names for people, as tuples else, every bit kept.
 
 use mavlink_conformance::golden::definitions::TankStatus;
-use mavlink_conformance::golden::topics::{PumpFaults, PumpStatus, PumpStatusMode, PumpStatusTrend};
+use mavlink_conformance::golden::topics::{Pump, PumpFaults, PumpStatus, PumpStatusMode, PumpStatusTrend, Topics};
 use mavlink_wire::Chars;
 use mavlink_wire::uorb::Topic;
 use serde_json::json;
@@ -63,4 +63,32 @@ fn arrays_of_any_length() {
     assert_eq!(read, tank);
     let mut buffer = [0; 512];
     assert_eq!(postcard::from_bytes::<TankStatus>(postcard::to_slice(&tank, &mut buffer).unwrap()), Ok(tank));
+}
+
+#[test]
+fn any_topic_of_a_package_has_its_name() {
+    let pump = Topics::from(Pump { rpm: 7, ..Pump::UNKNOWN });
+    let written = serde_json::to_string(&[pump, station().into()]).unwrap();
+    assert!(written.starts_with(r#"[{"Pump":{"on":false,"timestamp":0,"rpm":7}},{"PumpStatus":{"#), "{written}");
+    let [first, second]: [Topics; 2] = serde_json::from_str(&written).unwrap();
+    assert_eq!(first, pump);
+    assert_eq!(bytes(&second.try_into().unwrap()), bytes(&station()));
+}
+
+/// So that what was written is still read when a package has more topics.
+#[test]
+fn the_name_of_a_topic_is_in_postcard() {
+    let (pump, mut buffer) = (Topics::from(Pump { rpm: 7, ..Pump::UNKNOWN }), [0; 512]);
+    let written = postcard::to_slice(&pump, &mut buffer).unwrap();
+    assert!(written.starts_with(b"\x04Pump"), "{written:?}");
+    assert_eq!(postcard::from_bytes(written), Ok(pump));
+    assert!(postcard::from_bytes::<Topics>(b"\x04Tank\0\0\0").is_err());
+    assert!(postcard::from_bytes::<Topics>(b"\x04Pump").is_err());
+}
+
+#[test]
+fn another_topic_is_refused_with_those_that_there_are() {
+    let refused = |text| serde_json::from_str::<Topics>(text).unwrap_err().to_string();
+    assert!(refused(r#"{"Tank": {}}"#).starts_with("unknown variant `Tank`, expected `Pump` or `PumpStatus`"));
+    assert!(refused(r#"{"Pump": {"on": true, "rpm": 1}}"#).starts_with("missing field `timestamp`"));
 }

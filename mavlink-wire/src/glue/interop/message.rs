@@ -92,13 +92,6 @@ macro_rules! __random_message {
     };
 }
 
-#[cfg(not(feature = "arbitrary"))]
-#[doc(hidden)]
-#[macro_export]
-macro_rules! __random_message {
-    () => {};
-}
-
 /// [`Message::target_mut`](crate::Message::target_mut) of whatever message there is.
 pub trait Targets {
     /// The fields with the ids of the addressed system and component.
