@@ -3,7 +3,6 @@
 mod ground;
 mod vehicle;
 
-use std::fs;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
@@ -14,6 +13,7 @@ use mavlink_autoquad::wire::signing::{Key, Signer, Verifier};
 use mavlink_autoquad::wire::{Dialect, Sender, Timestamp};
 
 use crate::failure::Failure;
+use crate::input::Input;
 use crate::station::{Asking, Run, Running, Station, connect};
 use crate::telemetry::Firmware;
 use crate::time;
@@ -38,7 +38,7 @@ pub(crate) struct Bridge {
     #[arg(required = true)]
     ground: Vec<String>,
     /// Signs all frames to the ground stations, as MAVLink 2, and accepts only signed frames from them. The file holds the
-    /// passphrase of the ground station.
+    /// passphrase of the ground station; `-` is standard input.
     #[arg(long, value_name = "FILE")]
     sign: Option<PathBuf>,
     #[command(flatten)]
@@ -94,9 +94,11 @@ fn forward(run: Run, station: &mut Station, ground: &mut Ground, translation: &m
 
 /// The key of the passphrase in a file.
 fn key(path: &std::path::Path) -> Result<Key, Failure> {
-    let text = fs::read_to_string(path).map_err(|error| Failure::file(path, error))?;
+    let input = Input::open(path)?;
+    let name = input.name.clone();
+    let text = String::from_utf8(input.read_whole()?).map_err(|_| Failure::with(&name, "is no text in UTF-8"))?;
     match text.trim_end_matches(['\r', '\n']) {
-        "" => Err(Failure::file(path, "has no passphrase")),
+        "" => Err(Failure::with(name, "has no passphrase")),
         passphrase => Ok(Key::of_passphrase(passphrase)),
     }
 }

@@ -1,7 +1,6 @@
 //! `autoquad csv`: a recording as a table.
 
 use std::collections::BTreeMap;
-use std::io::{self, BufWriter, Write};
 use std::path::PathBuf;
 
 use clap::Args;
@@ -10,7 +9,7 @@ use mavlink_autoquad::esc::{UptimeClock, true_age_ms};
 use mavlink_autoquad::wire::SystemId;
 
 use crate::failure::Failure;
-use crate::output::Overwriting;
+use crate::output::{Output, Overwriting};
 use crate::recording::Recording;
 use crate::telemetry::{Firmware, fault, power_w, state};
 use crate::time;
@@ -23,11 +22,11 @@ use crate::time;
 #[derive(Args)]
 #[command(after_help = AFTER_HELP)]
 pub(crate) struct Csv {
-    /// The recording, a tlog.
+    /// The recording, a tlog; `-` is standard input.
     log: PathBuf,
-    /// Writes to this file instead of standard output.
-    #[arg(long, value_name = "FILE")]
-    out: Option<PathBuf>,
+    /// The table to write; `-` is standard output.
+    #[arg(long, value_name = "FILE", default_value = "-")]
+    out: PathBuf,
     #[command(flatten)]
     overwriting: Overwriting,
     /// The time when the recording began, if the recorder's clock was wrong. The first entry gets this time; the others keep
@@ -42,7 +41,8 @@ const AFTER_HELP: &str = "\
 Examples:
   autoquad csv flight.tlog > flight.csv
   autoquad csv flight.tlog --out flight.csv --epoch 2016-04-30T12:00:00Z
-  autoquad csv flight.tlog --epoch 0          (seconds since the recording began)";
+  autoquad csv flight.tlog --epoch 0          (seconds since the recording began)
+  gunzip -c flight.tlog.gz | autoquad csv -";
 
 /// The columns.
 const HEADER: [&str; 15] = [
@@ -65,52 +65,27 @@ const HEADER: [&str; 15] = [
 
 impl Csv {
     pub(crate) fn run(&self) -> Result<(), Failure> {
-        let recording = Recording::open(&self.log)?;
-        match &self.out {
-            None => self.write(recording, io::stdout().lock(), Failure::stdout).map(drop),
-            Some(out) => {
-                let file = self.overwriting.create(out, Some(&self.log))?;
-                let rows = self.write(recording, file, |error| Failure::file(out, error))?;
-                eprintln!("autoquad: {}: {rows} rows written", out.display());
-                Ok(())
-            }
-        }
-    }
-
-    /// Writes the table, and gives the number of its rows.
-    fn write(
-        &self,
-        mut recording: Recording,
-        output: impl Write,
-        refused: impl Fn(io::Error) -> Failure,
-    ) -> Result<u64, Failure> {
-        let mut table = ::csv::Writer::from_writer(BufWriter::new(output));
-        let failed = |error: ::csv::Error| match error.into_kind() {
-            ::csv::ErrorKind::Io(error) => refused(error),
-            other => Failure::new(format!("{other:?}")),
-        };
-        table.write_record(HEADER).map_err(failed)?;
-        let (mut rows, mut begin_us) = (0, None);
+        let mut recording = Recording::open(&self.log)?;
+        let mut table = ::csv::Writer::from_writer(self.overwriting.whole(&self.out, Some(&self.log))?);
+        table.write_record(HEADER).map_err(Failure::table)?;
+        let (mut rows, mut begin_us) = (0_u64, None);
         let mut clocks = BTreeMap::<SystemId, UptimeClock>::new();
         while let Some(entry) = recording.read()? {
-            if let (Some(time_us), None) = (entry.time_us, begin_us) {
-                begin_us = Some(time_us);
-            }
+            begin_us = begin_us.or(entry.time_us);
             let Some(telemetry) = self.firmware.telemetry(&entry.frame) else { continue };
             let system = entry.frame.system_id();
             let uptime_us = clocks.entry(system).or_default().update(telemetry.time_boot_ms);
             let time_us = entry.time_us.map(|time_us| self.shifted(time_us, begin_us));
             for row in rows_of(&telemetry, time_us, uptime_us, system) {
-                table.write_record(row).map_err(failed)?;
+                table.write_record(row).map_err(Failure::table)?;
                 rows += 1;
             }
         }
-        table.flush().map_err(&refused)?;
-        recording.finish();
         if rows == 0 {
-            eprintln!("autoquad: {}: has no motor telemetry (AQ_ESC_TELEMETRY)", self.log.display());
+            eprintln!("autoquad: {}: has no motor telemetry (AQ_ESC_TELEMETRY)", recording.name);
         }
-        Ok(rows)
+        recording.finish();
+        finish_table(table, rows)
     }
 
     /// The time of an entry, as if the recording had begun when the user says.
@@ -120,6 +95,12 @@ impl Csv {
             _ => time_us,
         }
     }
+}
+
+/// Ends a table, and says how many rows it has.
+pub(crate) fn finish_table(table: ::csv::Writer<Output>, rows: u64) -> Result<(), Failure> {
+    let output = table.into_inner().map_err(|error| Failure::written(error.into_error()))?;
+    output.finish_saying(format_args!("{rows} rows written"))
 }
 
 fn rows_of(
@@ -168,7 +149,7 @@ mod tests {
         flight(&log, 6, 20, 1_462_017_600_000_000);
         let mut csv = Csv {
             log,
-            out: Some(out.clone()),
+            out: out.clone(),
             overwriting: Overwriting::default(),
             epoch: None,
             firmware: Firmware::default(),
@@ -225,11 +206,11 @@ mod tests {
         for (bytes, said) in [(&b""[..], "is empty"), (b"a diary", "no MAVLink frame in 7 bytes")] {
             let log = folder.path().join("flight.tlog");
             fs::write(&log, bytes).unwrap();
-            let out = Some(folder.path().join(format!("{}.csv", bytes.len())));
+            let out = folder.path().join(format!("{}.csv", bytes.len()));
             let csv = Csv { log, out, overwriting: Overwriting::default(), epoch: None, firmware: Firmware::default() };
             let Err(Failure::Sentence(sentence)) = csv.run() else { panic!("read") };
             assert!(sentence.contains(said), "{sentence}");
-            assert!(!csv.out.is_some_and(|out| out.exists()));
+            assert!(!csv.out.exists());
         }
     }
 }

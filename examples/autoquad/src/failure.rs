@@ -28,11 +28,19 @@ impl Failure {
         Self::with(path.display(), error)
     }
 
-    /// What went wrong on standard output.
-    pub(crate) fn stdout(error: io::Error) -> Self {
+    /// What went wrong with an [`Output`](crate::output::Output), whose name the error has.
+    pub(crate) fn written(error: io::Error) -> Self {
         match error.kind() {
             ErrorKind::BrokenPipe => Self::ReaderGone,
-            _ => Self::with("standard output", error),
+            _ => Self::new(error.to_string()),
+        }
+    }
+
+    /// The same of a table.
+    pub(crate) fn table(error: csv::Error) -> Self {
+        match error.into_kind() {
+            csv::ErrorKind::Io(error) => Self::written(error),
+            other => Self::new(format!("{other:?}")),
         }
     }
 }

@@ -3,10 +3,12 @@
 mod bridge;
 mod csv;
 mod failure;
+mod input;
 mod interrupt;
 mod monitor;
 mod output;
 mod plot;
+mod progress;
 mod px4_log;
 mod quantity;
 mod record;

@@ -9,6 +9,7 @@ mod plain;
 mod playback;
 mod screen;
 
+use std::ffi::OsString;
 use std::io::{self, IsTerminal};
 use std::path::Path;
 use std::time::{Duration, Instant};
@@ -19,6 +20,7 @@ use ratatui::crossterm::event::{self, Event, KeyCode, KeyEvent, KeyEventKind, Ke
 
 use crate::failure::Failure;
 use crate::interrupt;
+use crate::output::Output;
 use crate::quantity::Quantity;
 use crate::recording::Recording;
 use crate::station::{Asking, Running, Source, Station};
@@ -41,8 +43,8 @@ const STEP_US: u64 = 10 * SECOND_US;
 #[derive(Args)]
 #[command(after_help = AFTER_HELP)]
 pub(crate) struct Monitor {
-    /// A recording, or the vehicle's address: udpin:, udpout:, udpbcast:, tcpin:, tcpout:HOST:PORT or serial:DEVICE:BAUD.
-    source: String,
+    /// A recording (`-` is standard input, with --plain), or the vehicle's address: udpin:, udpout:, udpbcast:, tcpin:, tcpout:HOST:PORT or serial:DEVICE:BAUD.
+    source: OsString,
     /// Prints lines once a second instead of drawing a screen, for pipes.
     #[arg(long)]
     plain: bool,
@@ -89,12 +91,12 @@ impl Monitor {
     /// Prints a recording.
     fn print(&self, path: &Path) -> Result<(), Failure> {
         let mut recording = Recording::open(path)?;
-        let (mut fleet, mut plain) = (Fleet::new(self.firmware), Plain::new(io::stdout().lock(), self.limits));
+        let (mut fleet, mut plain) = (Fleet::new(self.firmware), Plain::new(Output::standard(), self.limits));
         let mut now_us = 0;
         while let Some(entry) = recording.read()? {
             now_us = entry.time_us.unwrap_or(now_us);
             if let Some(update) = fleet.receive(now_us, &entry.frame) {
-                plain.updated(&fleet, update, now_us).map_err(Failure::stdout)?;
+                plain.updated(&fleet, update, now_us).map_err(Failure::written)?;
             }
         }
         recording.finish();
@@ -105,7 +107,7 @@ impl Monitor {
     fn listen(&self, address: &str) -> Result<(), Failure> {
         let run = self.running.start()?;
         let mut station = Station::connect(address, self.asking)?;
-        let (mut fleet, mut plain) = (Fleet::new(self.firmware), Plain::new(io::stdout().lock(), self.limits));
+        let (mut fleet, mut plain) = (Fleet::new(self.firmware), Plain::new(Output::standard(), self.limits));
         while run.goes_on() {
             let received = station.receive_until(Instant::now() + PICTURE)?;
             let now_us = time::now_us();
@@ -114,7 +116,7 @@ impl Monitor {
                 Some(update) => plain.updated(&fleet, update, now_us),
                 None => plain.silent(&fleet, now_us),
             };
-            printed.map_err(Failure::stdout)?;
+            printed.map_err(Failure::written)?;
             station.say_silence();
         }
         Ok(())

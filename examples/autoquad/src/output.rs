@@ -1,12 +1,16 @@
-//! Files that the program writes. None is overwritten unless the user asked for it.
+//! What the program writes: files that are whole or not there, recordings that grow, devices, and standard output.
 
-use std::fs::{self, File, OpenOptions};
-use std::io::{self, ErrorKind};
+use std::fmt::Display;
+use std::fs::{self, File, Metadata, OpenOptions};
+use std::io::{self, BufWriter, Error, ErrorKind, Stdout, Write};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use tempfile::NamedTempFile;
 
 use crate::failure::Failure;
+use crate::input;
+use crate::interrupt;
 
 /// Whether files may be overwritten.
 #[derive(Args, Clone, Copy, Debug, Default)]
@@ -17,97 +21,326 @@ pub(crate) struct Overwriting {
 }
 
 impl Overwriting {
-    /// Creates a file that is written to as data comes in. It is never the file that is read meanwhile, not even by force.
-    pub(crate) fn create(self, path: &Path, read: Option<&Path>) -> Result<File, Failure> {
-        not_onto(path, read)?;
-        let file = match self.force {
-            true => File::create(path),
-            false => OpenOptions::new().write(true).create_new(true).open(path),
-        };
-        file.map_err(|error| refused(path, &error))
+    /// A file that has its name once all of it is written: until then, and after an error, there is what was there before.
+    pub(crate) fn whole(self, path: &Path, read: Option<&Path>) -> Result<Output, Failure> {
+        self.open(path, read, false)
     }
 
-    /// Writes a file that is complete from the start. On an error nothing is left of it, and an older file stays as it was.
-    pub(crate) fn write(self, path: &Path, bytes: &[u8], read: Option<&Path>) -> Result<(), Failure> {
-        not_onto(path, read)?;
-        if !self.force {
-            drop(self.create(path, read)?);
+    /// A file that is of use before its end: it has its name from the start, and keeps what was written before an error.
+    pub(crate) fn growing(self, path: &Path, read: Option<&Path>) -> Result<Output, Failure> {
+        self.open(path, read, true)
+    }
+
+    /// Devices and pipes have nothing that could be lost, and are written to as they are. Nothing is written to what is read
+    /// meanwhile, not even by force.
+    fn open(self, path: &Path, read: Option<&Path>, growing: bool) -> Result<Output, Failure> {
+        if is_standard(path) {
+            return Ok(Output::standard());
         }
-        let beside = beside(path);
-        let result = fs::write(&beside, bytes).and_then(|()| fs::rename(&beside, path));
-        result.map_err(|error| {
-            let _ = fs::remove_file(&beside);
-            if !self.force {
-                let _ = fs::remove_file(path);
+        let there = fs::metadata(path).ok();
+        let to = match &there {
+            Some(there) if there.is_dir() => Err(Error::other("is a folder; give the name of a file")),
+            Some(there) if is_stream(there) => OpenOptions::new().write(true).open(path).map(To::Stream),
+            _ if read.is_some_and(|read| is_same(read, path)) => {
+                Err(Error::other("is what is read; give another name for what is written"))
             }
-            Failure::file(path, error)
-        })
-    }
-}
-
-/// Refuses to write onto what is read.
-fn not_onto(path: &Path, read: Option<&Path>) -> Result<(), Failure> {
-    let (read, written) = (read.and_then(|read| fs::canonicalize(read).ok()), fs::canonicalize(path).ok());
-    if written.is_some() && written == read {
-        return Err(Failure::file(path, "is what is read; give another name for what is written"));
-    }
-    Ok(())
-}
-
-/// A name in the same folder, for a file that is not complete yet.
-fn beside(path: &Path) -> PathBuf {
-    let mut name = path.file_name().unwrap_or_default().to_os_string();
-    name.push(format!(".{}.part", std::process::id()));
-    path.with_file_name(name)
-}
-
-fn refused(path: &Path, error: &io::Error) -> Failure {
-    match error.kind() {
-        ErrorKind::AlreadyExists => {
-            Failure::file(path, "exists already; give another name, or --force to overwrite it")
+            _ if !self.force && path.symlink_metadata().is_ok() => Err(exists()),
+            Some(there) if !there.is_file() || growing => File::create(path).map(To::Stream),
+            None if growing => File::create_new(path).map(To::Stream),
+            _ => Unfinished::create(path, self).map(To::Unfinished),
+        };
+        let to = to.map_err(|error| Failure::file(path, error))?;
+        if let To::Unfinished(unfinished) = &to {
+            interrupt::catch_removing(unfinished.file.path())?;
         }
-        _ => Failure::file(path, error),
+        Ok(Output::new(path.display().to_string(), to))
     }
+}
+
+/// Whether a name means standard output. The device would begin a file anew that the shell appends to.
+pub(crate) fn is_standard(path: &Path) -> bool {
+    input::is_standard(path) || path == Path::new("/dev/stdout")
+}
+
+/// Something that is written to. Its errors say what it is called.
+pub(crate) struct Output(BufWriter<Named>);
+
+/// What is written to, without a buffer.
+struct Named {
+    name: String,
+    to: To,
+}
+
+enum To {
+    Standard(Stdout),
+    Stream(File),
+    Unfinished(Unfinished),
+}
+
+impl Output {
+    pub(crate) fn standard() -> Self {
+        Self::new("standard output".to_owned(), To::Standard(io::stdout()))
+    }
+
+    fn new(name: String, to: To) -> Self {
+        Self(BufWriter::new(Named { name, to }))
+    }
+
+    /// What users call it.
+    pub(crate) fn name(&self) -> &str {
+        &self.0.get_ref().name
+    }
+
+    /// Whether it is a file of its own, of which there can be more than one.
+    pub(crate) fn is_file(&self) -> bool {
+        match &self.0.get_ref().to {
+            To::Standard(_) => false,
+            To::Stream(file) => file.metadata().is_ok_and(|metadata| metadata.is_file()),
+            To::Unfinished(_) => true,
+        }
+    }
+
+    /// Ends it, with all of it on the disk and under its name.
+    pub(crate) fn finish(mut self) -> Result<(), Failure> {
+        self.flush().map_err(Failure::written)?;
+        // Pipes and devices have no disk.
+        let is_file = self.is_file();
+        let Named { name, to } = self.0.into_parts().0;
+        let ended = match to {
+            To::Stream(file) if is_file => file.sync_all(),
+            To::Unfinished(unfinished) => unfinished.finish(),
+            To::Standard(_) | To::Stream(_) => Ok(()),
+        };
+        ended.map_err(|error| Failure::with(name, error))
+    }
+
+    /// As [`finish`](Self::finish), and says what was written, but of standard output: its reader sees it.
+    pub(crate) fn finish_saying(self, what: impl Display) -> Result<(), Failure> {
+        let Named { name, to } = self.0.get_ref();
+        let said = (!matches!(to, To::Standard(_))).then(|| format!("autoquad: {name}: {what}"));
+        self.finish()?;
+        said.into_iter().for_each(|said| eprintln!("{said}"));
+        Ok(())
+    }
+}
+
+impl Write for Output {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.0.write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.0.flush()
+    }
+}
+
+impl Named {
+    fn to(&mut self) -> &mut dyn Write {
+        match &mut self.to {
+            To::Standard(output) => output,
+            To::Stream(file) => file,
+            To::Unfinished(unfinished) => &mut unfinished.file,
+        }
+    }
+
+    fn named<T>(&self, result: io::Result<T>) -> io::Result<T> {
+        result.map_err(|error| Error::new(error.kind(), format!("{}: {error}", self.name)))
+    }
+}
+
+impl Write for Named {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        let written = self.to().write(bytes);
+        self.named(written)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        let flushed = self.to().flush();
+        self.named(flushed)
+    }
+}
+
+/// A file that is not whole yet: it lies in the folder where it is wanted, under another name, and is removed unless it is finished.
+struct Unfinished {
+    file: NamedTempFile,
+    path: PathBuf,
+    force: bool,
+}
+
+impl Unfinished {
+    fn create(path: &Path, Overwriting { force }: Overwriting) -> io::Result<Self> {
+        // What a link leads to is replaced, not the link.
+        let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        fs::metadata(folder)?;
+        let mut builder = tempfile::Builder::new();
+        builder.prefix(".autoquad-").suffix(".part");
+        #[cfg(unix)]
+        builder.permissions(<fs::Permissions as std::os::unix::fs::PermissionsExt>::from_mode(0o666));
+        // The library's error has the other name in it, which nobody knows.
+        let file = builder.tempfile_in(folder).map_err(|error| {
+            Error::other(format!("no file can be made in its folder {}: {}", folder.display(), error.kind()))
+        })?;
+        if let Ok(replaced) = fs::metadata(&path) {
+            OpenOptions::new().write(true).open(&path)?;
+            file.as_file().set_permissions(replaced.permissions())?;
+        }
+        Ok(Self { file, path, force })
+    }
+
+    fn finish(self) -> io::Result<()> {
+        self.file.as_file().sync_all()?;
+        if self.force {
+            return self.file.persist(&self.path).map(drop).map_err(|error| error.error);
+        }
+        match self.file.persist_noclobber(&self.path) {
+            Ok(_) => Ok(()),
+            Err(error) if error.error.kind() == ErrorKind::AlreadyExists => Err(exists()),
+            // Not every file system can do that at once.
+            Err(error) if self.path.symlink_metadata().is_err() => {
+                error.file.persist(&self.path).map(drop).map_err(|error| error.error)
+            }
+            Err(error) => Err(error.error),
+        }
+    }
+}
+
+fn exists() -> Error {
+    Error::new(ErrorKind::AlreadyExists, "exists already; give another name, or --force to overwrite it")
+}
+
+/// Whether what is written there goes away: no file, and no disk.
+#[cfg(unix)]
+fn is_stream(there: &Metadata) -> bool {
+    use std::os::unix::fs::FileTypeExt as _;
+    let kind = there.file_type();
+    kind.is_char_device() || kind.is_fifo() || kind.is_socket()
+}
+
+#[cfg(not(unix))]
+fn is_stream(there: &Metadata) -> bool {
+    !there.is_file()
+}
+
+/// Whether two names are those of one file.
+#[cfg(unix)]
+fn is_same(one: &Path, other: &Path) -> bool {
+    use std::os::unix::fs::MetadataExt as _;
+    let file = |path: &Path| fs::metadata(path).ok().map(|there| (there.dev(), there.ino()));
+    file(one).is_some_and(|one| file(other) == Some(one))
+}
+
+#[cfg(not(unix))]
+fn is_same(one: &Path, other: &Path) -> bool {
+    let file = |path: &Path| fs::canonicalize(path).ok();
+    file(one).is_some_and(|one| file(other) == Some(one))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    fn write(overwriting: Overwriting, path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+        let mut output = overwriting.whole(path, None)?;
+        output.write_all(bytes).map_err(Failure::written)?;
+        output.finish()
+    }
+
+    fn sentence<T>(result: Result<T, Failure>) -> String {
+        match result {
+            Err(Failure::Sentence(sentence)) => sentence,
+            _ => panic!("no sentence"),
+        }
+    }
+
+    const ASKED: Overwriting = Overwriting { force: false };
+    const FORCED: Overwriting = Overwriting { force: true };
+
     #[test]
     fn nothing_is_overwritten_without_force() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("flight.tlog");
-        let (asked, forced) = (Overwriting { force: false }, Overwriting { force: true });
-        asked.write(&path, b"first", None).unwrap();
-        let Err(Failure::Sentence(sentence)) = asked.write(&path, b"second", None) else { panic!("overwritten") };
-        assert!(sentence.contains("exists already") && sentence.contains("--force"), "{sentence}");
-        assert!(asked.create(&path, None).is_err());
+        write(ASKED, &path, b"first").unwrap();
+        let said = sentence(write(ASKED, &path, b"second"));
+        assert!(said.contains("exists already") && said.contains("--force"), "{said}");
+        assert!(sentence(ASKED.growing(&path, None)).contains("exists already"));
         assert_eq!(fs::read(&path).unwrap(), b"first");
-        forced.write(&path, b"third", None).unwrap();
+        write(FORCED, &path, b"third").unwrap();
         assert_eq!(fs::read(&path).unwrap(), b"third");
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
     }
 
     #[test]
-    fn nothing_is_written_onto_what_is_read() {
+    fn a_file_that_comes_meanwhile_is_not_overwritten_either() {
         let folder = tempfile::tempdir().unwrap();
-        let (log, forced) = (folder.path().join("flight.tlog"), Overwriting { force: true });
-        fs::write(&log, b"first").unwrap();
-        let (same, other) = (folder.path().join(".").join("flight.tlog"), folder.path().join("other.tlog"));
-        assert!(forced.create(&same, Some(&log)).is_err());
-        assert!(forced.write(&same, b"second", Some(&log)).is_err());
-        assert_eq!(fs::read(&log).unwrap(), b"first");
-        assert!(forced.create(&other, Some(&log)).is_ok());
+        let path = folder.path().join("flight.tlog");
+        let output = ASKED.whole(&path, None).unwrap();
+        fs::write(&path, b"somebody's").unwrap();
+        assert!(sentence(output.finish()).contains("exists already"));
+        assert_eq!(fs::read(&path).unwrap(), b"somebody's");
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
     }
 
     #[test]
-    fn a_folder_that_is_not_there_is_said() {
+    fn a_file_that_is_not_finished_is_not_there() {
         let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("missing").join("flight.tlog");
-        let Err(Failure::Sentence(sentence)) = Overwriting { force: true }.write(&path, b"", None) else {
-            panic!("written")
-        };
-        assert!(sentence.contains("No such file or directory"), "{sentence}");
+        let (new, old) = (folder.path().join("new.csv"), folder.path().join("old.csv"));
+        fs::write(&old, b"first").unwrap();
+        for path in [&new, &old] {
+            let mut output = FORCED.whole(path, None).unwrap();
+            output.write_all(&[b'x'; 100_000]).unwrap();
+            drop(output);
+        }
+        assert!(!new.exists());
+        assert_eq!(fs::read(&old).unwrap(), b"first");
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+        // A recording is of use as far as it goes.
+        FORCED.growing(&new, None).unwrap().write_all(b"entry").unwrap();
+        assert_eq!(fs::read(&new).unwrap(), b"entry");
+    }
+
+    #[test]
+    fn nothing_is_written_onto_what_is_read() {
+        let folder = tempfile::tempdir().unwrap();
+        let [log, linked, other] = ["flight.tlog", "linked.tlog", "other.tlog"].map(|name| folder.path().join(name));
+        fs::write(&log, b"first").unwrap();
+        fs::hard_link(&log, &linked).unwrap();
+        let mut names = vec![folder.path().join(".").join("flight.tlog")];
+        #[cfg(unix)]
+        {
+            names.push(linked);
+            names.push(folder.path().join("symlink.tlog"));
+            std::os::unix::fs::symlink(&log, folder.path().join("symlink.tlog")).unwrap();
+        }
+        for same in names {
+            assert!(sentence(FORCED.growing(&same, Some(&log))).contains("is what is read"), "{}", same.display());
+            assert!(sentence(FORCED.whole(&same, Some(&log))).contains("is what is read"), "{}", same.display());
+        }
+        assert_eq!(fs::read(&log).unwrap(), b"first");
+        assert!(FORCED.growing(&other, Some(&log)).is_ok());
+    }
+
+    #[test]
+    fn what_is_no_place_for_a_file_is_said() {
+        let folder = tempfile::tempdir().unwrap();
+        let missing = folder.path().join("missing").join("flight.tlog");
+        assert!(sentence(FORCED.whole(&missing, None)).contains("No such file or directory"));
+        assert!(sentence(FORCED.whole(folder.path(), None)).contains("is a folder"));
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn links_and_permissions_stay() {
+        use std::os::unix::fs::{PermissionsExt as _, symlink};
+        let folder = tempfile::tempdir().unwrap();
+        let (file, link) = (folder.path().join("flight.csv"), folder.path().join("latest.csv"));
+        fs::write(&file, b"first").unwrap();
+        fs::set_permissions(&file, fs::Permissions::from_mode(0o640)).unwrap();
+        symlink(&file, &link).unwrap();
+        assert!(sentence(write(ASKED, &link, b"second")).contains("exists already"));
+        write(FORCED, &link, b"second").unwrap();
+        assert!(link.is_symlink());
+        assert_eq!(fs::read(&file).unwrap(), b"second");
+        assert_eq!(fs::metadata(&file).unwrap().permissions().mode() & 0o777, 0o640);
     }
 }

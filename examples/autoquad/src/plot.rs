@@ -4,6 +4,7 @@ mod flight;
 mod picture;
 mod trace;
 
+use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -12,7 +13,8 @@ use plotters::prelude::{BitMapBackend, FontStyle, IntoDrawingArea, SVGBackend};
 use plotters::style::register_font;
 
 use crate::failure::Failure;
-use crate::output::Overwriting;
+use crate::input::named_after;
+use crate::output::{Overwriting, is_standard};
 use crate::recording::Recording;
 use crate::telemetry::Firmware;
 use flight::Flight;
@@ -24,9 +26,9 @@ const FONT: &[u8] = include_bytes!("../font/DejaVuSans.ttf");
 #[derive(Args)]
 #[command(after_help = AFTER_HELP)]
 pub(crate) struct Plot {
-    /// The recording, a tlog.
+    /// The recording, a tlog; `-` is standard input.
     log: PathBuf,
-    /// The picture to write, .svg or .png. By default, the recording's name with .svg.
+    /// The picture to write, .svg or .png; `-` is standard output, as SVG. By default, the recording's name with .svg.
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
     #[command(flatten)]
@@ -65,25 +67,30 @@ fn size(text: &str) -> Result<(u32, u32), String> {
 
 impl Plot {
     pub(crate) fn run(&self) -> Result<(), Failure> {
-        let out = self.out.clone().unwrap_or_else(|| self.log.with_extension("svg"));
+        let out = self.out.clone().unwrap_or_else(|| named_after(&self.log, "svg"));
         let format = format(&out)?;
         let wanted = self.system.map(SystemId::from_u8);
-        let Some(flight) = Flight::read(Recording::open(&self.log)?, wanted, self.firmware)? else {
+        let recording = Recording::open(&self.log)?;
+        let name = recording.name.clone();
+        let Some(flight) = Flight::read(recording, wanted, self.firmware)? else {
             let whose = self.system.map(|id| format!(" of system {id}")).unwrap_or_default();
-            return Err(Failure::file(&self.log, format!("has no motor telemetry (AQ_ESC_TELEMETRY){whose} to plot")));
+            return Err(Failure::with(name, format!("has no motor telemetry (AQ_ESC_TELEMETRY){whose} to plot")));
         };
         let bytes = match format {
             Format::Svg => svg(&flight, self.size),
             Format::Png => png(&flight, self.size),
         };
         let bytes = bytes.map_err(|error| Failure::file(&out, format!("the picture could not be drawn: {error}")))?;
-        self.overwriting.write(&out, &bytes, Some(&self.log))?;
-        eprintln!("autoquad: {}: {} controllers, {} marks", out.display(), flight.motors.len(), flight.events.len());
-        Ok(())
+        let mut output = self.overwriting.whole(&out, Some(&self.log))?;
+        output.write_all(&bytes).map_err(Failure::written)?;
+        output.finish_saying(format_args!("{} controllers, {} marks", flight.motors.len(), flight.events.len()))
     }
 }
 
 fn format(out: &Path) -> Result<Format, Failure> {
+    if is_standard(out) {
+        return Ok(Format::Svg);
+    }
     match out.extension().map(|extension| extension.to_ascii_lowercase()) {
         Some(extension) if extension == "svg" => Ok(Format::Svg),
         Some(extension) if extension == "png" => Ok(Format::Png),

@@ -1,16 +1,17 @@
 //! `autoquad px4-log`: the motor controllers in a log of PX4.
 
 use std::collections::BTreeMap;
-use std::io::{self, BufWriter, Write};
-use std::path::PathBuf;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use mavlink_autoquad::px4::{EscStatus, Motor};
 use mavlink_autoquad::wire::uorb::ulog::{End, Log, Samples};
 
+use crate::csv::finish_table;
 use crate::failure::Failure;
-use crate::output::Overwriting;
-use crate::recording::read_whole;
+use crate::input::Input;
+use crate::output::{Output, Overwriting};
 use crate::time;
 
 /// Shows the motor controllers in a PX4 ULog (.ulg) of any release: a summary of each, or every report as CSV.
@@ -20,12 +21,12 @@ use crate::time;
 #[derive(Args)]
 #[command(after_help = AFTER_HELP)]
 pub(crate) struct Px4Log {
-    /// The ULog to read.
+    /// The ULog to read; `-` is standard input.
     log: PathBuf,
     /// Writes every report as CSV to standard output.
     #[arg(long)]
     csv: bool,
-    /// Writes every report as CSV to this file.
+    /// Writes every report as CSV to this file; `-` is standard output.
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
     #[command(flatten)]
@@ -59,63 +60,53 @@ const HEADER: [&str; 15] = [
 
 impl Px4Log {
     pub(crate) fn run(&self) -> Result<(), Failure> {
-        let bytes = read_whole(&self.log)?;
-        let log = Log::new(&bytes).map_err(|error| Failure::file(&self.log, error))?;
+        let input = Input::open(&self.log)?;
+        let name = input.name.clone();
+        let bytes = input.read_whole()?;
+        let log = Log::new(&bytes).map_err(|error| Failure::with(&name, error))?;
         let mut statuses = log.read::<EscStatus>();
-        match &self.out {
-            Some(out) => {
-                let file = self.overwriting.create(out, Some(&self.log))?;
-                let rows = csv(&mut statuses, file, |error| Failure::file(out, error))?;
-                eprintln!("autoquad: {}: {rows} rows written", out.display());
-            }
-            None if self.csv => drop(csv(&mut statuses, io::stdout().lock(), Failure::stdout)?),
-            None => summary(&mut statuses, io::stdout().lock()).map_err(Failure::stdout)?,
+        if self.csv || self.out.is_some() {
+            let out = self.out.as_deref().unwrap_or(Path::new("-"));
+            csv(&mut statuses, self.overwriting.whole(out, Some(&self.log))?)?;
+        } else {
+            let mut output = Output::standard();
+            summary(&mut statuses, &mut output).and_then(|()| output.flush()).map_err(Failure::written)?;
         }
-        self.say(&statuses);
+        say(&name, &statuses);
         Ok(())
-    }
-
-    /// Says what could not be read.
-    fn say(&self, statuses: &Samples<'_, EscStatus>) {
-        let log = self.log.display();
-        let fit = statuses.fit();
-        if !fit.is_exact() {
-            eprintln!("autoquad: {log}: {fit}");
-        }
-        if statuses.unreadable() > 0 {
-            eprintln!("autoquad: {log}: {} records could not be read", statuses.unreadable());
-        }
-        match statuses.end() {
-            End::Truncated => eprintln!("autoquad: {log}: ends within a record, as after a crash"),
-            End::Damaged { at } => {
-                eprintln!("autoquad: {log}: is damaged at byte {at}; what follows was found again if it could be")
-            }
-            _ => {}
-        }
     }
 }
 
-/// Writes a row for each report, and gives their number.
-fn csv(
-    statuses: &mut Samples<'_, EscStatus>,
-    output: impl Write,
-    refused: impl Fn(io::Error) -> Failure,
-) -> Result<u64, Failure> {
-    let mut table = ::csv::Writer::from_writer(BufWriter::new(output));
-    let failed = |error: ::csv::Error| match error.into_kind() {
-        ::csv::ErrorKind::Io(error) => refused(error),
-        other => Failure::new(format!("{other:?}")),
-    };
-    table.write_record(HEADER).map_err(failed)?;
-    let mut rows = 0;
+/// Says what could not be read of a log.
+fn say(log: &str, statuses: &Samples<'_, EscStatus>) {
+    let fit = statuses.fit();
+    if !fit.is_exact() {
+        eprintln!("autoquad: {log}: {fit}");
+    }
+    if statuses.unreadable() > 0 {
+        eprintln!("autoquad: {log}: {} records could not be read", statuses.unreadable());
+    }
+    match statuses.end() {
+        End::Truncated => eprintln!("autoquad: {log}: ends within a record, as after a crash"),
+        End::Damaged { at } => {
+            eprintln!("autoquad: {log}: is damaged at byte {at}; what follows was found again if it could be")
+        }
+        _ => {}
+    }
+}
+
+/// Writes a row for each report.
+fn csv(statuses: &mut Samples<'_, EscStatus>, output: Output) -> Result<(), Failure> {
+    let mut table = ::csv::Writer::from_writer(output);
+    table.write_record(HEADER).map_err(Failure::table)?;
+    let mut rows = 0_u64;
     for (instance, status) in statuses {
         for motor in status.motors() {
-            table.write_record(row(instance, &status, &motor)).map_err(failed)?;
+            table.write_record(row(instance, &status, &motor)).map_err(Failure::table)?;
             rows += 1;
         }
     }
-    table.flush().map_err(&refused)?;
-    Ok(rows)
+    finish_table(table, rows)
 }
 
 fn row(instance: u8, status: &EscStatus, motor: &Motor<'_>) -> [String; 15] {
@@ -251,11 +242,13 @@ mod tests {
 
     #[test]
     fn every_report_is_a_row() {
-        let (bytes, mut table) = (log(), Vec::new());
-        let mut statuses = Log::new(&bytes).unwrap().read::<EscStatus>();
-        assert_eq!(csv(&mut statuses, &mut table, Failure::stdout).unwrap(), 4);
-        let text = String::from_utf8(table).unwrap();
+        let folder = tempfile::tempdir().unwrap();
+        let (log, out) = (folder.path().join("flight.ulg"), folder.path().join("escs.csv"));
+        std::fs::write(&log, self::log()).unwrap();
+        Px4Log { log, csv: false, out: Some(out.clone()), overwriting: Overwriting::default() }.run().unwrap();
+        let text = std::fs::read_to_string(out).unwrap();
         let rows: Vec<&str> = text.lines().collect();
+        assert_eq!(rows.len(), 1 + 4);
         assert_eq!(rows[0].split(',').count(), HEADER.len());
         assert_eq!(rows[1], "1.000000,0,0,2,1,0,4000,15.5,,,0,0,0,0,0.000000");
         assert_eq!(rows[4], "2.500000,0,1,1,0,0,6001,,,,0,0,FAILURE_MOTOR_STUCK,0,0.000000");

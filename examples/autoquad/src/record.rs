@@ -24,7 +24,7 @@ const FLUSH: Duration = Duration::from_secs(1);
 pub(crate) struct Record {
     /// The vehicle's address: udpin:, udpout:, udpbcast:, tcpin:, tcpout:HOST:PORT or serial:DEVICE:BAUD.
     address: String,
-    /// The tlog to write.
+    /// The tlog to write; `-` is standard output.
     log: PathBuf,
     #[command(flatten)]
     overwriting: Overwriting,
@@ -44,6 +44,7 @@ const AFTER_HELP: &str = "\
 Examples:
   autoquad record udpin:0.0.0.0:14550 flight.tlog
   autoquad record serial:/dev/ttyUSB0:57600 flight.tlog --for 20m
+  autoquad record serial:/dev/ttyUSB0:57600 - | zstd > flight.tlog.zst
   autoquad record tcpout:192.168.0.7:5760 fleet.tlog --rotate-time 1h --rotate-size 500";
 
 fn rotation_time(text: &str) -> Result<Duration, String> {
@@ -59,7 +60,8 @@ impl Record {
         let mut station = Station::connect(&self.address, self.asking)?;
         let read = self.address.strip_prefix("file:").map(PathBuf::from);
         let mut files = Files::create(&self.log, read, self.overwriting, rotation)?;
-        eprintln!("autoquad: records {} into {}; Ctrl-C ends it", self.address, self.log.display());
+        let name = files.name().to_owned();
+        eprintln!("autoquad: records {} into {name}; Ctrl-C ends it", self.address);
         let mut flushed = Instant::now();
         while run.goes_on() {
             if let Some(frame) = station.receive_until(flushed + FLUSH)? {
@@ -72,7 +74,7 @@ impl Record {
             station.say_silence();
         }
         let frames = files.finish()?;
-        eprintln!("autoquad: {}: {frames} frames recorded", self.log.display());
+        eprintln!("autoquad: {name}: {frames} frames recorded");
         Ok(())
     }
 }

@@ -1,29 +1,39 @@
 //! Recordings: tlogs from files, with a bar while a long one is read.
 
-use std::fs::File;
-use std::io::{Read, Seek};
-use std::path::{Path, PathBuf};
-use std::time::Duration;
+use std::io::{Cursor, Read};
+use std::path::Path;
 
-use indicatif::{ProgressBar, ProgressBarIter, ProgressStyle};
+use indicatif::{ProgressBar, ProgressBarIter};
 use mavlink_autoquad::autoquad::Autoquad;
-use mavlink_autoquad::wire::Dialect;
-use mavlink_autoquad::wire::tlog::{Entry, Reader};
+use mavlink_autoquad::wire::tlog::Reader;
 use mavlink_autoquad::wire::uorb::ulog::{Log, LogError};
+use mavlink_autoquad::wire::{Dialect, Frame, FrameBuf};
 
 use crate::failure::Failure;
-
-/// Bytes from which on a bar is shown.
-const LONG: u64 = 8 << 20;
+use crate::input::Input;
+use crate::progress;
 
 /// As many bytes as the header of a log of PX4 has.
 const ULOG_HEADER: u64 = 16;
 
 /// A tlog that is read from its start to its end.
 pub(crate) struct Recording {
-    path: PathBuf,
-    reader: Reader<'static, ProgressBarIter<File>>,
+    /// What users call it.
+    pub(crate) name: String,
+    reader: Reader<'static, ProgressBarIter<Box<dyn Read>>>,
     bar: ProgressBar,
+    /// Its first entry, which shows that it is one: time, frame, and bytes in front of it.
+    first: (Option<u64>, FrameBuf, u64),
+    begun: bool,
+}
+
+/// A frame of a recording.
+pub(crate) struct Entry<'r> {
+    /// When it was received, as Unix time in µs, if it is known.
+    pub(crate) time_us: Option<u64>,
+    pub(crate) frame: Frame<'r>,
+    /// Bytes in front of it that belong to no entry.
+    pub(crate) skipped: u64,
 }
 
 impl Recording {
@@ -33,43 +43,43 @@ impl Recording {
     ///
     /// If there is no entry in it: then it is something else.
     pub(crate) fn open(path: &Path) -> Result<Self, Failure> {
-        let refused = |error| Failure::file(path, error);
-        let mut file = File::open(path).map_err(refused)?;
-        let metadata = file.metadata().map_err(refused)?;
-        if metadata.is_dir() {
-            return Err(Failure::file(path, "is a folder, not a recording"));
-        }
-        let bytes = metadata.len();
-        if Reader::new(&mut file, Autoquad::TABLE).read().map_err(refused)?.is_none() {
-            let mut first = Vec::new();
-            file.rewind().and_then(|()| file.take(ULOG_HEADER).read_to_end(&mut first)).map_err(refused)?;
-            return Err(no_recording(path, bytes, &first));
-        }
-        file.rewind().map_err(refused)?;
-        let bar = bar(bytes);
-        let reader = Reader::new(bar.wrap_read(file), Autoquad::TABLE);
-        Ok(Self { path: path.to_owned(), reader, bar })
+        let Input { name, length, mut bytes } = Input::open(path)?;
+        let refused = |error| Failure::with(&name, error);
+        let mut head = Vec::new();
+        bytes.by_ref().take(ULOG_HEADER).read_to_end(&mut head).map_err(refused)?;
+        let bar = progress::bar(length);
+        let all: Box<dyn Read> = Box::new(Cursor::new(head.clone()).chain(bytes));
+        let mut reader = Reader::new(bar.wrap_read(all), Autoquad::TABLE);
+        let first = reader.read().map_err(refused)?.map(|entry| (entry.time_us, entry.frame.into(), entry.skipped));
+        let Some(first) = first else { return Err(no_recording(&name, reader.skipped_bytes(), &head)) };
+        Ok(Self { name, reader, bar, first, begun: false })
     }
 
     /// The next entry; `None` at the end.
     pub(crate) fn read(&mut self) -> Result<Option<Entry<'_>>, Failure> {
-        self.reader.read().map_err(|error| Failure::file(&self.path, error))
+        if !self.begun {
+            self.begun = true;
+            let (time_us, frame, skipped) = &self.first;
+            return Ok(Some(Entry { time_us: *time_us, frame: frame.as_frame(), skipped: *skipped }));
+        }
+        let entry = self.reader.read().map_err(|error| Failure::with(&self.name, error))?;
+        Ok(entry.map(|entry| Entry { time_us: entry.time_us, frame: entry.frame, skipped: entry.skipped }))
     }
 
     /// Ends the reading, and says what was no entry, if there was any.
     pub(crate) fn finish(self) {
         self.bar.finish_and_clear();
-        let (path, skipped) = (self.path.display(), self.reader.skipped_bytes());
+        let (name, skipped) = (self.name, self.reader.skipped_bytes());
         if skipped > 0 {
-            eprintln!("autoquad: {path}: {skipped} bytes belong to no entry and were skipped");
+            eprintln!("autoquad: {name}: {skipped} bytes belong to no entry and were skipped");
         }
     }
 }
 
 /// Why a file without an entry, which begins with these bytes, is no recording, and what reads it.
-fn no_recording(path: &Path, bytes: u64, first: &[u8]) -> Failure {
-    Failure::file(
-        path,
+fn no_recording(name: &str, bytes: u64, first: &[u8]) -> Failure {
+    Failure::with(
+        name,
         match bytes {
             0 => "is empty".to_owned(),
             _ if !matches!(Log::new(first), Err(LogError::NotALog)) => {
@@ -81,29 +91,6 @@ fn no_recording(path: &Path, bytes: u64, first: &[u8]) -> Failure {
             ),
         },
     )
-}
-
-/// A whole file in memory, with a bar if it is long.
-pub(crate) fn read_whole(path: &Path) -> Result<Vec<u8>, Failure> {
-    let refused = |error| Failure::file(path, error);
-    let file = File::open(path).map_err(refused)?;
-    let length = file.metadata().map_err(refused)?.len();
-    let bar = bar(length);
-    let mut bytes = Vec::with_capacity(usize::try_from(length).unwrap_or_default());
-    bar.wrap_read(file).read_to_end(&mut bytes).map_err(refused)?;
-    bar.finish_and_clear();
-    Ok(bytes)
-}
-
-/// A bar on standard error; hidden for short work, and where nobody sees it.
-pub(crate) fn bar(bytes: u64) -> ProgressBar {
-    if bytes < LONG {
-        return ProgressBar::hidden();
-    }
-    let style = ProgressStyle::with_template("{wide_bar} {bytes} of {total_bytes}, {eta} to go");
-    let bar = ProgressBar::new(bytes).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
-    bar.enable_steady_tick(Duration::from_millis(200));
-    bar
 }
 
 #[cfg(test)]

@@ -1,7 +1,6 @@
 //! `autoquad salvage`: what is left in the logs of AutoQuad's QGroundControl.
 
 use std::collections::BTreeMap;
-use std::io::BufWriter;
 use std::path::PathBuf;
 
 use clap::Args;
@@ -11,8 +10,9 @@ use mavlink_autoquad::wire::tlog::salvage::{Record, records};
 use mavlink_autoquad::wire::{ComponentId, Dialect, Encode, Frame, MAX_FRAME, Message, MessageInfo, Sender, SystemId};
 
 use crate::failure::Failure;
+use crate::input::{Input, named_after};
 use crate::output::Overwriting;
-use crate::recording::{bar, read_whole};
+use crate::progress;
 
 /// Converts a .mavlink log, which AutoQuad's QGroundControl wrote from December 2012 on, to a tlog.
 ///
@@ -23,9 +23,9 @@ use crate::recording::{bar, read_whole};
 #[derive(Args)]
 #[command(after_help = AFTER_HELP)]
 pub(crate) struct Salvage {
-    /// The .mavlink log to read.
+    /// The .mavlink log to read; `-` is standard input.
     log: PathBuf,
-    /// The tlog to write. By default, the log's name with .tlog.
+    /// The tlog to write; `-` is standard output. By default, the log's name with .tlog.
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
     #[command(flatten)]
@@ -65,16 +65,17 @@ impl Encode for Salvaged {
 
 impl Salvage {
     pub(crate) fn run(&self) -> Result<(), Failure> {
-        let out = self.out.clone().unwrap_or_else(|| self.log.with_extension("tlog"));
-        let log = read_whole(&self.log)?;
+        let input = Input::open(&self.log)?;
+        let name = input.name.clone();
+        let log = input.read_whole()?;
         let mut salvaged = records(&log, Autoquad::TABLE).peekable();
         if salvaged.peek().is_none() {
-            return Err(Failure::file(&self.log, "nothing of it is a record of AutoQuad's QGroundControl"));
+            return Err(Failure::with(name, "nothing of it is a record of AutoQuad's QGroundControl"));
         }
-        let failed = |error| Failure::file(&out, error);
-        let mut writer = Writer::new(BufWriter::new(self.overwriting.create(&out, Some(&self.log))?));
+        let out = self.out.clone().unwrap_or_else(|| named_after(&self.log, "tlog"));
+        let mut writer = Writer::new(self.overwriting.whole(&out, Some(&self.log))?);
         let (mut senders, mut tally) = (BTreeMap::<_, Sender>::new(), Tally::default());
-        let bar = bar(log.len() as u64);
+        let bar = progress::bar(log.len() as u64);
         for record in salvaged {
             bar.inc(8 + 6 + record.payload().len() as u64 + record.skipped);
             if record.message_id() == Some(AqTelemetryF::ID) {
@@ -88,14 +89,16 @@ impl Salvage {
             let sender = senders.entry(ids).or_insert_with(|| Sender::v1(ids.0, ids.1));
             sender.set_sequence(record.sequence().unwrap_or_default());
             let mut buffer = [0; MAX_FRAME];
-            let bytes = sender.encode(&message, &mut buffer).map_err(|error| Failure::file(&out, error))?;
-            let frame = Frame::parse(bytes, Autoquad::TABLE).map_err(|error| Failure::file(&out, error))?;
-            writer.write(record.time_us, &frame).map_err(failed)?;
+            let bytes = sender.encode(&message, &mut buffer).map_err(|error| Failure::with(&name, error))?;
+            let frame = Frame::parse(bytes, Autoquad::TABLE).map_err(|error| Failure::with(&name, error))?;
+            writer.write(record.time_us, &frame).map_err(Failure::written)?;
             tally.count(&message, &record);
         }
-        writer.flush().map_err(failed)?;
         bar.finish_and_clear();
-        tally.say(&out.display().to_string());
+        let telemetry = tally.messages - tally.lossy.values().sum::<u64>();
+        let written = format_args!("{} messages written, {telemetry} of them motor telemetry", tally.messages);
+        writer.into_inner().finish_saying(written)?;
+        tally.say();
         Ok(())
     }
 
@@ -167,9 +170,8 @@ impl Tally {
         }
     }
 
-    fn say(&self, out: &str) {
-        let telemetry = self.messages - self.lossy.values().sum::<u64>();
-        eprintln!("autoquad: {out}: {} messages written, {telemetry} of them motor telemetry", self.messages);
+    /// Says what is lost.
+    fn say(&self) {
         if !self.lossy.is_empty() {
             let names: Vec<String> = self.lossy.iter().map(|(name, count)| format!("{count} {name}")).collect();
             eprintln!("autoquad: the last fields are lost of {}", names.join(", "));

@@ -6,7 +6,7 @@ mod motor;
 mod streams;
 mod vehicle;
 
-use std::io::{self, BufWriter};
+use std::io;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
@@ -35,7 +35,7 @@ pub(crate) struct Simulate {
     /// The address to send to, such as udpout:HOST:PORT; any address of a link works.
     #[arg(required_unless_present = "tlog", conflicts_with = "tlog")]
     address: Option<String>,
-    /// Writes the whole flight to this tlog instead, faster than real time.
+    /// Writes the whole flight to this tlog instead, faster than real time; `-` is standard output.
     #[arg(long, value_name = "FILE")]
     tlog: Option<PathBuf>,
     #[command(flatten)]
@@ -92,14 +92,12 @@ impl Simulate {
     }
 
     fn write(&self, path: &Path) -> Result<(), Failure> {
-        let mut writer = tlog::Writer::new(BufWriter::new(self.overwriting.create(path, None)?));
+        let mut writer = tlog::Writer::new(self.overwriting.whole(path, None)?);
         let start_us = self.start.unwrap_or_else(time::now_us);
         let written =
             record(self.vehicle(Streams::on(self.rate)), start_us, |time_us, frame| writer.write(time_us, frame))
-                .and_then(|frames| writer.flush().map(|()| frames))
-                .map_err(|error| Failure::file(path, error))?;
-        eprintln!("autoquad: {}: {written} frames written", path.display());
-        Ok(())
+                .map_err(Failure::written)?;
+        writer.into_inner().finish_saying(format_args!("{written} frames written"))
     }
 
     fn fly(&self, address: &str) -> Result<(), Failure> {

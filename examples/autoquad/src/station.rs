@@ -1,6 +1,7 @@
 //! The side of a ground station: a link on which AutoQuads are asked for motor telemetry.
 
 use std::collections::BTreeMap;
+use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
@@ -78,11 +79,12 @@ pub(crate) enum Source {
 
 impl Source {
     /// What the user means: a file that is there, `file:PATH`, or an address, which always has a colon.
-    pub(crate) fn of(text: &str) -> Self {
+    pub(crate) fn of(named: &OsStr) -> Self {
+        let text = named.to_str().unwrap_or_default();
         match text.strip_prefix("file:") {
             Some(path) => Self::Recording(path.into()),
-            None if Path::new(text).is_file() || !text.contains(':') => Self::Recording(text.into()),
-            None => Self::Link(text.to_owned()),
+            None if text.contains(':') && !Path::new(named).exists() => Self::Link(text.to_owned()),
+            None => Self::Recording(named.into()),
         }
     }
 }
@@ -250,10 +252,10 @@ mod tests {
         for (text, path) in
             [("flight.tlog", "flight.tlog"), ("file:flight.raw", "flight.raw"), ("Cargo.toml", "Cargo.toml")]
         {
-            assert_eq!(Source::of(text), Source::Recording(path.into()));
+            assert_eq!(Source::of(OsStr::new(text)), Source::Recording(path.into()));
         }
         for text in ["udpin:0.0.0.0:14550", "serial:/dev/ttyUSB0:57600", "udp:nonsense"] {
-            assert_eq!(Source::of(text), Source::Link(text.to_owned()));
+            assert_eq!(Source::of(OsStr::new(text)), Source::Link(text.to_owned()));
         }
     }
 

@@ -1,8 +1,6 @@
 //! `autoquad ulog`: a recording as a log of PX4.
 
 use std::collections::BTreeMap;
-use std::fs::File;
-use std::io::BufWriter;
 use std::path::PathBuf;
 
 use clap::Args;
@@ -13,7 +11,8 @@ use mavlink_autoquad::wire::SystemId;
 use mavlink_autoquad::wire::uorb::ulog::{DataWriter, Writer};
 
 use crate::failure::Failure;
-use crate::output::Overwriting;
+use crate::input::named_after;
+use crate::output::{Output, Overwriting};
 use crate::recording::Recording;
 use crate::telemetry::Firmware;
 
@@ -27,9 +26,9 @@ const INSTANCES: u8 = 10;
 #[derive(Args)]
 #[command(after_help = AFTER_HELP)]
 pub(crate) struct Ulog {
-    /// The recording, a tlog.
+    /// The recording, a tlog; `-` is standard input.
     log: PathBuf,
-    /// The ULog to write. By default, the recording's name with .ulg.
+    /// The ULog to write; `-` is standard output. By default, the recording's name with .ulg.
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
     #[command(flatten)]
@@ -56,10 +55,8 @@ struct Vehicle {
 impl Ulog {
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let mut recording = Recording::open(&self.log)?;
-        let out = self.out.clone().unwrap_or_else(|| self.log.with_extension("ulg"));
-        let refused = |error| Failure::file(&out, error);
         let mut vehicles = BTreeMap::<SystemId, (usize, Vehicle)>::new();
-        let (mut log, mut written) = (None::<DataWriter<BufWriter<File>>>, 0_u64);
+        let (mut log, mut written) = (None::<DataWriter<Output>>, 0_u64);
         while let Some(entry) = recording.read()? {
             let Some(telemetry) = self.firmware.telemetry(&entry.frame) else { continue };
             let known = vehicles.len();
@@ -71,17 +68,16 @@ impl Ulog {
             let Some(status) = vehicle.update(&telemetry) else { continue };
             let log = match &mut log {
                 Some(log) => log,
-                None => log.insert(self.begin(&out, status.timestamp)?),
+                None => log.insert(self.begin(status.timestamp)?),
             };
-            log.write(instance, &status).map_err(refused)?;
+            log.write(instance, &status).map_err(Failure::written)?;
             written += 1;
         }
-        recording.finish();
         let Some(log) = log else {
-            return Err(Failure::file(&self.log, "has no motor telemetry (AQ_ESC_TELEMETRY)"));
+            return Err(Failure::with(recording.name, "has no motor telemetry (AQ_ESC_TELEMETRY)"));
         };
-        log.finish().map_err(refused)?;
-        eprintln!("autoquad: {}: {written} messages written", out.display());
+        recording.finish();
+        log.finish().map_err(Failure::written)?.finish_saying(format_args!("{written} messages written"))?;
         for (system, (_, vehicle)) in vehicles {
             let motors = vehicle.table.num_motors();
             if motors > MAX_ESCS {
@@ -91,10 +87,11 @@ impl Ulog {
         Ok(())
     }
 
-    fn begin(&self, out: &std::path::Path, start_us: u64) -> Result<DataWriter<BufWriter<File>>, Failure> {
-        let file = BufWriter::new(self.overwriting.create(out, Some(&self.log))?);
-        let log = Writer::new(file, start_us).info("sys_name", "AutoQuad").topic::<EscStatus>();
-        log.begin().map_err(|error| Failure::file(out, error))
+    fn begin(&self, start_us: u64) -> Result<DataWriter<Output>, Failure> {
+        let out = self.out.clone().unwrap_or_else(|| named_after(&self.log, "ulg"));
+        let output = self.overwriting.whole(&out, Some(&self.log))?;
+        let log = Writer::new(output, start_us).info("sys_name", "AutoQuad").topic::<EscStatus>();
+        log.begin().map_err(Failure::written)
     }
 }
 

@@ -1,6 +1,6 @@
 //! A recording that is played: as fast as it was recorded, faster, slower, from any place.
 
-use std::fs::File;
+use std::fs::{self, File};
 use std::io::{Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -10,6 +10,7 @@ use mavlink_autoquad::wire::tlog::Reader;
 use mavlink_autoquad::wire::{Dialect, Frame, FrameBuf};
 
 use crate::failure::Failure;
+use crate::input::is_standard;
 use crate::recording::Recording;
 use crate::time::SECOND_US;
 
@@ -39,6 +40,9 @@ pub(crate) struct Playback {
 impl Playback {
     /// Opens a recording, and notes where in the file which second is.
     pub(crate) fn open(path: &Path) -> Result<Self, Failure> {
+        if is_standard(path) || fs::metadata(path).is_ok_and(|there| !there.is_file() && !there.is_dir()) {
+            return Err(Failure::file(path, "has no places to go to and cannot be played; --plain prints it"));
+        }
         let mut recording = Recording::open(path)?;
         let (mut index, mut place, mut end_us) = (Vec::<(u64, u64)>::new(), 0, None);
         while let Some(entry) = recording.read()? {

@@ -1,7 +1,6 @@
 //! The files of a recording: one, or one after another.
 
-use std::fs::File;
-use std::io::{BufWriter, Write};
+use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
@@ -9,10 +8,10 @@ use mavlink_autoquad::wire::Frame;
 use mavlink_autoquad::wire::tlog::{MAX_ENTRY, encode};
 
 use crate::failure::Failure;
-use crate::output::Overwriting;
+use crate::output::{Output, Overwriting};
 
 /// When another file begins.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Rotation {
     pub(super) bytes: Option<u64>,
     pub(super) time: Option<Duration>,
@@ -31,35 +30,19 @@ pub(super) struct Files {
 
 /// The file that is written now.
 struct Current {
-    path: PathBuf,
-    file: BufWriter<File>,
+    output: Output,
     bytes: u64,
     since: Instant,
 }
 
 impl Current {
-    fn create(path: PathBuf, read: Option<&Path>, overwriting: Overwriting) -> Result<Self, Failure> {
-        let file = BufWriter::new(overwriting.create(&path, read)?);
-        Ok(Self { path, file, bytes: 0, since: Instant::now() })
+    fn create(path: &Path, read: Option<&Path>, overwriting: Overwriting) -> Result<Self, Failure> {
+        Ok(Self { output: overwriting.growing(path, read)?, bytes: 0, since: Instant::now() })
     }
 
     fn write(&mut self, entry: &[u8]) -> Result<(), Failure> {
-        self.file.write_all(entry).map_err(|error| Failure::file(&self.path, error))?;
         self.bytes += entry.len() as u64;
-        Ok(())
-    }
-
-    fn flush(&mut self) -> Result<(), Failure> {
-        self.file.flush().map_err(|error| Failure::file(&self.path, error))
-    }
-
-    /// Ends the file, with all of it on the disk.
-    fn finish(&mut self) -> Result<(), Failure> {
-        self.flush()?;
-        // Pipes and devices have no disk.
-        let is_file = self.file.get_ref().metadata().is_ok_and(|metadata| metadata.is_file());
-        let synced = if is_file { self.file.get_ref().sync_all() } else { Ok(()) };
-        synced.map_err(|error| Failure::file(&self.path, error))
+        self.output.write_all(entry).map_err(Failure::written)
     }
 }
 
@@ -71,7 +54,13 @@ impl Files {
         overwriting: Overwriting,
         rotation: Rotation,
     ) -> Result<Self, Failure> {
-        let current = Current::create(path.to_owned(), read.as_deref(), overwriting)?;
+        let current = Current::create(path, read.as_deref(), overwriting)?;
+        if rotation != Rotation::default() && !current.output.is_file() {
+            return Err(Failure::file(
+                path,
+                "is no file, so there cannot be a second one; leave out --rotate-size and --rotate-time",
+            ));
+        }
         Ok(Self { first: path.to_owned(), read, overwriting, rotation, number: 1, current, frames: 0 })
     }
 
@@ -90,12 +79,17 @@ impl Files {
 
     /// Gives to the system what was written.
     pub(super) fn flush(&mut self) -> Result<(), Failure> {
-        self.current.flush()
+        self.current.output.flush().map_err(Failure::written)
+    }
+
+    /// What users call the file that is written now.
+    pub(super) fn name(&self) -> &str {
+        self.current.output.name()
     }
 
     /// Ends the last file, and gives the number of all frames.
-    pub(super) fn finish(mut self) -> Result<u64, Failure> {
-        self.current.finish()?;
+    pub(super) fn finish(self) -> Result<u64, Failure> {
+        self.current.output.finish()?;
         Ok(self.frames)
     }
 
@@ -107,13 +101,12 @@ impl Files {
 
     /// Begins the next file. Where one of its name is there, it takes the next number: a recording goes on.
     fn rotate(&mut self) -> Result<(), Failure> {
-        self.current.finish()?;
         loop {
             self.number += 1;
             let path = numbered(&self.first, self.number);
             if self.overwriting.force || !path.exists() {
-                self.current = Current::create(path, self.read.as_deref(), self.overwriting)?;
-                return Ok(());
+                let next = Current::create(&path, self.read.as_deref(), self.overwriting)?;
+                return std::mem::replace(&mut self.current, next).output.finish();
             }
         }
     }

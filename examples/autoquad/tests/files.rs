@@ -1,0 +1,209 @@
+//! What the commands leave behind: whole files or none, also where the disk is full or somebody ends them.
+
+#![cfg(unix)]
+#![expect(
+    clippy::unwrap_used,
+    clippy::indexing_slicing,
+    reason = "in what the tests share, too, a failure is a failed test"
+)]
+
+use std::fs::{self, File};
+use std::io::{Read as _, Write as _};
+use std::process::{Command, Output, Stdio};
+use std::time::Duration;
+
+use mavlink_autoquad::autoquad::Autoquad;
+use mavlink_autoquad::wire::{Dialect as _, tlog};
+use tempfile::TempDir;
+
+/// Every command that writes a file, but for `record`: its arguments, and the option that names the file.
+const WRITERS: [(&[&str], &str); 6] = [
+    (&["simulate", "--duration", "20s", "--start", "0"], "--tlog"),
+    (&["csv", "flight.tlog"], "--out"),
+    (&["ulog", "flight.tlog"], "--out"),
+    (&["plot", "flight.tlog"], "--out"),
+    (&["salvage", "flight.mavlink"], "--out"),
+    (&["px4-log", "flight.ulog"], "--out"),
+];
+
+/// A folder with a flight: as a tlog, as a log of AutoQuad's QGroundControl, and as a log of PX4.
+fn flight() -> TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name);
+    said(autoquad(&folder, &["simulate", "--tlog", "flight.tlog", "--duration", "20s", "--start", "0"]), 0, "");
+    said(autoquad(&folder, &["ulog", "flight.tlog", "--out", "flight.ulog"]), 0, "");
+    let (log, mut old) = (fs::read(at("flight.tlog")).unwrap(), Vec::new());
+    for entry in tlog::entries(&log, Autoquad::TABLE) {
+        let bytes = entry.frame.bytes();
+        old.extend((1_400_000_000_000_000 + entry.time_us.unwrap()).to_le_bytes());
+        old.extend(&bytes[..bytes.len() - 8]);
+    }
+    fs::write(at("flight.mavlink"), old).unwrap();
+    folder
+}
+
+fn command(folder: &TempDir) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_autoquad"));
+    command.current_dir(folder).stdin(Stdio::null());
+    command
+}
+
+fn autoquad(folder: &TempDir, arguments: &[&str]) -> Output {
+    command(folder).args(arguments).output().unwrap()
+}
+
+/// The same where no file grows beyond some kilobytes.
+fn on_a_full_disk(folder: &TempDir, arguments: &[&str]) -> Output {
+    let script = "trap '' XFSZ; ulimit -f 4; exec \"$@\"";
+    let mut shell = Command::new("sh");
+    shell.args(["-c", script, "sh", env!("CARGO_BIN_EXE_autoquad")]).args(arguments);
+    shell.current_dir(folder).stdin(Stdio::null()).output().unwrap()
+}
+
+/// Checks the exit status, and that standard error has this in it; gives all of it.
+#[track_caller]
+fn said(output: Output, status: i32, part: &str) -> String {
+    let text = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(status), "{text}");
+    assert!(text.contains(part), "{part}: {text}");
+    text
+}
+
+fn names(folder: &TempDir) -> Vec<String> {
+    let entries = fs::read_dir(folder).unwrap();
+    let mut names: Vec<String> = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn on_a_full_disk_nothing_is_left_and_nothing_is_lost() {
+    let folder = flight();
+    let before = names(&folder);
+    for (arguments, option) in WRITERS {
+        let asked = [arguments, &[option, "out.svg"]].concat();
+        said(on_a_full_disk(&folder, &asked), 1, "autoquad: out.svg: File too large");
+        assert_eq!(names(&folder), before, "{arguments:?}");
+        fs::write(folder.path().join("out.svg"), "old").unwrap();
+        said(on_a_full_disk(&folder, &[&asked[..], &["--force"]].concat()), 1, "autoquad: out.svg: File too large");
+        assert_eq!(fs::read(folder.path().join("out.svg")).unwrap(), b"old", "{arguments:?}");
+        fs::remove_file(folder.path().join("out.svg")).unwrap();
+        assert_eq!(names(&folder), before, "{arguments:?}");
+    }
+}
+
+#[test]
+fn a_dash_is_standard_input_and_output() {
+    let folder = flight();
+    for (arguments, option) in WRITERS {
+        said(autoquad(&folder, &[arguments, &[option, "out.svg"]].concat()), 0, "out.svg: ");
+        let expected = fs::read(folder.path().join("out.svg")).unwrap();
+        fs::remove_file(folder.path().join("out.svg")).unwrap();
+        let before = names(&folder);
+        for name in ["-", "/dev/stdout"] {
+            let output = autoquad(&folder, &[arguments, &[option, name]].concat());
+            assert!(output.stdout == expected, "{arguments:?} {name}");
+            assert!(!said(output, 0, "").contains("written"), "{arguments:?}");
+        }
+        let [name, file, ..] = *arguments else { continue };
+        if name != "simulate" {
+            let input = File::open(folder.path().join(file)).unwrap();
+            let option = if name == "px4-log" { &["--csv"][..] } else { &[] };
+            let output = command(&folder).args([name, "-"]).args(option).stdin(input).output().unwrap();
+            assert!(output.stdout == expected, "{name}");
+            said(output, 0, "");
+        }
+        assert_eq!(names(&folder), before, "{arguments:?}");
+    }
+}
+
+#[test]
+fn a_stream_is_read_as_a_file_is() {
+    let folder = flight();
+    let path = folder.path().join("flight.tlog");
+    let piped = |arguments: &[&str]| {
+        let mut child = command(&folder);
+        child.args(arguments).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+        let mut child = child.spawn().unwrap();
+        let sent = child.stdin.take().unwrap().write_all(&fs::read(&path).unwrap());
+        (child.wait_with_output().unwrap(), sent.is_ok())
+    };
+    let expected = autoquad(&folder, &["csv", "flight.tlog"]).stdout;
+    for name in ["-", "/dev/stdin"] {
+        assert!(piped(&["csv", name]).0.stdout == expected, "{name}");
+    }
+    let lines = autoquad(&folder, &["monitor", "--plain", "flight.tlog"]).stdout;
+    assert!(!lines.is_empty() && piped(&["monitor", "--plain", "-"]).0.stdout == lines);
+    let empty = command(&folder).args(["csv", "-"]).output().unwrap();
+    assert!(empty.stdout.is_empty());
+    said(empty, 1, "autoquad: standard input: is empty");
+}
+
+#[test]
+fn devices_and_pipes_are_written_to_as_they_are() {
+    let folder = flight();
+    for (arguments, option) in WRITERS {
+        // A picture has to be called `.svg`.
+        std::os::unix::fs::symlink("/dev/full", folder.path().join("full.svg")).unwrap();
+        if cfg!(target_os = "linux") {
+            let output = autoquad(&folder, &[arguments, &[option, "full.svg"]].concat());
+            said(output, 1, "autoquad: full.svg: No space left on device");
+        }
+        fs::remove_file(folder.path().join("full.svg")).unwrap();
+        let pipe = folder.path().join("pipe.svg");
+        assert!(Command::new("mkfifo").arg(&pipe).status().unwrap().success());
+        let reader = std::thread::spawn({
+            let pipe = pipe.clone();
+            move || fs::read(pipe).unwrap()
+        });
+        said(autoquad(&folder, &[arguments, &[option, "pipe.svg"]].concat()), 0, "pipe.svg: ");
+        assert!(reader.join().unwrap().len() > 1_000, "{arguments:?}");
+        fs::remove_file(pipe).unwrap();
+    }
+}
+
+#[test]
+fn nothing_is_written_onto_what_is_read_under_another_name() {
+    let folder = flight();
+    for (arguments, option) in &WRITERS[1..] {
+        let read = folder.path().join(arguments[1]);
+        fs::hard_link(&read, folder.path().join("linked.svg")).unwrap();
+        let before = fs::read(&read).unwrap();
+        let output = autoquad(&folder, &[arguments, &[*option, "linked.svg", "--force"][..]].concat());
+        said(output, 1, "autoquad: linked.svg: is what is read");
+        assert!(fs::read(&read).unwrap() == before);
+        fs::remove_file(folder.path().join("linked.svg")).unwrap();
+    }
+}
+
+#[test]
+fn what_is_ended_midway_leaves_nothing() {
+    let folder = flight();
+    let before = names(&folder);
+    let mut child = command(&folder);
+    child.args(["csv", "-", "--out", "flight.csv"]).stdin(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = child.spawn().unwrap();
+    let mut input = child.stdin.take().unwrap();
+    input.write_all(&fs::read(folder.path().join("flight.tlog")).unwrap()).unwrap();
+    // More may come: the command is at work.
+    let waits = (0..1_000).take_while(|_| names(&folder) == before);
+    waits.for_each(|_| std::thread::sleep(Duration::from_millis(10)));
+    assert!(Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success());
+    let status = child.wait().unwrap();
+    drop(input);
+    assert_eq!((status.code(), names(&folder)), (Some(130), before));
+}
+
+#[test]
+fn a_reader_that_has_seen_enough_is_no_error() {
+    let folder = flight();
+    let commands: [&[&str]; 3] =
+        [&["csv", "flight.tlog"], &["monitor", "flight.tlog", "--plain"], &["simulate", "--tlog", "-"]];
+    for arguments in commands {
+        let mut child = command(&folder);
+        let mut child = child.args(arguments).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+        let mut first = [0; 1];
+        child.stdout.take().unwrap().read_exact(&mut first).unwrap();
+        assert_eq!(said(child.wait_with_output().unwrap(), 0, ""), "", "{arguments:?}");
+    }
+}
