@@ -87,7 +87,7 @@ impl fmt::Display for LinkError {
             Self::NoPermission { address } => write!(
                 f,
                 "this user may not open {address}: for a serial port, join the group that owns it (often `dialout`); \
-                 for a port below 1024, take one above"
+                 for a port below 1024, take one above; to broadcast, use `udpbcast`"
             ),
             Self::Unreachable { address, reason } => {
                 write!(f, "nobody answers at {address} ({reason}): start the other side first, or check host and port")

@@ -3,6 +3,8 @@
 mod address;
 mod errors;
 mod file;
+#[cfg(unix)]
+mod permission;
 #[cfg(feature = "tokio")]
 mod polled;
 #[cfg(all(unix, feature = "serial"))]
