@@ -8,7 +8,6 @@
 //! What it names and cannot find is a mistake of ours ([`Internal`](crate::internal::Internal)).
 
 mod accessors;
-mod binding;
 mod collision;
 mod command;
 mod conflicts;
@@ -21,17 +20,13 @@ mod items;
 pub(crate) mod link;
 mod message;
 mod modules;
-mod named;
 pub(crate) mod names;
 mod namespace;
 pub(crate) mod spelling;
 #[cfg(feature = "uorb")]
 pub(crate) mod topic;
 mod tree;
-mod types;
 mod view;
 
 pub(crate) use files::{MARK, Options, ROOT_MARK};
-#[cfg(feature = "compare")]
-pub(crate) use items::Items;
 pub(crate) use tree::{tree, tree_of_several};

@@ -3,9 +3,9 @@
 use std::collections::BTreeMap;
 
 use crate::internal::Internal;
-use crate::ir::{EnumId, Valid};
-use crate::lower::Items;
+use crate::ir::Valid;
 use crate::lower::names::Names;
+use crate::lower::{Options, tree};
 use crate::rust::{
     Command, Content, Default, Element, Enum, Error, Field, Method, Packed, Param, Receiver, RecordType,
     Shape as FieldShape, Sig, Struct, Ty,
@@ -58,15 +58,9 @@ pub(super) struct Member {
 
 /// The public types of a state: of its enums, of its messages with their views, and of its commands.
 pub(super) fn surface(dialect: Valid<'_>, names: &Names) -> Result<Surface, Internal> {
-    let items = Items::of(dialect, names, true);
+    let options = Options { deprecated: true, commands: true, ..Options::default() };
     let mut surface = Surface::new();
-    for index in 0..dialect.enums.len() {
-        add(&mut surface, &items.enum_content(EnumId(index))?);
-    }
-    for index in 0..dialect.messages.len() {
-        items.message_contents(index)?.iter().for_each(|content| add(&mut surface, content));
-    }
-    items.command_contents()?.iter().for_each(|content| add(&mut surface, content));
+    tree(dialect, names, &options)?.iter().for_each(|file| add(&mut surface, &file.content));
     Ok(surface)
 }
 

@@ -12,11 +12,11 @@ pub(super) fn method<'a>(method: &'a Method<'a>) -> &'a Method<'a> {
 
 impl ToTokens for Method<'_> {
     fn to_tokens(&self, tokens: &mut TokenStream) {
-        let Self { ident: name, sig, docs, inline, kind } = self;
+        let Self { ident: name, sig, docs, kind } = self;
         let is_chained = sig.receiver == Receiver::MutValue && sig.result == Ty::Own;
         quote! {
             #docs
-            #(if *inline => #[inline])
+            #(if self.is_inline() => #[inline])
             #(if is_chained => #[must_use])
             #(if sig.public => pub) #(if sig.is_const => const) fn #{ident(name)} #sig {
                 #{body(kind)}

@@ -32,6 +32,15 @@ pub struct View {
 }
 
 impl View {
+    /// The fields that are copied: into its slots, or as its values.
+    pub(crate) fn keys(&self) -> &[Key] {
+        match &self.access {
+            Access::Once { .. } => &[],
+            Access::Slots(slots) => &slots.keys,
+            Access::Record(record) => &record.values,
+        }
+    }
+
     /// A view of values, which are its access.
     pub(crate) fn of_values(name: Name, access: Access, condition: Option<Condition>, origin: Origin) -> Self {
         let (words, invalid, members) = (Vec::new(), Vec::new(), Vec::new());

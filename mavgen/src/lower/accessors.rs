@@ -1,28 +1,33 @@
-//! Getters and setters beside the plain fields: for sentinels ("not known"), and for enums in fields of another width.
+//! Getters and setters beside the plain fields: for sentinels ("not known"), for enums in fields of another width, and for
+//! enums that overlays bind to fields.
 
-use super::items::Items;
-use super::named::{NamedField, NamedMessage, spelled};
-use super::names::iterator;
+use super::docs;
+use super::items::{Items, NamedField, NamedMessage, spelled};
+use super::names::methods::iterator;
 use crate::internal::Internal;
-use crate::ir::{self, EnumId, Invalid, Scalar, Scope, Values};
-use crate::rust::{Convert, Docs, Error, Extent, Kind, Literal, Method, Sentinel, Sig, Ty, Unknown};
+use crate::ir::{self, Binding, EnumId, Invalid, Scalar, Values};
+use crate::rust::{
+    Bind, Convert, Docs, Element, Error, Extent, Kind, Literal, Method, Paragraph, Sentinel, Sig, Ty, Unknown,
+};
 
 impl<'d> Items<'d> {
-    /// The accessors of a message, of those fields that have some.
+    /// The accessors of a message, of those fields that have some, and of what overlays bind to fields.
     pub(super) fn accessors(self, message: NamedMessage<'d>) -> Result<Vec<Method<'d>>, Internal> {
         let mut accessors = Vec::new();
         for &index in &message.names.accessors {
             let field = message.field(index)?;
-            accessors.extend(match (field.model.values, &field.model.invalid) {
-                (Some(Values::Converted(id)), _) => self.converted(field, id)?,
+            match (field.model.values, &field.model.invalid) {
+                (Some(Values::Converted(id)), _) => accessors.extend(self.converted(field, id)?),
                 (_, Some(invalid)) => {
-                    let own = self.may_be_unknown(field, invalid)?;
-                    accessors.extend(optional(&own));
-                    accessors.extend(known(&own));
-                    continue;
+                    let extent = Extent::of(invalid.scope, field.model.ty.array.map(|n| n.get().into()));
+                    let sentinel = Sentinel { field: field.ident, unknown: self.unknown(field, invalid)?, extent };
+                    accessors.extend(optional(self.element(field)?, sentinel));
                 }
                 (_, None) => return Err(Internal::new(format!("no accessor suits {}", field.ident))),
-            });
+            }
+        }
+        for binding in message.bindings() {
+            accessors.extend(self.binding(message, binding)?);
         }
         Ok(accessors)
     }
@@ -34,18 +39,6 @@ impl<'d> Items<'d> {
             (ir::Sentinel::Float(value), _) => Unknown::Is(Literal::Float(value)),
             (ir::Sentinel::Integer(value), _) => Unknown::Is(self.literal(field, value)?),
         })
-    }
-
-    /// A field that may be unknown.
-    fn may_be_unknown(self, field: NamedField<'d>, invalid: &Invalid) -> Result<Optional<'d>, Internal> {
-        let extent = match (invalid.scope, field.model.ty.array) {
-            (_, None) => Extent::Scalar,
-            (Scope::Each, Some(_)) => Extent::Each,
-            (Scope::First, Some(_)) => Extent::First,
-            (Scope::Whole, Some(n)) => Extent::Whole(n.get().into()),
-        };
-        let (unknown, element) = (self.unknown(field, invalid)?, self.element(field)?.ty());
-        Ok(Optional { ident: field.ident, element, unknown, extent })
     }
 
     /// An enum in a field of another width or sign: scalars without, arrays with an index.
@@ -63,33 +56,44 @@ impl<'d> Items<'d> {
         let setter = Sig::setter("value", Ty::Enum(convert.to)).indexed(element);
         let setter = if element || !sets { setter.fallible(Error::OutOfRange) } else { setter };
         let docs = [converted_getter(&convert), converted_setter(&convert)];
-        Ok(pair(convert.field, [getter, setter], docs, [Kind::EnumGet(convert.clone()), Kind::EnumSet(convert)]))
+        Ok(pair(convert.field, [getter, setter], docs, [Kind::EnumGet(convert), Kind::EnumSet(convert)]))
+    }
+
+    /// The getter and setter of what an overlay binds to a field.
+    fn binding(
+        self,
+        message: NamedMessage<'d>,
+        (binding, getter): (&'d Binding, &str),
+    ) -> Result<[Method<'d>; 2], Internal> {
+        let (field, bound) = (message.field(binding.field)?.ident, self.enum_type(binding.enum_)?);
+        let when = binding.condition.as_ref().map(|condition| self.holds(message, condition)).transpose()?;
+        let link = format!("[`Self::{field}`](field@Self::{field})");
+        let (shown, ty) = (docs::link(bound.ident), Ty::Enum(bound));
+        let get_sig = Sig::getter(ty.clone().optional(when.is_some()));
+        let get_docs =
+            Docs(vec![Paragraph::prose(binding.description.as_str()), Paragraph::line(format!("{link} as {shown}."))]);
+        let set_docs = Docs::line(format!("Sets {link} from {shown}."));
+        Ok([
+            Method::new(getter, get_sig, get_docs, Kind::BindGet(Bind { field, bound, when })),
+            Method::new(
+                format!("set_{getter}"),
+                Sig::setter("value", ty),
+                set_docs,
+                Kind::BindSet(Bind { field, bound, when: None }),
+            ),
+        ])
     }
 }
 
-/// A field that may be unknown.
-pub(super) struct Optional<'d> {
-    pub(super) ident: &'d str,
-    /// The type of one element.
-    pub(super) element: Ty<'d>,
-    pub(super) unknown: Unknown<'d>,
-    pub(super) extent: Extent,
-}
-
-impl<'d> Optional<'d> {
-    fn sentinel(&self) -> Sentinel<'d> {
-        Sentinel { field: self.ident, unknown: self.unknown, extent: self.extent }
-    }
-}
-
-/// The field as an `Option`.
-pub(super) fn optional<'d>(field: &Optional<'d>) -> [Method<'d>; 2] {
-    let ty = match field.extent {
-        Extent::Whole(n) => Ty::Array(Box::new(field.element.clone()), n),
-        Extent::Scalar | Extent::Each | Extent::First => field.element.clone(),
+/// A field as an `Option`; and the elements of an array, if each may be unknown.
+pub(super) fn optional<'d>(element: Element<'d>, sentinel: Sentinel<'d>) -> Vec<Method<'d>> {
+    let Sentinel { field, extent, .. } = sentinel;
+    let indexed = matches!(extent, Extent::Each | Extent::First);
+    let value = match extent {
+        Extent::Whole(n) => Ty::Array(Box::new(element.ty()), n),
+        Extent::Scalar | Extent::Each | Extent::First => element.ty(),
     };
-    let value = ty.optional(true);
-    let indexed = matches!(field.extent, Extent::Each | Extent::First);
+    let value = value.optional(true);
     let setter = Sig::setter("value", value.clone()).indexed(indexed);
     let setter = if indexed { setter.fallible(Error::OutOfRange) } else { setter };
     let docs = match indexed {
@@ -99,24 +103,14 @@ pub(super) fn optional<'d>(field: &Optional<'d>) -> [Method<'d>; 2] {
             "Sets element `index` of #; `None` says that it is not known. An error if there is no such element.",
         ],
     };
-    let kinds = [Kind::SentinelGet(field.sentinel()), Kind::SentinelSet(field.sentinel())];
-    pair(field.ident, [Sig::getter(value).indexed(indexed), setter], docs, kinds)
-}
-
-/// The elements of an array, if each may be unknown.
-pub(super) fn known<'d>(field: &Optional<'d>) -> Option<Method<'d>> {
-    if !matches!(field.extent, Extent::Each | Extent::First) {
-        return None;
+    let kinds = [Kind::SentinelGet(sentinel), Kind::SentinelSet(sentinel)];
+    let mut methods = pair(field, [Sig::getter(value.clone()).indexed(indexed), setter], docs, kinds).to_vec();
+    if indexed {
+        let docs = format!("The elements of `{}`, each `None` where the sender does not know it.", spelled(field));
+        let (sig, kind) = (Sig::getter(Ty::Iterator(Box::new(value))), Kind::SentinelIter(sentinel));
+        methods.push(Method::new(iterator(field), sig, Docs::line(docs), kind));
     }
-    let element = field.element.clone().optional(true);
-    let docs = format!("The elements of `{}`, each `None` where the sender does not know it.", spelled(field.ident));
-    Some(Method {
-        ident: iterator(field.ident),
-        sig: Sig::getter(Ty::Iterator(Box::new(element))),
-        docs: Docs::line(docs),
-        inline: true,
-        kind: Kind::SentinelIter(field.sentinel()),
-    })
+    methods
 }
 
 fn converted_getter(convert: &Convert<'_>) -> &'static str {
@@ -141,10 +135,7 @@ fn converted_setter(convert: &Convert<'_>) -> &'static str {
 
 /// A getter and a setter, each with a line of documentation that has the field's name for `#`.
 fn pair<'d>(field: &str, sigs: [Sig<'d>; 2], docs: [&str; 2], kinds: [Kind<'d>; 2]) -> [Method<'d>; 2] {
-    let [get, set] = docs.map(|text| Docs::line(text.replace('#', &format!("`{}`", spelled(field)))));
+    let [get_docs, set_docs] = docs.map(|text| Docs::line(text.replace('#', &format!("`{}`", spelled(field)))));
     let ([get_sig, set_sig], [get_kind, set_kind]) = (sigs, kinds);
-    [
-        Method { ident: field.to_owned(), sig: get_sig, docs: get, inline: true, kind: get_kind },
-        Method { ident: format!("set_{field}"), sig: set_sig, docs: set, inline: true, kind: set_kind },
-    ]
+    [Method::new(field, get_sig, get_docs, get_kind), Method::new(format!("set_{field}"), set_sig, set_docs, set_kind)]
 }

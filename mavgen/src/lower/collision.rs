@@ -1,15 +1,25 @@
 //! What is said of names that collide: every sentence of the kind stands here.
 
-use super::namespace::{Claim, Collision, Scope, What};
-use crate::diag::{Code, Diagnostic};
+use super::namespace::{Claim, Collision, Namespace, Scope, What};
+use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::Name;
 use crate::source::Span;
+
+/// Reports collisions.
+pub(super) fn report<'a>(found: impl IntoIterator<Item = Collision<'a>>, diagnostics: &mut Diagnostics) {
+    found.into_iter().for_each(|collision| diagnostics.extend(diagnostic(&collision)));
+}
+
+/// Reports what has the name of something else in its scope.
+pub(super) fn apart(scope: Scope, claims: Vec<(String, Claim<'_>)>, diagnostics: &mut Diagnostics) {
+    report(Namespace::of(scope).claim_by_age(claims), diagnostics);
+}
 
 /// The diagnostic about a collision; none if it is no mistake, or is reported as another.
 ///
 /// Definitions that are spelled alike are duplicates, and a text that is no name has none: `resolve` reports both. A field
 /// without accessors because every message has their names is not its author's mistake.
-pub(super) fn diagnostic(collision: &Collision<'_>) -> Option<Diagnostic> {
+fn diagnostic(collision: &Collision<'_>) -> Option<Diagnostic> {
     let Collision { scope, name, first, second } = collision;
     let is_named_freely = |what| matches!(what, What::Reserved(_) | What::Param | What::Root);
     let is_name = |claim: &Claim<'_>| is_named_freely(claim.what) || Name::fault(claim.text).is_none();
@@ -38,7 +48,7 @@ fn both(name: &str, first: &Claim<'_>, second: &Claim<'_>) -> Diagnostic {
         let kind = if first.what == second.what { plural(first.what) } else { "types" };
         format!("{kind} `{}` and `{}` are both `{name}` in Rust", first.text, second.text)
     };
-    renamed(problem(Code::NameCollision, second, message), first)
+    beside(problem(Code::NameCollision, second, message).help("rename one of them"), first, "the other one")
 }
 
 fn plural(what: What) -> &'static str {
@@ -57,7 +67,7 @@ fn twice(name: &str, first: &Claim<'_>, second: &Claim<'_>) -> Diagnostic {
         true => format!("`{name}` stands twice in the view"),
         false => format!("`{name}` is {what}, and {other} as well"),
     };
-    renamed(problem(Code::NameCollision, second, message), first)
+    beside(problem(Code::NameCollision, second, message).help("rename one of them"), first, "the other one")
 }
 
 /// What has a name, in words.
@@ -88,21 +98,14 @@ fn accessors_lost(name: &str, first: &Claim<'_>, second: &Claim<'_>) -> Option<D
 fn command_lost(name: &str, first: &Claim<'_>, second: &Claim<'_>) -> Diagnostic {
     let message = format!("command `{}` has no type: `commands::{name}` is `{}`", second.text, first.text);
     let problem = problem(Code::CommandLost, second, message).help("send it as a plain `COMMAND_LONG`, or rename it");
-    match first.span {
-        Some(span) => problem.related(span, "this command has it"),
-        None => problem,
-    }
+    beside(problem, first, "this command has it")
 }
 
 /// Two params of one label.
 fn label_taken(name: &str, first: &Claim<'_>, second: &Claim<'_>) -> Diagnostic {
     let message = format!("label `{}` is that of another param, which is `{name}` in Rust", second.text);
-    let problem =
-        problem(Code::ParamLabel, second, message).help("this one is named after its number; give it another label");
-    match first.span {
-        Some(span) => problem.related(span, "the other one"),
-        None => problem,
-    }
+    let help = "this one is named after its number; give it another label";
+    beside(problem(Code::ParamLabel, second, message).help(help), first, "the other one")
 }
 
 /// A label that makes no name.
@@ -137,10 +140,10 @@ fn problem(code: Code, claim: &Claim<'_>, message: String) -> Diagnostic {
     }
 }
 
-fn renamed(problem: Diagnostic, first: &Claim<'_>) -> Diagnostic {
-    let problem = problem.help("rename one of them");
+/// Shows what has the name, if that stands somewhere.
+fn beside(problem: Diagnostic, first: &Claim<'_>, label: &str) -> Diagnostic {
     match first.span {
-        Some(span) => problem.related(span, "the other one"),
+        Some(span) => problem.related(span, label),
         None => problem,
     }
 }

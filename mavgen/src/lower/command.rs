@@ -3,9 +3,7 @@
 use super::docs;
 use super::folder::Commands;
 use super::imports::MODULE;
-use super::items::Items;
-use super::link::Placement;
-use super::named::NamedCommand;
+use super::items::{Items, NamedCommand};
 use crate::collect::CollectVec as _;
 use crate::docs::line;
 use crate::internal::Internal;
@@ -84,12 +82,8 @@ impl<'d> Items<'d> {
     /// The messages that carry commands, and the type of a frame.
     pub(super) fn carriers(self, of: &Commands) -> Result<Carriers, Internal> {
         let way = |at: usize| {
-            let placement = match self.union {
-                Some(union) => union.message_placements.get(at).map(|at| at.placement),
-                None => Some(Placement::Shared),
-            };
-            let placement = placement.ok_or_else(|| Internal::new(format!("message {at} is declared nowhere")))?;
-            Ok::<_, Internal>(format!("{}messages::{}", self.way(MODULE, placement)?, self.message_at(at)?.ty()))
+            let way = self.way(MODULE, self.message_home(at)?)?;
+            Ok::<_, Internal>(format!("{way}messages::{}", self.message_at(at)?.ty()))
         };
         let frame = |at: usize| match self.frame(at)? {
             Ty::Enum(one) => Ok(self.way(MODULE, self.enum_home(one.id)?)? + "enums::" + one.ident),
@@ -152,8 +146,6 @@ fn param_docs<'d>(command: &ir::Command, param: &'d Param, ty: ParamTy<'_>) -> D
         _ => format!("default {default}"),
     }));
     let mut sentences = vec![format!("Param {}{}.", param.index, label(param))];
-    if !facts.is_empty() {
-        sentences.push(docs::capitalised(&format!("{}.", facts.join("; "))));
-    }
+    sentences.extend(docs::sentence(&facts));
     Docs(vec![Paragraph::Prose(docs::meaningful(&param.origin.description).into(), sentences)])
 }

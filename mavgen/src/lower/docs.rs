@@ -1,10 +1,12 @@
 //! Documentation: what the XML says, and what only the generator knows.
 
+use std::fmt::Display;
+
 use super::items::Items;
 use crate::collect::CollectVec as _;
 use crate::docs::line;
-use crate::ir::{Command, Lifecycle, Limits, Origin, Successor};
-use crate::rust::Paragraph;
+use crate::ir::{Command, Invalid, Lifecycle, Limits, Origin, Scope, Sentinel, Successor};
+use crate::rust::{Docs, Paragraph};
 
 /// The description, and the stage of life.
 pub(crate) fn description(origin: &Origin) -> Vec<Paragraph<'_>> {
@@ -27,7 +29,7 @@ impl Items<'_> {
     /// `since 2018-04, replaced by X`, if the item is deprecated and the options ask for it.
     ///
     /// The date stands in the note because `since` takes nothing but a version.
-    pub(crate) fn deprecation(self, origin: &Origin) -> Option<String> {
+    pub(super) fn deprecation(self, origin: &Origin) -> Option<String> {
         match &origin.lifecycle {
             Some(Lifecycle::Deprecated(successor)) if self.deprecated => Some(note(successor)),
             _ => None,
@@ -54,14 +56,45 @@ pub(crate) fn quantity(units: Option<&str>, multiplier: Option<&str>, limits: &L
         Some(multiplier) => format!("in {} times {}", line(units), line(multiplier)),
         None => format!("in {}", line(units)),
     });
-    let range = match (limits.min, limits.max) {
+    let step = limits.increment.map(|step| format!("in steps of {step}"));
+    [unit, range(limits.min, limits.max), step].into_iter().flatten().collect_vec()
+}
+
+/// `from 0 to 100`
+pub(crate) fn range<T: Display>(min: Option<T>, max: Option<T>) -> Option<String> {
+    match (min, max) {
         (Some(min), Some(max)) => Some(format!("from {min} to {max}")),
         (Some(min), None) => Some(format!("at least {min}")),
         (None, Some(max)) => Some(format!("at most {max}")),
         (None, None) => None,
+    }
+}
+
+/// `65535 means not known`: of a scalar, or of an array.
+pub(crate) fn not_known(Invalid { scope, sentinel }: Invalid, is_array: bool) -> String {
+    let value = match sentinel {
+        Sentinel::Integer(value) => value.to_string(),
+        Sentinel::Float(value) => value.to_string(),
+        Sentinel::NotANumber => "NaN".to_owned(),
     };
-    let step = limits.increment.map(|step| format!("in steps of {step}"));
-    [unit, range, step].into_iter().flatten().collect_vec()
+    match (is_array, scope) {
+        (false, _) => format!("{value} means not known"),
+        (true, Scope::Each) => format!("{value} means that an element is not known"),
+        (true, Scope::Whole) => format!("{value} in the first element means that none is known"),
+        (true, Scope::First) => format!("{value} means that the first element is not known"),
+    }
+}
+
+/// A sentence of facts: `In m/s; 65535 means not known.`
+pub(crate) fn sentence(facts: &[String]) -> Option<String> {
+    (!facts.is_empty()).then(|| capitalised(&format!("{}.", facts.join("; "))))
+}
+
+/// What an overlay says of bits or of a copied field, or else its name; the unit; and more.
+pub(crate) fn of_part<'d>(description: &'d str, name: &str, units: Option<&str>, more: Option<&str>) -> Docs<'d> {
+    let name = description.trim().is_empty().then(|| format!("`{name}`."));
+    let sentences = [name, units.map(|units| format!("In {}.", line(units))), more.map(str::to_owned)];
+    Docs(vec![Paragraph::said(description, sentences.into_iter().flatten().collect_vec())])
 }
 
 /// Descriptions of params that say that there is nothing to describe.
@@ -84,7 +117,7 @@ pub(crate) fn command_notes(command: &Command) -> Vec<String> {
 }
 
 /// `in m/s` becomes `In m/s`.
-pub(crate) fn capitalised(sentence: &str) -> String {
+fn capitalised(sentence: &str) -> String {
     let mut chars = sentence.chars();
     chars.next().map_or_else(String::new, |first| first.to_uppercase().chain(chars).collect())
 }
@@ -96,32 +129,12 @@ pub(crate) fn link(rust: &str) -> String {
 }
 
 /// The files of upstream that have a page in the public message reference.
-const PUBLISHED: [&str; 20] = [
-    "ASLUAV",
-    "AVSSUAS",
-    "all",
-    "ardupilotmega",
-    "common",
-    "csAirLink",
-    "cubepilot",
-    "development",
-    "icarous",
-    "loweheiser",
-    "marsh",
-    "minimal",
-    "paparazzi",
-    "python_array_test",
-    "standard",
-    "stemstudios",
-    "storm32",
-    "test",
-    "uAvionix",
-    "ualberta",
-];
+const PUBLISHED: &str = "ASLUAV AVSSUAS all ardupilotmega common csAirLink cubepilot development icarous loweheiser marsh \
+    minimal paparazzi python_array_test standard stemstudios storm32 test uAvionix ualberta";
 
 /// A sentence that links to the public reference, where the file is one that it covers.
 pub(crate) fn reference(file: &str, anchor: &str) -> Option<String> {
-    let stem = file.strip_suffix(".xml").filter(|stem| PUBLISHED.contains(stem))?;
+    let stem = file.strip_suffix(".xml").filter(|stem| PUBLISHED.split(' ').any(|one| one == *stem))?;
     Some(format!("See the [message reference](https://mavlink.io/en/messages/{stem}.html#{anchor})."))
 }
 

@@ -1,8 +1,7 @@
 //! Enums and flags, the parameters of commands, and the enum over all messages of a dialect.
 
 use super::docs;
-use super::items::Items;
-use super::named::NamedEnum;
+use super::items::{Items, NamedEnum};
 use crate::collect::CollectVec as _;
 use crate::internal::Internal;
 use crate::ir::{self, Command, Entry, EnumId, Limits, Param};
@@ -81,10 +80,7 @@ impl<'d> Items<'d> {
         let label = super::command::label(param);
         let mut facts = docs::quantity(param.units.as_deref(), None, &param.limits);
         facts.extend(param.default.map(|default| format!("default {default}")));
-        let mut sentences = Vec::new();
-        if !facts.is_empty() {
-            sentences.push(docs::capitalised(&format!("{}.", facts.join("; "))));
-        }
+        let sentences = docs::sentence(&facts).into_iter().collect_vec();
         let link = param.enum_.map(|id| {
             let (name, way) = (self.enum_type(id)?.ident, self.way_to_enum(id)?);
             Ok(format!("A [`{name}`]({way}enums::{name})."))
@@ -98,10 +94,10 @@ impl<'d> Items<'d> {
         self,
         ident: &'d str,
         name: &str,
-        messages: impl Iterator<Item = usize>,
+        messages: &[usize],
     ) -> Result<DialectEnum<'d>, Internal> {
-        let variants = messages.map(|at| {
-            let message = self.message_at(at)?;
+        let variants = messages.iter().map(|at| {
+            let message = self.message_at(*at)?;
             let docs = Docs::line(format!("`{}`, message {}.", message.model.name.text, message.model.id));
             Ok(Variant { ident: message.ty(), docs })
         });
@@ -132,13 +128,7 @@ fn is_known(param: &Param) -> bool {
 }
 
 fn params_method<'d>() -> Method<'d> {
-    Method {
-        ident: "params".to_owned(),
-        sig: Sig { receiver: Receiver::Value, ..Sig::getter(Ty::Params) },
-        docs: Docs::line(
-            "What is known of the command's parameters, by index: those left out are reserved, or have nothing but a description.",
-        ),
-        inline: false,
-        kind: Kind::Params,
-    }
+    let docs = "What is known of the command's parameters, by index: those left out are reserved, or have nothing but a description.";
+    let sig = Sig { receiver: Receiver::Value, ..Sig::getter(Ty::Params) };
+    Method::new("params", sig, Docs::line(docs), Kind::Params)
 }

@@ -31,13 +31,13 @@ pub(super) struct Folder<'d> {
     /// The modules of dialects in it.
     pub(super) roots: Vec<&'d str>,
     /// The messages that it exports, by id.
-    pub(super) messages: Vec<Listed<usize>>,
+    pub(super) messages: Vec<usize>,
     /// The enums that it exports.
-    pub(super) enums: Vec<Listed<EnumId>>,
+    pub(super) enums: Vec<EnumId>,
     /// The views that it exports, as places of a message and in it.
-    pub(super) views: Vec<Listed<(usize, usize)>>,
+    pub(super) views: Vec<(usize, usize)>,
     /// The typed commands that it exports, and where they are declared.
-    pub(super) commands: Option<Listed<Commands>>,
+    pub(super) commands: Option<(Commands, Placement)>,
 }
 
 /// What typed commands are made of.
@@ -87,49 +87,43 @@ pub(super) struct Titled<'d> {
     pub(super) type_name: &'d str,
 }
 
-/// What a folder exports, and where that is declared.
-#[derive(Clone, Copy)]
-pub(super) struct Listed<T> {
-    pub(super) item: T,
-    pub(super) placement: Placement,
-}
-
-impl<T> Listed<T> {
-    fn shared(item: T) -> Self {
-        Self { item, placement: Placement::Shared }
-    }
-}
-
 impl<'d> Folder<'d> {
     /// The whole tree of one dialect.
     pub(super) fn of_one(dialect: &'d Dialect, type_name: &'d str) -> Self {
         let messages = dialect.messages.iter().enumerate();
         let views = messages.flat_map(|(at, message)| (0..message.views.len()).map(move |view| (at, view)));
         Self {
-            placement: Placement::Shared,
             dialect: Some(Titled { name: &dialect.name, type_name }),
-            file: "mod.rs".to_owned(),
-            prefix: String::new(),
-            sources: dialect.files.first().map_or_else(String::new, |file| file.name.clone()),
-            roots: Vec::new(),
-            messages: (0..dialect.messages.len()).map(Listed::shared).collect_vec(),
-            enums: (0..dialect.enums.len()).map(|at| Listed::shared(EnumId(at))).collect_vec(),
-            views: views.map(Listed::shared).collect_vec(),
-            commands: Commands::of_one(dialect).map(Listed::shared),
+            messages: (0..dialect.messages.len()).collect_vec(),
+            enums: (0..dialect.enums.len()).map(EnumId).collect_vec(),
+            views: views.collect_vec(),
+            commands: Commands::of_one(dialect).map(|commands| (commands, Placement::Shared)),
+            ..Self::top(dialect.files.first().map_or_else(String::new, |file| file.name.clone()))
         }
     }
 
-    /// The same, without commands if they are not wanted.
-    pub(super) fn with_commands(self, wanted: bool) -> Self {
-        Self { commands: self.commands.filter(|_| wanted), ..self }
+    /// What is declared at the top of a tree: nothing yet.
+    fn top(sources: String) -> Self {
+        Self {
+            placement: Placement::Shared,
+            dialect: None,
+            file: "mod.rs".to_owned(),
+            prefix: String::new(),
+            sources,
+            roots: Vec::new(),
+            messages: Vec::new(),
+            enums: Vec::new(),
+            views: Vec::new(),
+            commands: None,
+        }
     }
 
     /// What several dialects share, then the folder of each.
     pub(super) fn of_several(union: &'d Union) -> Result<Vec<Self>, Internal> {
-        let is_shared = |placement: &Placement| *placement == Placement::Shared;
+        let is_shared = |placement: Placement| placement == Placement::Shared;
         let tops = union.roots.iter().map(|root| top_file(union, root)).try_collect_vec()?;
-        let enums = union.enum_placements.iter().enumerate().filter(|(_, placement)| is_shared(placement));
-        let messages = union.message_placements.iter().enumerate().filter(|(_, at)| is_shared(&at.placement));
+        let enums = union.enum_placements.iter().enumerate().filter(|(_, placement)| is_shared(**placement));
+        let messages = union.message_placements.iter().enumerate().filter(|(_, at)| is_shared(at.placement));
         let enums = enums.map(|(at, _)| EnumId(at)).collect_vec();
         let mut messages = messages.map(|(at, _)| at).collect_vec();
         order::sort_by_key(&mut messages, |at| union.all.messages.get(*at).map(|message| message.id));
@@ -137,59 +131,38 @@ impl<'d> Folder<'d> {
         let commands =
             commands.filter(|shared| union.roots.iter().any(|root| Commands::of_root(union, root) == Some(*shared)));
         let mut folders = vec![Self {
-            placement: Placement::Shared,
-            dialect: None,
-            file: "mod.rs".to_owned(),
-            prefix: String::new(),
-            sources: tops.join(", "),
             roots: union.roots.iter().map(|root| root.module.as_str()).collect_vec(),
-            messages: messages.into_iter().map(Listed::shared).collect_vec(),
-            enums: enums.into_iter().map(Listed::shared).collect_vec(),
-            views: views(union, |view| is_shared(&view.placement)),
-            commands: commands.map(Listed::shared),
+            messages,
+            enums,
+            views: views(union, |view| is_shared(view.placement)),
+            commands: commands.map(|commands| (commands, Placement::Shared)),
+            ..Self::top(tops.join(", "))
         }];
-        for (at, root) in union.roots.iter().enumerate() {
-            folders.push(Self::of_root(union, at, root, commands)?);
+        for ((at, root), top) in union.roots.iter().enumerate().zip(tops) {
+            let placement = Placement::Root(at);
+            let declared = |own: &Commands| if commands == Some(*own) { Placement::Shared } else { placement };
+            folders.push(Self {
+                placement,
+                dialect: Some(Titled { name: &root.name, type_name: &root.type_name }),
+                file: format!("{}.rs", root.module),
+                prefix: format!("{}/", root.module),
+                messages: root.messages.clone(),
+                enums: root.enums.clone(),
+                views: views(union, |view| view.roots.contains(&at)),
+                commands: Commands::of_root(union, root).map(|own| (own, declared(&own))),
+                ..Self::top(top.to_owned())
+            });
         }
         Ok(folders)
-    }
-
-    fn of_root(union: &'d Union, at: usize, root: &'d Root, shared: Option<Commands>) -> Result<Self, Internal> {
-        let module = &root.module;
-        let enums = root.enums.iter().map(|&item| {
-            let placement =
-                union.enum_placements.get(item.0).ok_or_else(|| Internal::new("an enum is declared nowhere"))?;
-            Ok(Listed { item, placement: *placement })
-        });
-        let messages = root.messages.iter().map(|&item| {
-            let at =
-                union.message_placements.get(item).ok_or_else(|| Internal::new("a message is declared nowhere"))?;
-            Ok(Listed { item, placement: at.placement })
-        });
-        Ok(Self {
-            placement: Placement::Root(at),
-            dialect: Some(Titled { name: &root.name, type_name: &root.type_name }),
-            file: format!("{module}.rs"),
-            prefix: format!("{module}/"),
-            sources: top_file(union, root)?.to_owned(),
-            roots: Vec::new(),
-            messages: messages.try_collect_vec()?,
-            enums: enums.try_collect_vec()?,
-            views: views(union, |view| view.roots.contains(&at)),
-            commands: Commands::of_root(union, root).map(|item| Listed {
-                item,
-                placement: if shared == Some(item) { Placement::Shared } else { Placement::Root(at) },
-            }),
-        })
     }
 }
 
 /// The views that are wanted, of all.
-fn views(union: &Union, wanted: impl Fn(&ViewPlacement) -> bool) -> Vec<Listed<(usize, usize)>> {
+fn views(union: &Union, wanted: impl Fn(&ViewPlacement) -> bool) -> Vec<(usize, usize)> {
     let mut views = Vec::new();
     for (message, placements) in union.message_placements.iter().enumerate() {
         let wanted = placements.views.iter().enumerate().filter(|(_, view)| wanted(view));
-        views.extend(wanted.map(|(view, at)| Listed { item: (message, view), placement: at.placement }));
+        views.extend(wanted.map(|(view, _)| (message, view)));
     }
     views
 }

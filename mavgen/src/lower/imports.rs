@@ -37,11 +37,22 @@ impl<'d> Items<'d> {
     /// Where an enum is declared.
     pub(super) fn enum_home(self, id: EnumId) -> Result<Placement, Internal> {
         let Some(union) = self.union else { return Ok(Placement::Shared) };
-        union
-            .enum_placements
-            .get(id.0)
-            .copied()
-            .ok_or_else(|| Internal::new(format!("enum {} is declared nowhere", id.0)))
+        let placement = union.enum_placements.get(id.0).copied();
+        placement.ok_or_else(|| Internal::new(format!("enum {} is declared nowhere", id.0)))
+    }
+
+    /// Where a message is declared.
+    pub(super) fn message_home(self, at: usize) -> Result<Placement, Internal> {
+        let Some(union) = self.union else { return Ok(Placement::Shared) };
+        let placement = union.message_placements.get(at).map(|at| at.placement);
+        placement.ok_or_else(|| Internal::new(format!("message {at} is declared nowhere")))
+    }
+
+    /// Where a view is declared, by the place of its message and its place in that.
+    pub(super) fn view_home(self, (at, view): (usize, usize)) -> Result<Placement, Internal> {
+        let Some(union) = self.union else { return Ok(Placement::Shared) };
+        let placement = union.message_placements.get(at).and_then(|at| at.views.get(view)).map(|at| at.placement);
+        placement.ok_or_else(|| Internal::new(format!("view {view} of message {at} is declared nowhere")))
     }
 
     /// The way from the file of an item to the folder of an enum.
@@ -66,11 +77,7 @@ impl<'d> Items<'d> {
 
     /// `use super::super::messages::Heartbeat;`, for the file of a view.
     pub(super) fn use_message(self, at: usize) -> Result<Use, Internal> {
-        let placement = match self.union {
-            Some(union) => union.message_placements.get(at).map(|at| at.placement),
-            None => Some(Placement::Shared),
-        };
-        let placement = placement.ok_or_else(|| Internal::new(format!("message {at} is declared nowhere")))?;
-        Ok(Use::Names(self.way(ITEM, placement)? + "messages", vec![self.message_at(at)?.ty().to_owned()]))
+        let way = self.way(ITEM, self.message_home(at)?)? + "messages";
+        Ok(Use::Names(way, vec![self.message_at(at)?.ty().to_owned()]))
     }
 }

@@ -86,9 +86,8 @@ pub(crate) fn check_modules<'a>(
     let dialects = dialects.collect_vec();
     let mut modules = Namespace::of(Scope::Modules);
     for (name, span, path) in &dialects {
-        let by = Claim { what: What::Root, text: path, span: Some(*span), age: 0 };
-        let collision = modules.claim(spelling::root_module_name(name, tree), by);
-        diagnostics.extend(collision.as_ref().and_then(collision::diagnostic));
+        let by = Claim::at(What::Root, path, *span);
+        collision::report(modules.claim(spelling::root_module_name(name, tree), by), diagnostics);
     }
 }
 

@@ -1,28 +1,25 @@
 //! A message: its fields, its methods and its documentation.
 
-use super::items::Items;
-use super::named::{NamedAccess, NamedField, NamedMessage, spelled};
-use super::{docs, types};
+use super::docs;
+use super::items::{Items, NamedField, NamedMessage, spelled};
 use crate::collect::CollectVec as _;
 use crate::docs::line;
 use crate::internal::Internal;
-use crate::ir::{self, Invalid, Message, Scalar, Scope, Sentinel, Values};
+use crate::ir::{self, Access, Condition, Message, Scalar, Values};
 use crate::rust::{Alias, Cell, Default, Docs, Field, Frame, Gives, Paragraph, Seen, Struct, Target};
 
 impl<'d> Items<'d> {
     /// The items of a message; `conflicts` are lines about what other dialects have in its place.
     pub(super) fn message(self, at: usize, conflicts: Vec<String>) -> Result<Struct<'d>, Internal> {
         let message = self.message_at(at)?;
-        let mut methods = self.accessors(message)?;
-        methods.extend(self.bindings(message)?);
         Ok(Struct {
             ident: message.ty(),
             alias: docs::alias(&message.model.name.text, message.ty()),
             docs: self.message_docs(message, conflicts)?,
             deprecated: self.deprecation(&message.model.origin),
             fields: message.fields().map(|field| self.message_field(message, field)).try_collect_vec()?,
-            methods,
-            seen: seen(message)?,
+            methods: self.accessors(message)?,
+            seen: seen(message),
             frame: frame(message),
         })
     }
@@ -33,7 +30,7 @@ impl<'d> Items<'d> {
         Ok(Field {
             ident: field.ident,
             element: self.element(field)?,
-            shape: types::shape(model),
+            shape: field.shape(),
             default: match model.ty.scalar {
                 Scalar::Version(version) => Default::Version(version),
                 _ => Default::Zero,
@@ -72,17 +69,13 @@ impl<'d> Items<'d> {
 
     /// What overlays give the message beside its fields.
     fn overlay_methods(self, message: NamedMessage<'d>) -> Result<Vec<String>, Internal> {
-        let views = (0..message.model.views.len()).map(|at| {
-            let view = message.view(at)?;
-            let (getter, what) = match view.access()? {
-                NamedAccess::Once(getter) => (getter, "packed bits".to_owned()),
-                NamedAccess::Slots(slots) => (slots.items, "packed bits".to_owned()),
-                NamedAccess::Record(record) => {
-                    let condition = self.condition(message, view)?.map(|asked| format!(" if {asked}"));
-                    (record.getter, format!("values{}", condition.unwrap_or_default()))
-                }
+        let views = message.views().map(|view| {
+            let what = match (&view.model.access, self.condition(message, view)?) {
+                (Access::Once { .. } | Access::Slots(_), _) => "packed bits".to_owned(),
+                (Access::Record(_), None) => "values".to_owned(),
+                (Access::Record(_), Some(asked)) => format!("values if {asked}"),
             };
-            Ok(format!("- [`Self::{getter}()`]: {what}, as `{}`.", view.ty()))
+            Ok(format!("- [`Self::{}()`]: {what}, as `{}`.", view.getter(), view.ty()))
         });
         let bindings = message.bindings().map(|(binding, getter)| {
             let (field, bound) = (message.field(binding.field)?.ident, self.enum_type(binding.enum_)?);
@@ -95,11 +88,8 @@ impl<'d> Items<'d> {
     fn field_docs(self, named: NamedField<'d>, secret: bool) -> Result<Docs<'d>, Internal> {
         let field = named.model;
         let mut facts = docs::quantity(field.units.as_deref(), field.multiplier.as_deref(), &field.limits);
-        facts.extend(field.invalid.as_ref().map(|invalid| sentinel_sentence(invalid, field)));
-        let mut sentences = Vec::new();
-        if !facts.is_empty() {
-            sentences.push(docs::capitalised(&format!("{}.", facts.join("; "))));
-        }
+        facts.extend(field.invalid.map(|invalid| docs::not_known(invalid, field.ty.array.is_some())));
+        let mut sentences = docs::sentence(&facts).into_iter().collect_vec();
         if let Some(Values::Converted(id)) = field.values {
             let (name, to) = (named.ident, self.enum_type(id)?);
             sentences.push(format!("A number: [`Self::{name}()`] gives it as {}.", docs::link(to.ident)));
@@ -136,36 +126,24 @@ pub(super) fn alias<'d>(message: &Struct<'d>, module: &'d str) -> Option<Alias<'
 }
 
 /// The getters of what overlays see in the message.
-fn seen(message: NamedMessage<'_>) -> Result<Vec<Seen<'_>>, Internal> {
-    let under = |condition: bool| if condition { Gives::Maybe } else { Gives::One };
-    let bound =
-        message.bindings().map(|(binding, getter)| Ok(Seen { getter, gives: under(binding.condition.is_some()) }));
-    let views = (0..message.model.views.len()).map(|at| {
-        let view = message.view(at)?;
-        Ok(match view.access()? {
-            NamedAccess::Once(getter) => Seen { getter, gives: under(view.model.condition.is_some()) },
-            NamedAccess::Slots(slots) => Seen { getter: slots.items, gives: Gives::Each },
-            NamedAccess::Record(record) => Seen { getter: record.getter, gives: under(view.model.condition.is_some()) },
-        })
+fn seen(message: NamedMessage<'_>) -> Vec<Seen<'_>> {
+    let under = |condition: Option<Condition>| if condition.is_some() { Gives::Maybe } else { Gives::One };
+    let bound = message.bindings().map(|(binding, getter)| Seen { getter, gives: under(binding.condition) });
+    let views = message.views().map(|view| {
+        let gives = if view.names.slots.is_some() { Gives::Each } else { under(view.model.condition) };
+        Seen { getter: view.getter(), gives }
     });
-    bound.chain(views).try_collect_vec()
+    bound.chain(views).collect_vec()
 }
 
 fn frame(message: NamedMessage<'_>) -> Frame<'_> {
-    let NamedMessage { model, .. } = message;
     let target = |field: Option<&ir::Field>| {
-        let field = message.named(field?)?;
-        Some(Target { field: field.ident, offset: field.model.offset })
+        let offset = field?.offset;
+        let named = message.fields().find(|named| named.model.offset == offset)?;
+        Some(Target { field: named.ident, offset })
     };
-    Frame {
-        id: model.id,
-        name: &model.name.text,
-        crc_extra: model.crc_extra,
-        len_v1: model.len_v1,
-        len_v2: model.len_v2,
-        target_system: target(model.target_system()),
-        target_component: target(model.target_component()),
-    }
+    let wire = message.model;
+    Frame { wire, target_system: target(wire.target_system()), target_component: target(wire.target_component()) }
 }
 
 /// What lies where in the payload.
@@ -187,19 +165,4 @@ fn xml_type(field: &ir::Field) -> String {
         other => other.wire_name(),
     };
     field.ty.array.map_or_else(|| scalar.to_owned(), |n| format!("{scalar}[{n}]"))
-}
-
-/// `65535 means not known`.
-fn sentinel_sentence(invalid: &Invalid, field: &ir::Field) -> String {
-    let value = match invalid.sentinel {
-        Sentinel::Integer(value) => value.to_string(),
-        Sentinel::Float(value) => value.to_string(),
-        Sentinel::NotANumber => "NaN".to_owned(),
-    };
-    match (invalid.scope, field.ty.array) {
-        (Scope::Each, None) => format!("{value} means not known"),
-        (Scope::Each, Some(_)) => format!("{value} means that an element is not known"),
-        (Scope::Whole, _) => format!("{value} in the first element means that none is known"),
-        (Scope::First, _) => format!("{value} means that the first element is not known"),
-    }
 }

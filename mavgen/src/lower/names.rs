@@ -4,7 +4,7 @@
 
 mod check;
 mod commands;
-mod methods;
+pub(super) mod methods;
 #[cfg(test)]
 mod tests;
 
@@ -15,10 +15,10 @@ use crate::collect::CollectVec as _;
 use crate::diag::Diagnostics;
 #[cfg(any(feature = "compare", doc))]
 use crate::ir::Dialect;
-use crate::ir::{Access, Enum, FieldIndex, Kept, Message, Partial, Record, Slots, Switch, SwitchOn, View};
+use crate::ir::{Access, Enum, FieldIndex, Kept, Message, Partial, Record, Slots, SwitchOn, View};
 
+pub(super) use check::dialect_type;
 pub(super) use commands::drop_rivals;
-pub(super) use methods::{binding_methods, iterator, view_methods};
 
 /// The names of a dialect, in the order of its model. A keyword is not raw here: `type`, not `r#type`.
 #[derive(Clone, Debug, Default)]
@@ -55,40 +55,26 @@ pub(crate) struct ViewNames {
     pub(crate) ty: String,
     /// The module and file: `esc32_status`.
     pub(crate) module: String,
-    /// How the message gives it.
-    pub(crate) access: AccessNames,
+    /// The getter on the message, `flight_sw`, or that of one slot, `esc`; what stands before the names of others, as in
+    /// `set_flight_sw`, is the same for all.
+    pub(crate) getter: String,
+    /// Of a view that a message gives in slots.
+    pub(crate) slots: Option<SlotNames>,
+    /// Of [`View::keys`].
+    pub(crate) keys: Vec<String>,
     /// The getter of the field that its switch looks at; `None` if there is no switch, or it looks at bits.
     pub(crate) switch: Option<String>,
     /// The getters of [`View::members`].
     pub(crate) members: Vec<String>,
 }
 
-/// What the methods of a message are called that give a view.
+/// The names of slots.
 #[derive(Clone, Debug)]
-pub(crate) enum AccessNames {
-    /// A getter; `set_` before it is the setter.
-    Once {
-        /// `flight_sw`.
-        getter: String,
-    },
-    /// Slots.
-    Slots {
-        /// The type of a slot: `Esc`.
-        item: String,
-        /// The getter: `esc`; `set_`, `push_` and, in private, `store_` stand before it.
-        getter: String,
-        /// The iterator: `escs`.
-        items: String,
-        /// The fields of a slot beside the view.
-        keys: Vec<String>,
-    },
-    /// Values.
-    Record {
-        /// The getter: `gps`; `set_` and `with_` stand before it.
-        getter: String,
-        /// The fields of the record.
-        values: Vec<String>,
-    },
+pub(crate) struct SlotNames {
+    /// The type of a slot: `Esc`.
+    pub(crate) ty: String,
+    /// The iterator: `escs`.
+    pub(crate) items: String,
 }
 
 /// The names of an enum.
@@ -129,7 +115,7 @@ impl Names {
         let taken: HashSet<String> = messages.iter().map(|message| message.ty.clone()).chain(lost).collect();
         let mut enums = dialect.enums.iter().map(|enum_| EnumNames::of(enum_, &taken)).collect_vec();
         let types = check::types(partial, &messages, &enums, diagnostics);
-        let dialect_name = check::dialect(&dialect.name, &types, diagnostics);
+        let dialect_name = dialect_type(&dialect.name, "Dialect", &types, diagnostics);
         check::fields(partial, &messages, diagnostics);
         check::constants(dialect, &enums, diagnostics);
         commands::name(dialect, &mut enums, diagnostics);
@@ -169,27 +155,21 @@ impl MessageNames {
 
 impl ViewNames {
     fn of(view: &View) -> Self {
-        let switch = view.switch.as_ref().and_then(|Switch { name, on, .. }| match on {
-            SwitchOn::Field(..) => Some(spelling::label(name)),
-            SwitchOn::Bits { .. } => None,
-        });
+        let switch = view.switch.as_ref().filter(|switch| matches!(switch.on, SwitchOn::Field(..)));
+        let (getter, slots) = match &view.access {
+            Access::Once { getter } | Access::Record(Record { getter, .. }) => (spelling::label(getter), None),
+            Access::Slots(Slots { item, items, .. }) => {
+                let slots = SlotNames { ty: spelling::type_name(&item.text), items: spelling::label(items) };
+                (spelling::field_name(&item.text), Some(slots))
+            }
+        };
         Self {
             ty: spelling::type_name(&view.name.text),
             module: spelling::item_module_name(&view.name.text),
-            access: match &view.access {
-                Access::Once { getter } => AccessNames::Once { getter: spelling::label(getter) },
-                Access::Slots(Slots { item, items, keys, .. }) => AccessNames::Slots {
-                    item: spelling::type_name(&item.text),
-                    getter: spelling::field_name(&item.text),
-                    items: spelling::label(items),
-                    keys: keys.iter().map(|key| spelling::label(&key.name)).collect_vec(),
-                },
-                Access::Record(Record { getter, values }) => AccessNames::Record {
-                    getter: spelling::label(getter),
-                    values: values.iter().map(|value| spelling::label(&value.name)).collect_vec(),
-                },
-            },
-            switch,
+            getter,
+            slots,
+            keys: view.keys().iter().map(|key| spelling::label(&key.name)).collect_vec(),
+            switch: switch.map(|switch| spelling::label(&switch.name)),
             members: view.members.iter().map(|member| spelling::label(&member.name)).collect_vec(),
         }
     }
@@ -197,16 +177,21 @@ impl ViewNames {
 
 impl EnumNames {
     fn of(enum_: &Enum, messages: &HashSet<String>) -> Self {
-        let ty = spelling::type_name(&enum_.name.text);
         let entries = enum_.entries.iter().map(|entry| entry.name.text.as_str());
         let own = enum_.entries.iter().filter(|entry| entry.origin.file == enum_.defined_in);
         let own = own.map(|entry| entry.name.text.as_str()).collect_vec();
+        Self::new(&enum_.name.text, messages, spelling::constant_names(&enum_.name.text, &own, &entries.collect_vec()))
+    }
+
+    /// Those of an enum beside these types of messages.
+    pub(super) fn new(xml: &str, messages: &HashSet<String>, constants: Vec<String>) -> Self {
+        let ty = spelling::type_name(xml);
         Self {
             ty: if messages.contains(&ty) { spelling::suffixed(&ty, "Enum") } else { ty },
-            module: spelling::item_module_name(&enum_.name.text),
-            constants: spelling::constant_names(&enum_.name.text, &own, &entries.collect_vec()),
+            module: spelling::item_module_name(xml),
             renamed: Vec::new(),
-            commands: vec![None; enum_.entries.len()],
+            commands: vec![None; constants.len()],
+            constants,
         }
     }
 }

@@ -98,9 +98,19 @@ pub(super) struct Claim<'a> {
 }
 
 impl<'a> Claim<'a> {
-    /// That of something which is spelled so; the age of its file does not matter.
+    /// That of something which is spelled so here; the age of its file does not matter.
+    pub(super) fn at(what: What, text: &'a str, span: Span) -> Self {
+        Self { what, text, span: Some(span), age: 0 }
+    }
+
+    /// That of something which has this name.
     pub(super) fn of(what: What, name: &'a Name) -> Self {
-        Self { what, text: &name.text, span: Some(name.span), age: 0 }
+        Self::at(what, &name.text, name.span)
+    }
+
+    /// That of what is not in the definitions.
+    pub(super) fn reserved(what: &'static str) -> Self {
+        Self { what: What::Reserved(what), text: "", span: None, age: 0 }
     }
 }
 
@@ -127,28 +137,20 @@ impl<'a> Namespace<'a> {
     /// A scope in which nothing has a name but what is in every one of its kind.
     pub(super) fn of(scope: Scope) -> Self {
         let mut namespace = Self { scope, taken: HashMap::new() };
-        let reserved: &[(&str, &[&str])] = match scope {
-            Scope::Methods => &[("a method of every message", &spelling::MESSAGE_METHODS)],
-            Scope::ViewMethods => &[("a method of every view", &spelling::VIEW_METHODS)],
-            Scope::SlotFields => &[("the field of every slot that holds the view", &[spelling::SLOT_VIEW])],
-            Scope::Types
-            | Scope::Fields
-            | Scope::Constants
-            | Scope::Commands
-            | Scope::Params
-            | Scope::RecordFields
-            | Scope::Modules => &[],
-        };
-        for (what, names) in reserved {
-            namespace.reserve(what, names);
+        match scope {
+            Scope::Methods => namespace.reserve("a method of every message", &spelling::MESSAGE_METHODS),
+            Scope::ViewMethods => namespace.reserve("a method of every view", &spelling::VIEW_METHODS),
+            Scope::SlotFields => {
+                namespace.reserve("the field of every slot that holds the view", &[spelling::SLOT_VIEW]);
+            }
+            _ => {}
         }
         namespace
     }
 
     /// Takes names that nothing of the definitions can have here.
     pub(super) fn reserve(&mut self, what: &'static str, names: &[&str]) {
-        let claim = Claim { what: What::Reserved(what), text: "", span: None, age: 0 };
-        self.taken.extend(names.iter().map(|name| ((*name).to_owned(), claim)));
+        self.taken.extend(names.iter().map(|name| ((*name).to_owned(), Claim::reserved(what))));
     }
 
     /// What has a name.

@@ -2,7 +2,6 @@
 
 mod definitions;
 mod docs;
-mod enums;
 mod fields;
 mod names;
 mod parts;
@@ -13,11 +12,15 @@ pub(crate) use tree::{about, tree};
 
 use names::TopicNames;
 
-use super::spelling;
+use super::items::beside;
+use super::names::EnumNames;
+use crate::collect::CollectVec as _;
 use crate::internal::Internal;
-use crate::rust::{EnumType, Topic, TopicConstant};
-use crate::uorb::model::{EnumIndex, MessageIndex};
-use crate::uorb::union::{Message, Union};
+use crate::ir::EnumId;
+use crate::order;
+use crate::rust::{self, Constant, EnumType, Literal, Topic, TopicConstant};
+use crate::uorb::model::{Entry, EnumIndex, MessageIndex};
+use crate::uorb::union::{Enum, Message, Union};
 
 /// What the topics of a package are made of.
 #[derive(Clone, Copy)]
@@ -35,17 +38,58 @@ struct Named<'d> {
 
 impl<'d> Topics<'d> {
     fn message(self, index: MessageIndex) -> Result<Named<'d>, Internal> {
-        let found = self.union.messages.get(index.0).zip(self.names.messages.get(index.0));
-        let (model, names) = found.ok_or_else(|| Internal::new(format!("there is no topic {}", index.0)))?;
+        let (model, names) = beside(&self.union.messages, &self.names.messages, index.0, "topic")?;
         Ok(Named { model, names })
+    }
+
+    fn enum_at(self, index: usize) -> Result<(&'d Enum, &'d EnumNames), Internal> {
+        beside(&self.union.enums, &self.names.enums, index, "enum")
     }
 
     /// The enum behind an index, as others name it.
     fn enum_type(self, index: EnumIndex) -> Result<EnumType<'d>, Internal> {
-        let found = self.union.enums.get(index.0).zip(self.names.enums.get(index.0));
-        let (model, names) = found.ok_or_else(|| Internal::new(format!("there is no enum {}", index.0)))?;
-        let id = crate::ir::EnumId(index.0);
-        Ok(EnumType { id, ident: &names.ty, int: model.repr.into(), flags: model.flags, deprecated: false })
+        let (model, names) = self.enum_at(index.0)?;
+        let (id, int) = (EnumId(index.0), model.repr.into());
+        Ok(EnumType { id, ident: &names.ty, int, flags: model.flags, deprecated: false })
+    }
+
+    /// The items of an enum.
+    fn enum_item(self, index: EnumIndex) -> Result<rust::Enum<'d>, Internal> {
+        let ((model, names), ty) = (self.enum_at(index.0)?, self.enum_type(index)?);
+        // The bits of its integer, those of a negative one extended.
+        let bits = |entry: &Entry| entry.value as u64;
+        let constants = model.entries.iter().zip(&names.constants).map(|(entry, ident)| Constant {
+            ident,
+            docs: docs::of_constant(&entry.constant),
+            deprecated: None,
+            value: bits(entry),
+        });
+        let entries = model.entries.iter().map(|entry| (bits(entry), entry.constant.name.as_str()));
+        let mut entries = entries.collect_vec();
+        order::sort_by_key(&mut entries, |(value, _)| *value);
+        Ok(rust::Enum {
+            ident: ty.ident,
+            alias: super::docs::alias(&model.name.text, ty.ident),
+            docs: docs::of_enum(model),
+            deprecated: None,
+            int: ty.int,
+            flags: ty.flags,
+            constants: constants.collect_vec(),
+            methods: Vec::new(),
+            params: Vec::new(),
+            name: ty.ident,
+            entries,
+        })
+    }
+
+    /// A number as the constant of an enum, if it is one.
+    fn enum_literal(self, one: EnumType<'d>, number: i128) -> Result<Literal<'d>, Internal> {
+        let (model, names) = self.enum_at(one.id.0)?;
+        let mut entries = model.entries.iter().zip(&names.constants);
+        Ok(match entries.find(|(entry, _)| entry.value == number) {
+            Some((_, constant)) => Literal::Constant(one, constant),
+            None => Literal::Number(one.as_int(), number),
+        })
     }
 
     /// The items of a message.
@@ -74,11 +118,10 @@ impl<'d> Topics<'d> {
     fn constants(self, index: MessageIndex) -> Result<Vec<TopicConstant<'d>>, Internal> {
         let Named { model, names } = self.message(index)?;
         let constants = model.constants.iter().zip(&names.constants).map(|(constant, ident)| {
-            let int = definitions::int(constant.scalar);
-            let int = int.ok_or_else(|| Internal::new(format!("`{}` is no integer", constant.name)))?;
-            let docs = docs::of_constant(constant);
-            Ok(TopicConstant { ident, docs, int, value: constant.value })
+            let int = constant.scalar.repr();
+            let int = int.ok_or_else(|| Internal::new(format!("`{}` is no integer", constant.name)))?.into();
+            Ok(TopicConstant { ident, docs: docs::of_constant(constant), int, value: constant.value })
         });
-        constants.collect()
+        constants.try_collect_vec()
     }
 }

@@ -11,13 +11,12 @@ use super::names::Names;
 use crate::internal::Internal;
 use crate::ir::Valid;
 use crate::order;
-use crate::rust::{Content, Docs, File, Use};
+use crate::rust::{Content, File, Use};
 
 /// The files of a dialect, in a fixed order.
 pub(crate) fn tree<'d>(valid: Valid<'d>, names: &'d Names, options: &'d Options) -> Result<Vec<File<'d>>, Internal> {
     let items = Items::of(valid, names, options.deprecated);
-    let folder = Folder::of_one(valid.dialect(), &names.dialect).with_commands(options.commands);
-    files(&Maker { items, options, folder: &folder })
+    files(&Maker { items, options, folder: &Folder::of_one(valid.dialect(), &names.dialect) })
 }
 
 /// The files of several dialects, in a fixed order.
@@ -25,8 +24,8 @@ pub(crate) fn tree_of_several<'d>(union: &'d Union, options: &'d Options) -> Res
     let items = Items::of_several(union, options.deprecated);
     let mut files = Vec::new();
     for folder in Folder::of_several(union)? {
-        let (placement, folder) = (folder.placement, &folder.with_commands(options.commands));
-        files.extend(self::files(&Maker { items: Items { placement, ..items }, options, folder })?);
+        let items = Items { placement: folder.placement, ..items };
+        files.extend(self::files(&Maker { items, options, folder: &folder })?);
     }
     Ok(files)
 }
@@ -46,8 +45,8 @@ fn files<'d>(maker: &Maker<'_, 'd>) -> Result<Vec<File<'d>>, Internal> {
     if !views.is_empty() {
         files.push(modules::views(maker, &mut items)?);
     }
-    if let Some(commands) = maker.folder.commands.filter(|listed| listed.placement == maker.folder.placement) {
-        files.push(modules::commands(maker, commands.item, &mut items)?);
+    if let Some((commands, _)) = maker.commands().filter(|(_, placement)| *placement == maker.folder.placement) {
+        files.push(modules::commands(maker, commands, &mut items)?);
     }
     order::sort_by_key(&mut large, |file: &File<'d>| match &file.content {
         Content::Enum(one) => Reverse(one.constants.len()),
@@ -59,13 +58,7 @@ fn files<'d>(maker: &Maker<'_, 'd>) -> Result<Vec<File<'d>>, Internal> {
 
 /// `dialect.rs`.
 fn dialect<'d>(maker: &Maker<'_, 'd>, dialect: Titled<'d>) -> Result<File<'d>, Internal> {
-    let messages = maker.folder.messages.iter().map(|listed| listed.item);
-    let item = maker.items.dialect_enum(dialect.type_name, dialect.name, messages)?;
-    Ok(File {
-        path: maker.path("dialect.rs"),
-        header: maker.header(&[])?,
-        docs: Docs::default(),
-        uses: vec![Use::All("super::messages".to_owned()), maker.runtime()],
-        content: Content::Dialect(item),
-    })
+    let item = maker.items.dialect_enum(dialect.type_name, dialect.name, &maker.folder.messages)?;
+    let uses = vec![Use::All("super::messages".to_owned()), maker.runtime()];
+    maker.file("dialect.rs", &[], uses, Content::Dialect(item))
 }

@@ -1,41 +1,47 @@
 //! A view: its type, its methods, and how a message gives it.
 
 mod members;
-mod once;
 mod record;
 mod slots;
 mod source;
 
-use super::docs;
-use super::items::Items;
-use super::named::{NamedAccess, NamedMessage, NamedView};
-use super::spelling;
+use super::items::{Items, NamedMessage, NamedSlots, NamedView};
+use super::{docs, spelling};
 use crate::collect::CollectVec as _;
 use crate::docs::line;
 use crate::internal::Internal;
-use crate::ir::{Meaning, Member, Presence, SwitchOn};
-use crate::rust::{
-    Cell, Debugged, Docs, Int, Kind, Method, Packed, Paragraph, Param, Receiver, RecordType, Sig, Ty, View,
-};
-
-/// What a view gives to its message: methods, and the type of a slot or a record.
-struct Given<'d> {
-    record: Option<RecordType<'d>>,
-    methods: Vec<Method<'d>>,
-}
+use crate::ir::{Access, Meaning, Member, Presence, SwitchOn};
+use crate::rust::{Cell, Debugged, Docs, Int, Kind, Method, Packed, Paragraph, Param, Receiver, Sig, Ty, View};
 
 impl<'d> Items<'d> {
     /// The items of a view.
     pub(super) fn view(self, message: usize, at: usize) -> Result<View<'d>, Internal> {
         let message = self.message_at(message)?;
         let view = message.view(at)?;
-        let (packed, given) = match view.access()? {
-            NamedAccess::Once(getter) => (Some(self.packed(message, view)?), self.once(message, view, getter)?),
-            NamedAccess::Slots(slots) => (Some(self.packed(message, view)?), self.slots(message, view, slots)?),
-            NamedAccess::Record(record) => (None, self.record(message, view, record)?),
+        let (packed, record, message_methods) = match (&view.model.access, &view.names.slots) {
+            (Access::Once { .. }, None) => (Some(self.packed(message, view)?), None, self.once(message, view)?),
+            (Access::Slots(model), Some(names)) => {
+                let slots = NamedSlots { model, names };
+                let slot = self.declared_slot(message, view, slots)?;
+                (Some(self.packed(message, view)?), Some(slot), self.slots(message, view, slots)?)
+            }
+            (Access::Record(_), None) => {
+                (None, Some(self.declared_record(message, view)?), self.record(message, view)?)
+            }
+            _ => return Err(Internal::new(format!("{} is named as what it is not", view.ty()))),
         };
-        let Given { record, methods: message_methods } = given;
         Ok(View { packed, record, message: message.ty(), message_methods })
+    }
+
+    /// A view over plain fields: `flight_sw()` and `set_flight_sw()`.
+    fn once(self, message: NamedMessage<'d>, view: NamedView<'d>) -> Result<Vec<Method<'d>>, Internal> {
+        let (source, getter) = (self.source(message, view)?, view.getter());
+        let ty = Ty::Named(source.view);
+        let (get_sig, set_sig) = (Sig::getter(ty.clone().optional(!source.when.is_empty())), Sig::setter("value", ty));
+        Ok(vec![
+            Method::new(getter, get_sig, Docs(vec![summary(view)]), Kind::ViewGet(source.clone())),
+            Method::new(format!("set_{getter}"), set_sig, Docs::line("Sets the bits."), Kind::ViewSet(source)),
+        ])
     }
 
     /// The type over the bits.
@@ -127,21 +133,16 @@ fn summary(view: NamedView<'_>) -> Paragraph<'_> {
 fn construction<'d>(storage: Int, switch: Option<(&'d str, Int)>) -> Vec<Method<'d>> {
     let mut params = vec![Param { ident: "bits", ty: Ty::Int(storage) }];
     params.extend(switch.map(|(ident, int)| Param { ident, ty: Ty::Int(int) }));
-    let method = |ident: &str, sig, docs, kind| Method { ident: ident.to_owned(), sig, docs, inline: false, kind };
     let from_bits = Sig { receiver: Receiver::None, params, ..Sig::const_getter(Ty::Own) };
     let made = Kind::FromBits { switch: switch.map(|(ident, _)| ident) };
+    let bits = Sig::const_getter(Ty::Int(storage));
     let mut methods = vec![
-        method("from_bits", from_bits, Docs::line("The view of these bits."), made),
-        method(
-            "bits",
-            Sig::const_getter(Ty::Int(storage)),
-            Docs::line("The bits, as the message carries them."),
-            Kind::Bits,
-        ),
+        Method::new("from_bits", from_bits, Docs::line("The view of these bits."), made),
+        Method::new("bits", bits, Docs::line("The bits, as the message carries them."), Kind::Bits),
     ];
     methods.extend(switch.map(|(ident, int)| {
         let docs = Docs::line(format!("The `{ident}` that says how the bits are laid out."));
-        method(ident, Sig::const_getter(Ty::Int(int)), docs, Kind::SwitchGet(ident))
+        Method::new(ident, Sig::const_getter(Ty::Int(int)), docs, Kind::SwitchGet(ident))
     }));
     methods
 }

@@ -2,9 +2,10 @@
 //! width or sign.
 
 use super::{EnumType, Int, Literal};
+use crate::ir::Scope;
 
 /// A field that may be unknown.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Sentinel<'d> {
     pub(crate) field: &'d str,
     pub(crate) unknown: Unknown<'d>,
@@ -35,8 +36,20 @@ pub(crate) enum Extent {
     Whole(u16),
 }
 
+impl Extent {
+    /// Of a sentinel in a scalar, or in an array of this length.
+    pub(crate) fn of(scope: Scope, len: Option<u16>) -> Self {
+        match (scope, len) {
+            (_, None) => Self::Scalar,
+            (Scope::Each, Some(_)) => Self::Each,
+            (Scope::First, Some(_)) => Self::First,
+            (Scope::Whole, Some(len)) => Self::Whole(len),
+        }
+    }
+}
+
 /// A field that carries an enum of another width or sign.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Convert<'d> {
     pub(crate) field: &'d str,
     /// The integer of the field.

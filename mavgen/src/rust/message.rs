@@ -76,12 +76,8 @@ pub(crate) enum Default {
 /// What the frames of a message say of it.
 #[derive(Clone, Debug)]
 pub(crate) struct Frame<'d> {
-    pub(crate) id: u32,
-    /// The name in the XML.
-    pub(crate) name: &'d str,
-    pub(crate) crc_extra: u8,
-    pub(crate) len_v1: u8,
-    pub(crate) len_v2: u8,
+    /// What the message is on the wire.
+    pub(crate) wire: &'d ir::Message,
     pub(crate) target_system: Option<Target<'d>>,
     pub(crate) target_component: Option<Target<'d>>,
 }

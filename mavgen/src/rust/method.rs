@@ -9,9 +9,19 @@ pub(crate) struct Method<'d> {
     pub(crate) ident: String,
     pub(crate) sig: Sig<'d>,
     pub(crate) docs: Docs<'d>,
-    /// Whether it is `#[inline]`.
-    pub(crate) inline: bool,
     pub(crate) kind: Kind<'d>,
+}
+
+impl<'d> Method<'d> {
+    pub(crate) fn new(ident: impl Into<String>, sig: Sig<'d>, docs: Docs<'d>, kind: Kind<'d>) -> Self {
+        Self { ident: ident.into(), sig, docs, kind }
+    }
+
+    /// Whether it is `#[inline]`: not what is large, and not what the compiler inlines anyway.
+    pub(crate) fn is_inline(&self) -> bool {
+        use Kind::{Bits, FromBits, Params, SlotStore, SwitchGet};
+        !matches!(self.kind, FromBits { .. } | Bits | SwitchGet(_) | Params | SlotStore(_))
+    }
 }
 
 /// What callers see of a method.

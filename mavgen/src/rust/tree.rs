@@ -15,6 +15,13 @@ pub(crate) struct File<'d> {
     pub(crate) content: Content<'d>,
 }
 
+impl<'d> File<'d> {
+    /// One with nothing over its code, which imports nothing.
+    pub(crate) fn of(path: String, header: String, content: Content<'d>) -> Self {
+        Self { path, header, docs: Docs::default(), uses: Vec::new(), content }
+    }
+}
+
 /// What is in a file.
 #[derive(Clone, Debug)]
 pub(crate) enum Content<'d> {
@@ -50,6 +57,13 @@ pub(crate) enum Use {
     Generated(Vec<&'static str>),
 }
 
+impl Use {
+    /// This name of a module.
+    pub(crate) fn one(module: &str, name: &str) -> Self {
+        Self::Names(module.to_owned(), vec![name.to_owned()])
+    }
+}
+
 /// `mod heartbeat;`
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Child {
@@ -57,6 +71,13 @@ pub(crate) struct Child {
     pub(crate) access: ChildAccess,
     /// Whether it names what is deprecated.
     pub(crate) expect: bool,
+}
+
+impl Child {
+    /// One that names nothing that is deprecated.
+    pub(crate) fn of(ident: &str, access: ChildAccess) -> Self {
+        Self { ident: ident.to_owned(), access, expect: false }
+    }
 }
 
 /// Who sees a module.
@@ -92,4 +113,11 @@ pub(crate) struct Export {
     pub(crate) of: Use,
     /// Whether it names what is deprecated.
     pub(crate) expect: bool,
+}
+
+impl From<Use> for Export {
+    /// One that names nothing that is deprecated.
+    fn from(of: Use) -> Self {
+        Self { of, expect: false }
+    }
 }

@@ -5,41 +5,20 @@ use crate::ir::{EnumId, Repr, Scalar};
 /// An integer type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Int {
-    width: Width,
+    /// A power of two from 8 to 128.
+    bits: u8,
     signed: bool,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum Width {
-    W8,
-    W16,
-    W32,
-    W64,
-    W128,
 }
 
 impl Int {
     /// The smallest that holds so many bits.
     pub(crate) fn of_bits(bits: u8, signed: bool) -> Self {
-        let width = match bits {
-            0..=8 => Width::W8,
-            9..=16 => Width::W16,
-            17..=32 => Width::W32,
-            33..=64 => Width::W64,
-            _ => Width::W128,
-        };
-        Self { width, signed }
+        Self { bits: bits.clamp(8, 128).next_power_of_two(), signed }
     }
 
     /// How many bits it has.
     pub(crate) fn bits(self) -> u8 {
-        match self.width {
-            Width::W8 => 8,
-            Width::W16 => 16,
-            Width::W32 => 32,
-            Width::W64 => 64,
-            Width::W128 => 128,
-        }
+        self.bits
     }
 
     /// Whether it can be negative.
@@ -54,39 +33,29 @@ impl Int {
 
     /// Whether every number of it is one of the other.
     pub(crate) fn is_within(self, other: Self) -> bool {
-        match (self.signed, other.signed) {
-            (false, false) | (true, true) => self.width <= other.width,
-            (false, true) => self.width < other.width,
-            (true, false) => false,
-        }
+        if self.signed == other.signed { self.bits <= other.bits } else { other.signed && self.bits < other.bits }
     }
 
     /// `u16`
     pub(crate) fn name(self) -> &'static str {
-        match (self.width, self.signed) {
-            (Width::W8, false) => "u8",
-            (Width::W8, true) => "i8",
-            (Width::W16, false) => "u16",
-            (Width::W16, true) => "i16",
-            (Width::W32, false) => "u32",
-            (Width::W32, true) => "i32",
-            (Width::W64, false) => "u64",
-            (Width::W64, true) => "i64",
-            (Width::W128, false) => "u128",
-            (Width::W128, true) => "i128",
+        match (self.bits, self.signed) {
+            (8, false) => "u8",
+            (8, true) => "i8",
+            (16, false) => "u16",
+            (16, true) => "i16",
+            (32, false) => "u32",
+            (32, true) => "i32",
+            (64, false) => "u64",
+            (64, true) => "i64",
+            (_, false) => "u128",
+            (_, true) => "i128",
         }
     }
 }
 
 impl From<Repr> for Int {
     fn from(repr: Repr) -> Self {
-        let bits = match repr.size() {
-            1 => 8,
-            2 => 16,
-            4 => 32,
-            _ => 64,
-        };
-        Self::of_bits(bits, repr.is_signed())
+        Self::of_bits(8 * repr.size() as u8, repr.is_signed())
     }
 }
 
@@ -188,18 +157,11 @@ pub(crate) enum Element<'d> {
 impl<'d> Element<'d> {
     /// The element of a scalar that carries no enum.
     pub(crate) fn plain(scalar: Scalar) -> Self {
-        let int = |bits, signed| Self::Int(Int::of_bits(bits, signed));
         match scalar {
-            Scalar::Char | Scalar::U8 | Scalar::Version(_) => int(8, false),
-            Scalar::I8 => int(8, true),
-            Scalar::U16 => int(16, false),
-            Scalar::I16 => int(16, true),
-            Scalar::U32 => int(32, false),
-            Scalar::I32 => int(32, true),
-            Scalar::U64 => int(64, false),
-            Scalar::I64 => int(64, true),
             Scalar::F32 => Self::F32,
             Scalar::F64 => Self::F64,
+            // Characters and the version are bytes.
+            _ => Self::Int(scalar.repr().map_or(Int::of_bits(8, false), Int::from)),
         }
     }
 
@@ -244,6 +206,16 @@ pub(crate) struct AsInt<'d> {
     pub(crate) through: Through<'d>,
 }
 
+impl<'d> AsInt<'d> {
+    /// The enum that a value is made with, if it is of one.
+    pub(crate) fn enum_(self) -> Option<EnumType<'d>> {
+        match self.through {
+            Through::Open(one) | Through::Flags(one) => Some(one),
+            Through::Plain | Through::Float | Through::Double => None,
+        }
+    }
+}
+
 /// How a value becomes an integer, and is made of one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Through<'d> {
@@ -268,6 +240,17 @@ pub(crate) enum Literal<'d> {
     Number(AsInt<'d>, i128),
     /// `1e30`
     Float(f64),
+}
+
+impl<'d> Literal<'d> {
+    /// The enum that it names, if it does.
+    pub(crate) fn enum_(self) -> Option<EnumType<'d>> {
+        match self {
+            Self::Constant(one, _) => Some(one),
+            Self::Number(as_int, _) => as_int.enum_(),
+            Self::Float(_) => None,
+        }
+    }
 }
 
 #[cfg(test)]

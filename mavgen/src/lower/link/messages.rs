@@ -7,7 +7,8 @@ use super::{Class, definition};
 use crate::collect::CollectVec as _;
 use crate::internal::Internal;
 use crate::ir::{Binding, EnumId, Meaning, Message, View, enums_of_message_mut};
-use crate::lower::names::{MessageNames, binding_methods, view_methods};
+use crate::lower::names::MessageNames;
+use crate::lower::names::methods::{binding_methods, view_methods};
 
 /// The messages so far.
 #[derive(Default)]
@@ -94,11 +95,11 @@ fn additions_agree(
     enums: &Enums,
 ) -> bool {
     let (mut methods, mut added) = (HashSet::new(), Vec::new());
-    a_names.views.iter().for_each(|names| methods.extend(view_methods(names)));
+    a.views.iter().zip(&a_names.views).for_each(|(view, names)| methods.extend(view_methods(view, names)));
     a_names.bindings.iter().for_each(|name| methods.extend(binding_methods(name)));
     for (view, names) in b.views.iter().zip(&b_names.views) {
         if !a.views.iter().any(|known| same_view(known, view)) {
-            added.extend(view_methods(names));
+            added.extend(view_methods(view, names));
         }
     }
     for (binding, name) in b.bindings.iter().zip(&b_names.bindings) {

@@ -6,7 +6,7 @@ use super::Class;
 use super::messages::Joined;
 use crate::collect::CollectVec as _;
 use crate::ir::Enum;
-use crate::lower::names::{AccessNames, EnumNames, MessageNames, ViewNames};
+use crate::lower::names::{EnumNames, MessageNames, ViewNames};
 
 /// Where a type is declared. Every dialect that has it exports it, wherever that is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -74,11 +74,8 @@ struct Claim<'a> {
 
 impl<'a> Claim<'a> {
     fn of_view(names: &'a ViewNames, roots: &'a [usize]) -> Self {
-        let mut types = vec![names.ty.as_str()];
-        if let AccessNames::Slots { item, .. } = &names.access {
-            types.push(item);
-        }
-        Self { file: &names.module, types, roots }
+        let types = [&names.ty].into_iter().chain(names.slots.as_ref().map(|slots| &slots.ty));
+        Self { file: &names.module, types: types.map(String::as_str).collect_vec(), roots }
     }
 }
 

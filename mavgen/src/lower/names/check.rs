@@ -4,8 +4,7 @@ use super::{EnumNames, MessageNames};
 use crate::collect::CollectVec as _;
 use crate::diag::Diagnostics;
 use crate::ir::{Access, Dialect, FileIndex, Name, Partial};
-use crate::lower::names::AccessNames;
-use crate::lower::namespace::{Claim, Collision, Namespace, Scope, What};
+use crate::lower::namespace::{Claim, Namespace, Scope, What};
 use crate::lower::{collision, spelling};
 use crate::order;
 
@@ -23,8 +22,8 @@ pub(super) fn types<'a>(
         claims.push((names.ty.clone(), claim(What::Message, &message.name, message.origin.file)));
         for (view, names) in message.views.iter().zip(&names.views) {
             claims.push((names.ty.clone(), claim(What::View, &view.name, view.origin.file)));
-            if let (Access::Slots(slots), AccessNames::Slots { item, .. }) = (&view.access, &names.access) {
-                claims.push((item.clone(), claim(What::View, &slots.item, view.origin.file)));
+            if let (Access::Slots(slots), Some(names)) = (&view.access, &names.slots) {
+                claims.push((names.ty.clone(), claim(What::View, &slots.item, view.origin.file)));
             }
         }
     }
@@ -38,14 +37,19 @@ pub(super) fn types<'a>(
     );
     order::sort_by_key(&mut claims, |(_, claim)| (claim.what, claim.span.map(|span| span.start)));
     let mut types = Namespace::of(Scope::Types);
-    report(&types.claim_by_age(claims), diagnostics);
+    collision::report(types.claim_by_age(claims), diagnostics);
     types
 }
 
-/// Names the dialect's own type, which is called after its file, and a file can be called anything.
-pub(super) fn dialect(name: &str, types: &Namespace<'_>, diagnostics: &mut Diagnostics) -> String {
+/// Names the type over all messages, which is called after a file or a folder, and that can be called anything.
+pub(in crate::lower) fn dialect_type(
+    name: &str,
+    suffix: &str,
+    types: &Namespace<'_>,
+    diagnostics: &mut Diagnostics,
+) -> String {
     let own = spelling::dialect_type_name(name);
-    let own = if types.get(&own).is_some() { spelling::suffixed(&own, "Dialect") } else { own };
+    let own = if types.get(&own).is_some() { spelling::suffixed(&own, suffix) } else { own };
     match types.get(&own) {
         Some(first) => diagnostics.push(collision::of_dialect(name, &own, first)),
         None if Name::fault(&own).is_some() => diagnostics.push(collision::no_name(name)),
@@ -58,16 +62,13 @@ pub(super) fn dialect(name: &str, types: &Namespace<'_>, diagnostics: &mut Diagn
 pub(super) fn fields(partial: &Partial, messages: &[MessageNames], diagnostics: &mut Diagnostics) {
     for (message, names) in partial.dialect.messages.iter().zip(messages) {
         let fields = message.fields.iter().zip(&names.fields);
-        apart(
-            Scope::Fields,
-            fields.map(|(field, own)| (own.clone(), Claim::of(What::Field, &field.name))),
-            diagnostics,
-        );
+        let claims = fields.map(|(field, own)| (own.clone(), Claim::of(What::Field, &field.name)));
+        collision::apart(Scope::Fields, claims.collect_vec(), diagnostics);
     }
     for message in &partial.lost {
         let fields = message.fields.iter();
         let claims = fields.map(|name| (spelling::field_name(&name.text), Claim::of(What::Field, name)));
-        apart(Scope::Fields, claims, diagnostics);
+        collision::apart(Scope::Fields, claims.collect_vec(), diagnostics);
     }
 }
 
@@ -77,14 +78,6 @@ pub(super) fn constants(dialect: &Dialect, enums: &[EnumNames], diagnostics: &mu
         let claims = enum_.entries.iter().zip(&names.constants).map(|(entry, own)| {
             (own.clone(), Claim { age: dialect.age(entry.origin.file), ..Claim::of(What::Entry, &entry.name) })
         });
-        apart(Scope::Constants, claims, diagnostics);
+        collision::apart(Scope::Constants, claims.collect_vec(), diagnostics);
     }
-}
-
-fn apart<'a>(scope: Scope, claims: impl Iterator<Item = (String, Claim<'a>)>, diagnostics: &mut Diagnostics) {
-    report(&Namespace::of(scope).claim_by_age(claims.collect_vec()), diagnostics);
-}
-
-fn report(collisions: &[Collision<'_>], diagnostics: &mut Diagnostics) {
-    diagnostics.extend(collisions.iter().filter_map(collision::diagnostic));
 }

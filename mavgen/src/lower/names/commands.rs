@@ -50,10 +50,11 @@ fn apart(dialect: &Dialect, entries: &[Entry], commands: &mut [Option<CommandNam
     for at in order {
         let (Some(entry), Some(command)) = (entries.get(at), commands.get_mut(at)) else { continue };
         let Some(names) = command else { continue };
-        if let Some(collision) = types.claim(names.ty.clone(), Claim::of(What::Entry, &entry.name)) {
-            diagnostics.extend(collision::diagnostic(&collision));
+        let collision = types.claim(names.ty.clone(), Claim::of(What::Entry, &entry.name));
+        if collision.is_some() {
             *command = None;
         }
+        collision::report(collision, diagnostics);
     }
 }
 
@@ -78,14 +79,10 @@ fn fields(command: &Command, diagnostics: &mut Diagnostics) -> Vec<Option<String
                 diagnostics.push(collision::no_label(label, param.origin.span));
                 return None;
             };
-            let by = Claim { what: What::Param, text: label, span: Some(param.origin.span), age: 0 };
-            match taken.claim(name.clone(), by) {
-                None => Some(name),
-                Some(collision) => {
-                    diagnostics.extend(collision::diagnostic(&collision));
-                    None
-                }
-            }
+            let collision = taken.claim(name.clone(), Claim::at(What::Param, label, param.origin.span));
+            let is_free = collision.is_none();
+            collision::report(collision, diagnostics);
+            is_free.then_some(name)
         }));
     }
     for (param, name) in command.params.iter().zip(&mut names) {

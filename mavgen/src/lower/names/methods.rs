@@ -1,9 +1,9 @@
 //! Methods: those that a message has for its fields and by overlays, those of a view, and the fields of a slot or a record.
 
-use super::{AccessNames, MessageNames, ViewNames};
+use super::{MessageNames, ViewNames};
 use crate::collect::CollectVec as _;
 use crate::diag::Diagnostics;
-use crate::ir::{self, Access, Field, FieldIndex, Meaning, Member, Message, Record, Scalar, Slots, Values, View};
+use crate::ir::{self, Access, Field, FieldIndex, Meaning, Member, Message, Record, Scalar, Values, View};
 use crate::lower::namespace::{Claim, Collision, Namespace, Scope, What};
 use crate::lower::{collision, spelling};
 
@@ -11,11 +11,11 @@ use crate::lower::{collision, spelling};
 pub(super) fn check(message: &Message, names: &MessageNames, diagnostics: &mut Diagnostics) -> Vec<FieldIndex> {
     let mut methods = Namespace::of(Scope::Methods);
     let mut found: Vec<Collision<'_>> = Vec::new();
-    let mut accessors = Vec::new();
+    let mut with_accessors = Vec::new();
     for (index, (field, name)) in message.fields.iter().zip(&names.fields).enumerate() {
         if has_accessors(field) {
-            match methods.claim_all(&accessor_names(field, name), Claim::of(What::Accessors, &field.name)) {
-                None => accessors.push(FieldIndex(index)),
+            match methods.claim_all(&accessors(name, iterates(field)), Claim::of(What::Accessors, &field.name)) {
+                None => with_accessors.push(FieldIndex(index)),
                 Some(collision) => found.push(collision),
             }
         }
@@ -28,14 +28,13 @@ pub(super) fn check(message: &Message, names: &MessageNames, diagnostics: &mut D
             Access::Once { getter } | Access::Record(Record { getter, .. }) => [getter.name.span; 2],
             Access::Slots(slots) => [slots.item.span, slots.items.name.span],
         };
-        for (names, span) in [slot_methods(names), iterators(names)].iter().zip(spans) {
-            let by = Claim { span: Some(span), ..Claim::of(What::View, &view.name) };
-            found.extend(methods.claim_all(names, by));
+        for (names, span) in methods_by_name(view, names).iter().zip(spans) {
+            found.extend(methods.claim_all(names, Claim::at(What::View, &view.name.text, span)));
         }
         of_view(view, names, &mut found);
     }
-    diagnostics.extend(found.iter().filter_map(collision::diagnostic));
-    accessors
+    collision::report(found, diagnostics);
+    with_accessors
 }
 
 /// Whether a field has a getter and a setter, if their names are free: because it may be unknown, or because it carries an enum
@@ -45,11 +44,15 @@ fn has_accessors(field: &Field) -> bool {
     matches!(field.values, Some(Values::Converted(_))) || field.invalid.is_some() && !text
 }
 
-/// The methods of a field that has some.
-fn accessor_names(field: &Field, name: &str) -> Vec<String> {
+/// Whether the accessors of a field have an iterator over its elements beside them.
+fn iterates(field: &Field) -> bool {
     let each = field.invalid.as_ref().is_some_and(|invalid| invalid.scope != ir::Scope::Whole);
-    let several = field.ty.array.is_some() && each && !matches!(field.values, Some(Values::Converted(_)));
-    let iterator = several.then(|| iterator(name));
+    field.ty.array.is_some() && each && !matches!(field.values, Some(Values::Converted(_)))
+}
+
+/// The methods of a field that has some.
+pub(in crate::lower) fn accessors(name: &str, iterates: bool) -> Vec<String> {
+    let iterator = iterates.then(|| iterator(name));
     [name.to_owned(), setter(name)].into_iter().chain(iterator).collect_vec()
 }
 
@@ -64,53 +67,38 @@ pub(in crate::lower) fn binding_methods(name: &str) -> [String; 2] {
 }
 
 /// The methods that a view gives to its message, also those that nobody else sees.
-pub(in crate::lower) fn view_methods(names: &ViewNames) -> Vec<String> {
-    [iterators(names), slot_methods(names)].concat()
+pub(in crate::lower) fn view_methods(view: &View, names: &ViewNames) -> Vec<String> {
+    methods_by_name(view, names).concat()
 }
 
-/// Those for one slot, or for a view that has none.
-fn slot_methods(names: &ViewNames) -> Vec<String> {
-    match &names.access {
-        AccessNames::Once { getter } => vec![getter.clone(), setter(getter)],
-        AccessNames::Record { getter, .. } => vec![getter.clone(), setter(getter), with(getter)],
-        AccessNames::Slots { getter, .. } => {
-            let prefixed = ["set_", "push_", "store_"].map(|prefix| format!("{prefix}{getter}"));
-            prefixed.into_iter().chain([getter.clone()]).collect_vec()
-        }
-    }
-}
-
-/// Those for all slots.
-fn iterators(names: &ViewNames) -> Vec<String> {
-    match &names.access {
-        AccessNames::Once { .. } | AccessNames::Record { .. } => Vec::new(),
-        AccessNames::Slots { items, .. } => vec![items.clone()],
-    }
+/// Those that are named after the getter, and the iterator over slots, which has a name of its own.
+fn methods_by_name(view: &View, ViewNames { getter, slots, .. }: &ViewNames) -> [Vec<String>; 2] {
+    let prefixes: &[&str] = match &view.access {
+        Access::Once { .. } => &["", "set_"],
+        Access::Record(_) => &["", "set_", "with_"],
+        Access::Slots(_) => &["set_", "push_", "store_", ""],
+    };
+    let named = prefixes.iter().map(|prefix| format!("{prefix}{getter}"));
+    [named.collect_vec(), slots.iter().map(|slots| slots.items.clone()).collect_vec()]
 }
 
 /// The methods of a view, and the fields of its slot or record.
 fn of_view<'a>(view: &'a View, names: &ViewNames, found: &mut Vec<Collision<'a>>) {
     let mut methods = Namespace::of(Scope::ViewMethods);
     if let (Some(name), Some(switch)) = (&names.switch, &view.switch) {
-        let by = Claim { span: Some(switch.span), ..Claim::of(What::Switch, &switch.name.name) };
-        found.extend(methods.claim(name.clone(), by));
+        found.extend(methods.claim(name.clone(), Claim::at(What::Switch, &switch.name.name.text, switch.span)));
     }
     for (member, name) in view.members.iter().zip(&names.members) {
         let by = Claim::of(What::Member, &member.name.name);
         let collision = methods.claim_each(&member_methods(member, name), by);
         found.extend(collision.or_else(|| operator(member, name, by)));
     }
-    let (scope, what, keys, names) = match (&view.access, &names.access) {
-        (Access::Slots(Slots { keys: model, .. }), AccessNames::Slots { keys, .. }) => {
-            (Scope::SlotFields, What::Key, model, keys)
-        }
-        (Access::Record(record), AccessNames::Record { values, .. }) => {
-            (Scope::RecordFields, What::Value, &record.values, values)
-        }
-        _ => return,
+    let (scope, what) = match &view.access {
+        Access::Record(_) => (Scope::RecordFields, What::Value),
+        Access::Once { .. } | Access::Slots(_) => (Scope::SlotFields, What::Key),
     };
     let mut fields = Namespace::of(scope);
-    for (key, name) in keys.iter().zip(names) {
+    for (key, name) in view.keys().iter().zip(&names.keys) {
         found.extend(fields.claim(name.clone(), Claim::of(what, &key.name.name)));
     }
 }
@@ -129,7 +117,7 @@ fn member_methods(member: &Member, name: &str) -> Vec<String> {
 fn operator<'a>(member: &Member, name: &str, by: Claim<'a>) -> Option<Collision<'a>> {
     let scaled = matches!(member.meaning, Meaning::Scaled(_));
     let names: &[&str] = if member.repeat.is_some() { &spelling::OPERATORS } else { &["into_iter"] };
-    let first = Claim { what: What::Reserved("the method of an operator"), text: "", span: None, age: 0 };
+    let first = Claim::reserved("the method of an operator");
     let is_operator = scaled && names.contains(&name);
     is_operator.then(|| Collision { scope: Scope::ViewMethods, name: name.to_owned(), first, second: by })
 }

@@ -85,7 +85,7 @@ fn views_name_methods_and_types() {
         ("PumpBits", "pump_bits", Some("kind"))
     );
     assert_eq!(view.members, ["volts", "low"]);
-    let AccessNames::Slots { item, getter, items, keys } = &view.access else { panic!("slots") };
+    let ViewNames { getter, keys, slots: Some(SlotNames { ty: item, items }), .. } = view else { panic!("slots") };
     assert_eq!((item.as_str(), getter.as_str(), items.as_str()), ("PumpState", "pump_state", "pump_states"));
     assert_eq!(keys, &["age_ms"]);
     let member = &dialect.messages[0].views[0].members[0];

@@ -2,9 +2,12 @@
 
 use std::collections::BTreeSet;
 
+use super::names::DefinitionNames;
 use super::{Named, Topics, docs};
+use crate::collect::CollectVec as _;
 use crate::internal::Internal;
-use crate::rust::{Definition, Element, Int, Plain, SameDefinition, TopicType};
+use crate::lower::items::beside;
+use crate::rust::{Definition, Element, Plain, SameDefinition, TopicType};
 use crate::uorb::model::{self, MessageIndex, Package};
 use crate::uorb::placed;
 use crate::uorb::union::{Known, Message};
@@ -23,7 +26,7 @@ impl<'d> Topics<'d> {
     pub(super) fn definitions(self, index: MessageIndex) -> Result<Vec<Definition<'d>>, Internal> {
         let Named { model, .. } = self.message(index)?;
         let distinct = model.known.iter().filter(|known| known.same_as.is_none());
-        distinct.map(|known| self.definition(index, known)).collect()
+        distinct.map(|known| self.definition(index, known)).try_collect_vec()
     }
 
     fn definition(self, index: MessageIndex, known: &'d Known) -> Result<Definition<'d>, Internal> {
@@ -47,9 +50,8 @@ impl<'d> Topics<'d> {
     }
 
     /// The names and the name of a definition.
-    fn definition_names(self, at: usize) -> Result<(&'d super::names::DefinitionNames, &'d str), Internal> {
-        let found = self.names.definitions.get(at).zip(self.union.definitions.get(at));
-        let (names, one) = found.ok_or_else(|| Internal::new(format!("there is no definition {at}")))?;
+    fn definition_names(self, at: usize) -> Result<(&'d DefinitionNames, &'d str), Internal> {
+        let (one, names) = beside(&self.union.definitions, &self.names.definitions, at, "definition")?;
         Ok((names, &one.name))
     }
 
@@ -69,7 +71,7 @@ impl<'d> Topics<'d> {
                 (self.definition_names(known.definition)?, self.definition_names(newer.definition)?);
             Ok(SameDefinition { constant: &names.constant, docs: docs::of_same(one, newer), of: &of.constant })
         });
-        same.collect()
+        same.try_collect_vec()
     }
 }
 
@@ -105,27 +107,12 @@ fn differ(mut lengths: impl Iterator<Item = u32>) -> bool {
 
 /// The type of a scalar.
 pub(super) fn plain(scalar: Scalar) -> Plain {
-    match scalar {
-        Scalar::F32 => Plain::F32,
-        Scalar::F64 => Plain::F64,
-        Scalar::Char => Plain::Char,
-        Scalar::Bool => Plain::Bool,
-        Scalar::I8 => Plain::Int(Int::of_bits(8, true)),
-        Scalar::U8 => Plain::Int(Int::of_bits(8, false)),
-        Scalar::I16 => Plain::Int(Int::of_bits(16, true)),
-        Scalar::U16 => Plain::Int(Int::of_bits(16, false)),
-        Scalar::I32 => Plain::Int(Int::of_bits(32, true)),
-        Scalar::U32 => Plain::Int(Int::of_bits(32, false)),
-        Scalar::I64 => Plain::Int(Int::of_bits(64, true)),
-        Scalar::U64 => Plain::Int(Int::of_bits(64, false)),
-    }
-}
-
-/// The integer that a scalar is.
-pub(super) fn int(scalar: Scalar) -> Option<Int> {
-    match plain(scalar) {
-        Plain::Int(int) => Some(int),
-        _ => None,
+    match (scalar, scalar.repr()) {
+        (_, Some(repr)) => Plain::Int(repr.into()),
+        (Scalar::F32, None) => Plain::F32,
+        (Scalar::F64, None) => Plain::F64,
+        (Scalar::Char, None) => Plain::Char,
+        (_, None) => Plain::Bool,
     }
 }
 

@@ -1,10 +1,10 @@
 //! What the comments of `.msg` files say, and what only the generator knows.
 
 use super::{Named, Topics};
+use crate::collect::CollectVec as _;
 use crate::docs::line;
 use crate::internal::Internal;
-use crate::ir::{Scope, Sentinel};
-use crate::lower::docs::capitalised;
+use crate::lower::docs;
 use crate::rust::{Cell, Definition, Docs, Paragraph, Part};
 use crate::uorb::model::{Constant, Element, MessageIndex};
 use crate::uorb::union::{Enum, Field};
@@ -73,18 +73,14 @@ impl<'d> Topics<'d> {
 
     /// The comment; then units, range, sentinel, frame, enum, and until when there was such a field.
     pub(super) fn field_docs(self, field: &'d Field) -> Result<Docs<'d>, Internal> {
-        let facts = facts(field);
-        let mut sentences = Vec::new();
-        if !facts.is_empty() {
-            sentences.push(capitalised(&format!("{}.", facts.join("; "))));
-        }
+        let mut sentences = docs::sentence(&facts(field)).into_iter().collect_vec();
         if let (Some(one), None) = (field.enum_, self.union.typed(field)) {
             sentences.push(format!("Its numbers are those of `{}`.", self.enum_type(one)?.ident));
         }
         if let Some(until) = field.until.and_then(|at| self.union.definitions.get(at)) {
             sentences.push(format!("Until `{}`.", until.name));
         }
-        let text = sentence(&field.docs.lines);
+        let text = comment(&field.docs.lines);
         if text.trim().is_empty() && sentences.is_empty() {
             sentences.push(format!("`{}`, a `{}`.", field.name, self.written(field)?));
         }
@@ -94,34 +90,15 @@ impl<'d> Topics<'d> {
 
 fn facts(field: &Field) -> Vec<String> {
     let units = field.docs.units.as_deref().map(|units| format!("in {}", line(units)));
-    let range = field.docs.range.as_ref().and_then(|(low, high)| match (line(low), line(high)) {
-        (low, high) if !low.is_empty() && !high.is_empty() => Some(format!("from {low} to {high}")),
-        (low, _) if !low.is_empty() => Some(format!("at least {low}")),
-        (_, high) if !high.is_empty() => Some(format!("at most {high}")),
-        _ => None,
-    });
+    let end = |end: &str| Some(line(end)).filter(|end| !end.is_empty());
+    let range = field.docs.range.as_ref().and_then(|(low, high)| docs::range(end(low), end(high)));
+    let unknown = field.invalid.map(|invalid| docs::not_known(invalid, field.array.is_some()));
     let frame = field.docs.frame.as_deref().map(|frame| format!("in the frame {}", line(frame)));
-    [units, range, sentinel(field), frame].into_iter().flatten().collect()
-}
-
-/// `NaN means not known`
-fn sentinel(field: &Field) -> Option<String> {
-    let invalid = field.invalid?;
-    let value = match invalid.sentinel {
-        Sentinel::Integer(value) => value.to_string(),
-        Sentinel::Float(value) => value.to_string(),
-        Sentinel::NotANumber => "NaN".to_owned(),
-    };
-    Some(match (invalid.scope, field.array) {
-        (_, None) => format!("{value} means not known"),
-        (Scope::Each, Some(_)) => format!("{value} means that an element is not known"),
-        (Scope::Whole, Some(_)) => format!("{value} in the first element means that none is known"),
-        (Scope::First, Some(_)) => format!("{value} means that the first element is not known"),
-    })
+    [units, range, unknown, frame].into_iter().flatten().collect_vec()
 }
 
 /// The lines of a comment, with a full stop at the end.
-fn sentence(lines: &[String]) -> String {
+fn comment(lines: &[String]) -> String {
     let mut text = lines.join("\n").trim_end().to_owned();
     if text.ends_with(|last: char| last.is_alphanumeric() || ")]%".contains(last)) {
         text.push('.');
@@ -130,7 +107,7 @@ fn sentence(lines: &[String]) -> String {
 }
 
 pub(super) fn of_constant<'d>(constant: &Constant) -> Docs<'d> {
-    let text = sentence(&constant.docs.lines);
+    let text = comment(&constant.docs.lines);
     let named = if text.trim().is_empty() { vec![format!("`{}`.", constant.name)] } else { Vec::new() };
     Docs(vec![Paragraph::said(text, named)])
 }

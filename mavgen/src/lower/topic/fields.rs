@@ -2,34 +2,35 @@
 
 use super::names::has_accessors;
 use super::{Named, Topics, definitions};
+use crate::collect::CollectVec as _;
 use crate::internal::Internal;
-use crate::ir::{Scope, Sentinel};
-use crate::lower::accessors::{Optional, known, optional};
-use crate::rust::{Extent, Literal, Method, Plain, TopicField, TopicSlot, TopicType, Unknown};
+use crate::ir::Sentinel;
+use crate::lower::accessors::optional;
+use crate::lower::items::beside;
+use crate::rust::{self, Extent, Literal, Method, Plain, TopicField, TopicSlot, TopicType, Unknown};
 use crate::uorb::model::{Element, MessageIndex};
 use crate::uorb::union::Field;
 
 impl<'d> Topics<'d> {
     pub(super) fn fields(self, index: MessageIndex) -> Result<Vec<TopicField<'d>>, Internal> {
         let Named { model, .. } = self.message(index)?;
-        (0..model.fields.len()).map(|at| self.field(index, at)).collect()
+        (0..model.fields.len()).map(|at| self.field(index, at)).try_collect_vec()
     }
 
     fn field(self, index: MessageIndex, at: usize) -> Result<TopicField<'d>, Internal> {
-        let (field, slot) = (self.field_at(index, at)?, self.slot(index, at)?);
+        let ((field, _), slot) = (self.field_at(index, at)?, self.slot(index, at)?);
         let named = (slot.ident != slot.name).then_some(slot.name);
         Ok(TopicField { slot, docs: self.field_docs(field)?, named, was: field.was.as_deref() })
     }
 
-    fn field_at(self, index: MessageIndex, at: usize) -> Result<&'d Field, Internal> {
-        let Named { model, .. } = self.message(index)?;
-        model.fields.get(at).ok_or_else(|| Internal::new(format!("{} has no field {at}", model.name)))
+    fn field_at(self, index: MessageIndex, at: usize) -> Result<(&'d Field, &'d String), Internal> {
+        let Named { model, names } = self.message(index)?;
+        beside(&model.fields, &names.fields, at, "field")
     }
 
     /// A field by name and type.
     pub(super) fn slot(self, index: MessageIndex, at: usize) -> Result<TopicSlot<'d>, Internal> {
-        let (field, names) = (self.field_at(index, at)?, self.message(index)?.names);
-        let ident = names.fields.get(at).ok_or_else(|| Internal::new(format!("`{}` has no name", field.name)))?;
+        let (field, ident) = self.field_at(index, at)?;
         let ty = match (self.union.typed(field), field.element) {
             (Some(one), _) => TopicType::Enum(self.enum_type(one)?),
             (None, Element::Scalar(scalar)) => TopicType::Plain(definitions::plain(scalar)),
@@ -53,7 +54,7 @@ impl<'d> Topics<'d> {
                 Some(Unknown::Is(Literal::Float(value as f64)))
             }
             (TopicType::Plain(Plain::Int(int)), Sentinel::Integer(value)) => {
-                let as_int = crate::rust::Element::Int(int).as_int();
+                let as_int = rust::Element::Int(int).as_int();
                 Some(Unknown::Is(Literal::Number(as_int, value)))
             }
             (TopicType::Enum(one), Sentinel::Integer(value)) => Some(Unknown::Is(self.enum_literal(one, value)?)),
@@ -64,20 +65,12 @@ impl<'d> Topics<'d> {
     pub(super) fn accessors(self, index: MessageIndex) -> Result<Vec<Method<'d>>, Internal> {
         let mut methods = Vec::new();
         for &at in &self.message(index)?.names.accessors {
-            let (field, slot) = (self.field_at(index, at)?, self.slot(index, at)?);
-            let (Some(unknown), Some(element)) = (slot.unknown, definitions::element(slot.ty)) else {
-                continue;
-            };
-            let scope = field.invalid.map_or(Scope::Each, |invalid| invalid.scope);
-            let extent = match (slot.len, scope) {
-                (None, _) => Extent::Scalar,
-                (Some(_), Scope::First) => Extent::First,
-                (Some(len), Scope::Whole) => Extent::Whole(len),
-                (Some(_), Scope::Each) => Extent::Each,
-            };
-            let own = Optional { ident: slot.ident, element: element.ty(), unknown, extent };
-            methods.extend(optional(&own));
-            methods.extend(known(&own));
+            let ((field, _), slot) = (self.field_at(index, at)?, self.slot(index, at)?);
+            let element = definitions::element(slot.ty);
+            if let (Some(unknown), Some(element), Some(invalid)) = (slot.unknown, element, field.invalid) {
+                let extent = Extent::of(invalid.scope, slot.len);
+                methods.extend(optional(element, rust::Sentinel { field: slot.ident, unknown, extent }));
+            }
         }
         Ok(methods)
     }

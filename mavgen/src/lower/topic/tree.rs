@@ -4,10 +4,11 @@ use std::collections::BTreeSet;
 
 use super::docs::named_topics;
 use super::{Named, Topics, UnionNames};
+use crate::collect::CollectVec as _;
 use crate::docs::first_sentence;
 use crate::internal::Internal;
 use crate::lower::docs::link;
-use crate::lower::files::{MARK, Options, ROOT_MARK};
+use crate::lower::files::{Options, header, root_header};
 use crate::rust::{
     Cell, Child, ChildAccess, Content, DialectEnum, Docs, Export, File, Held, Paragraph, Part, Plain, Scalars, Topic,
     TopicSlot, TopicType, Use, Variant,
@@ -34,45 +35,30 @@ pub(crate) fn tree<'d>(
             .into_iter()
             .collect::<Result<Vec<_>, _>>()?,
     );
-    for (at, names) in names.enums.iter().enumerate() {
-        let item = topics.enum_item(EnumIndex(at))?;
-        let of = union.enums.get(at).map_or("", |one| one.message.as_str());
-        files.push(File {
-            path: format!("enums/{}.rs", names.module),
-            header: header(&format!("{of}.msg")),
-            docs: Docs::default(),
-            uses: vec![Use::Runtime(options.runtime.clone())],
-            content: Content::Enum(Box::new(item)),
-        });
+    for (at, (one, names)) in union.enums.iter().zip(&names.enums).enumerate() {
+        let (path, header) = (format!("enums/{}.rs", names.module), header(&format!("{}.msg", one.message)));
+        let content = Content::Enum(Box::new(topics.enum_item(EnumIndex(at))?));
+        files.push(File { uses: vec![Use::Runtime(options.runtime.clone())], ..File::of(path, header, content) });
     }
     Ok(files)
 }
 
-fn header(sources: &str) -> String {
-    format!("{MARK} from {sources}; do not edit.")
-}
-
 /// `mod.rs`. It begins with an item, so that `include!` takes it.
 fn root<'d>(Topics { union, names }: Topics<'d>, options: &Options) -> File<'d> {
-    let (mut children, mut exports) = (Vec::new(), Vec::new());
+    let (mut children, mut exports) = (Vec::new(), Vec::<Export>::new());
     for (module, is_empty) in [("enums", union.enums.is_empty()), ("messages", union.messages.is_empty())] {
         if !is_empty {
-            children.push(Child { ident: module.to_owned(), access: ChildAccess::Public, expect: false });
-            exports.push(Export { of: Use::All(module.to_owned()), expect: false });
+            children.push(Child::of(module, ChildAccess::Public));
+            exports.push(Use::All(module.to_owned()).into());
         }
     }
     if !union.messages.is_empty() {
-        children.push(Child { ident: ALL.to_owned(), access: ChildAccess::Private, expect: false });
-        exports.push(Export { of: Use::Names(ALL.to_owned(), vec![names.all.clone()]), expect: false });
+        children.push(Child::of(ALL, ChildAccess::Private));
+        exports.push(Use::one(ALL, &names.all).into());
     }
-    let version = env!("CARGO_PKG_VERSION");
-    File {
-        path: "mod.rs".to_owned(),
-        header: format!("{}\n{ROOT_MARK}{version}, {}", header(&union.name), options.sources),
-        docs: Docs::line(about(union)),
-        uses: Vec::new(),
-        content: Content::Module { children, exports, aliases: Vec::new() },
-    }
+    let header = root_header(&header(&union.name), options);
+    let content = Content::Module { children, exports, aliases: Vec::new() };
+    File { docs: Docs::line(about(union)), ..File::of("mod.rs".to_owned(), header, content) }
 }
 
 /// The module of the enum over all messages.
@@ -96,13 +82,8 @@ fn all<'d>(Topics { union, names }: Topics<'d>, options: &Options) -> File<'d> {
         completed_by: "topics",
         derives_debug: true,
     };
-    File {
-        path: format!("{ALL}.rs"),
-        header: header(&union.name),
-        docs: Docs::default(),
-        uses: vec![Use::Names("super::messages".to_owned(), imported), Use::Runtime(options.runtime.clone())],
-        content: Content::Dialect(item),
-    }
+    let uses = vec![Use::Names("super::messages".to_owned(), imported), Use::Runtime(options.runtime.clone())];
+    File { uses, ..File::of(format!("{ALL}.rs"), header(&union.name), Content::Dialect(item)) }
 }
 
 /// What stands over the module of a package.
@@ -151,52 +132,42 @@ fn module<'d, 'n>(
 ) -> File<'d> {
     let (mut children, mut exports) = (Vec::new(), Vec::new());
     for (module, ty) in parts {
-        children.push(Child { ident: module.to_owned(), access: ChildAccess::Private, expect: false });
-        exports.push(Export { of: Use::Names(module.to_owned(), vec![ty.to_owned()]), expect: false });
+        children.push(Child::of(module, ChildAccess::Private));
+        exports.push(Use::one(module, ty).into());
     }
     let content = Content::Module { children, exports, aliases: Vec::new() };
-    File { path: path.to_owned(), header: header(sources), docs, uses: Vec::new(), content }
+    File { docs, ..File::of(path.to_owned(), header(sources), content) }
 }
 
 fn topic<'d>(topics: Topics<'d>, index: MessageIndex, options: &Options) -> Result<File<'d>, Internal> {
     let (Named { model, names }, item) = (topics.message(index)?, topics.topic(index)?);
-    let mut named = Mentioned::default();
+    let mut named = Mentioned { functions: BTreeSet::from(["get", "put"]), ..Mentioned::default() };
     named.topic(&item);
     let mut uses = named.imports();
     uses.extend([
         Use::Runtime(options.runtime.clone()),
-        Use::Generated(named.functions.into_iter().collect()),
-        Use::Names("wire".to_owned(), vec!["uorb".to_owned()]),
+        Use::Generated(named.functions.into_iter().collect_vec()),
+        Use::one("wire", "uorb"),
     ]);
-    Ok(File {
-        path: format!("messages/{}.rs", names.module),
-        header: header(&format!("{}.msg", model.name)),
-        docs: Docs::default(),
-        uses,
-        content: Content::Topic(Box::new(item)),
-    })
+    let (path, header) = (format!("messages/{}.rs", names.module), header(&format!("{}.msg", model.name)));
+    Ok(File { uses, ..File::of(path, header, Content::Topic(Box::new(item))) })
 }
 
 /// What the code of a topic names.
-struct Mentioned {
-    enums: BTreeSet<String>,
-    topics: BTreeSet<String>,
+#[derive(Default)]
+struct Mentioned<'d> {
+    enums: BTreeSet<&'d str>,
+    topics: BTreeSet<&'d str>,
     /// Functions of the runtime.
     functions: BTreeSet<&'static str>,
 }
 
-impl Default for Mentioned {
-    fn default() -> Self {
-        Self { enums: BTreeSet::new(), topics: BTreeSet::new(), functions: BTreeSet::from(["get", "put"]) }
-    }
-}
-
-impl Mentioned {
-    fn topic(&mut self, topic: &Topic<'_>) {
+impl<'d> Mentioned<'d> {
+    fn topic(&mut self, topic: &Topic<'d>) {
         for field in &topic.fields {
             match field.slot.ty {
-                TopicType::Enum(one) => self.enums.insert(one.ident.to_owned()),
-                TopicType::Message(ident) => self.topics.insert(ident.to_owned()),
+                TopicType::Enum(one) => self.enums.insert(one.ident),
+                TopicType::Message(ident) => self.topics.insert(ident),
                 TopicType::Plain(_) => false,
             };
         }
@@ -204,7 +175,7 @@ impl Mentioned {
     }
 
     /// What loading a message names, and the literals of what it nests, however deep.
-    fn fields(&mut self, part: &Part<'_>) {
+    fn fields(&mut self, part: &Part<'d>) {
         for field in &part.fields {
             match &field.held {
                 Held::Scalars(scalars) => self.scalars(field.slot, *scalars),
@@ -215,24 +186,27 @@ impl Mentioned {
         }
     }
 
-    fn nested(&mut self, part: &Part<'_>) {
-        self.topics.insert(part.ident.to_owned());
+    fn nested(&mut self, part: &Part<'d>) {
+        self.topics.insert(part.ident);
         self.fields(part);
     }
 
     /// The enum of a field is named where it is not loaded as it is.
-    fn scalars(&mut self, slot: TopicSlot<'_>, Scalars { stored, len, widens, few }: Scalars) {
+    fn scalars(&mut self, slot: TopicSlot<'d>, Scalars { stored, len, widens, few }: Scalars) {
         if stored == Plain::Bool {
             self.functions.insert(if len.is_some() { "booleans" } else { "boolean" });
         }
         if let (TopicType::Enum(one), true) = (slot.ty, widens || few) {
-            self.enums.insert(one.ident.to_owned());
+            self.enums.insert(one.ident);
         }
     }
 
     fn imports(&self) -> Vec<Use> {
         let parts = [("super::super::enums", &self.enums), ("super::super::messages", &self.topics)];
         let parts = parts.into_iter().filter(|(_, names)| !names.is_empty());
-        parts.map(|(module, names)| Use::Names(module.to_owned(), names.iter().cloned().collect())).collect()
+        let uses = parts.map(|(module, names)| {
+            Use::Names(module.to_owned(), names.iter().map(|name| (*name).to_owned()).collect_vec())
+        });
+        uses.collect_vec()
     }
 }

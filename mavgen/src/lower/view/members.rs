@@ -1,8 +1,7 @@
 //! Named bits: getters and setters of what they hold, and of the values that raw numbers stand for.
 
-use super::super::items::Items;
-use super::super::named::NamedView;
-use super::super::spelling;
+use super::super::items::{Items, NamedView};
+use super::super::{docs, spelling};
 use crate::docs::line;
 use crate::internal::Internal;
 use crate::ir::{Meaning, Member, Presence, Scaled, SwitchOn};
@@ -29,12 +28,12 @@ impl<'d> Items<'d> {
             Meaning::Number { .. } | Meaning::Scaled(_) => Holds::Number,
         };
         let bits = bits(view, member, holds)?;
-        let (docs, indexed) = (member_docs(name, member), bits.repeat.is_some());
+        let (get_docs, indexed) = (member_docs(name, member), bits.repeat.is_some());
         let mut methods = match &member.meaning {
-            Meaning::Scaled(scaled) => scaled_accessors(name, bits, scaled, [docs, setter_docs(name, true)]),
+            Meaning::Scaled(scaled) => scaled_accessors(name, bits, scaled, [get_docs, setter_docs(name, true)]),
             _ => {
                 let set_docs = setter_docs(name, !bits.always_sets());
-                accessors(name, bits, [docs, set_docs])
+                accessors(name, bits, [get_docs, set_docs])
             }
         };
         let set = methods.get(1).ok_or_else(|| Internal::new(format!("{name} has no setter")))?;
@@ -72,34 +71,20 @@ fn accessors<'d>(name: &str, bits: BitField<'d>, [get_docs, set_docs]: [Docs<'d>
         true => get_docs.then(Paragraph::line("`None` where there is no such one.")),
         false => get_docs,
     };
-    let get = Method {
-        ident: name.to_owned(),
-        sig: Sig::const_getter(bits.ty().optional(bits.is_optional())).indexed(several),
-        docs: get_docs,
-        inline: true,
-        kind: Kind::MemberGet(bits.clone()),
-    };
+    let getter = Sig::const_getter(bits.ty().optional(bits.is_optional())).indexed(several);
     let setter = Sig { is_const: true, ..Sig::setter("value", bits.ty()) }.indexed(several);
-    let set = Method {
-        ident: format!("set_{name}"),
-        sig: if bits.always_sets() { setter } else { setter.fallible(Error::View) },
-        docs: set_docs,
-        inline: true,
-        kind: Kind::MemberSet(bits),
-    };
-    vec![get, set]
+    let setter = if bits.always_sets() { setter } else { setter.fallible(Error::View) };
+    vec![
+        Method::new(name, getter, get_docs, Kind::MemberGet(bits.clone())),
+        Method::new(format!("set_{name}"), setter, set_docs, Kind::MemberSet(bits)),
+    ]
 }
 
 /// The builder's way to call a setter: `with_rpm`.
 fn with<'d>(name: &str, set: &Method<'d>, indexed: bool) -> Method<'d> {
     let fallible = matches!(set.sig.result, Ty::Fallible(_));
-    Method {
-        ident: format!("with_{name}"),
-        sig: set.sig.with(),
-        docs: Docs::line(format!("With this [`Self::{name}`].{}", if fallible { DOES_NOT_FIT } else { "" })),
-        inline: true,
-        kind: Kind::With { set: set.ident.clone(), indexed, fallible },
-    }
+    let docs = Docs::line(format!("With this [`Self::{name}`].{}", if fallible { DOES_NOT_FIT } else { "" }));
+    Method::new(format!("with_{name}"), set.sig.with(), docs, Kind::With { set: set.ident.clone(), indexed, fallible })
 }
 
 /// Of a scaled number: as a float, exactly in a smaller unit, and raw.
@@ -110,18 +95,16 @@ fn scaled_accessors<'d>(
     [get_docs, set_docs]: [Docs<'d>; 2],
 ) -> Vec<Method<'d>> {
     let (several, optional, scale) = (bits.repeat.is_some(), bits.is_optional(), scale(name, &bits, scaled));
-    let method =
-        |ident: String, sig: Sig<'d>, docs, kind| Method { ident, sig: sig.indexed(several), docs, inline: true, kind };
-    let getter = Sig { receiver: Receiver::Value, ..Sig::getter(Ty::F32.optional(optional)) };
-    let setter = Sig::setter("value", Ty::F32).fallible(Error::View);
+    let getter = Sig { receiver: Receiver::Value, ..Sig::getter(Ty::F32.optional(optional)) }.indexed(several);
+    let setter = Sig::setter("value", Ty::F32).fallible(Error::View).indexed(several);
     let mut methods = vec![
-        method(name.to_owned(), getter, get_docs, Kind::ScaledGet(scale.clone())),
-        method(format!("set_{name}"), setter, set_docs, Kind::ScaledSet(scale.clone())),
+        Method::new(name, getter, get_docs, Kind::ScaledGet(scale.clone())),
+        Method::new(format!("set_{name}"), setter, set_docs, Kind::ScaledSet(scale.clone())),
     ];
     methods.extend(scale.exact.map(|(exact, int)| {
         let docs = Docs::line(format!("[`Self::{name}`] exactly, in {}.", line(&exact.units)));
-        let getter = Sig::const_getter(Ty::Int(int).optional(optional));
-        method(spelling::beside(name, &exact.suffix()), getter, docs, Kind::ExactGet(scale.clone()))
+        let getter = Sig::const_getter(Ty::Int(int).optional(optional)).indexed(several);
+        Method::new(spelling::beside(name, &exact.suffix()), getter, docs, Kind::ExactGet(scale.clone()))
     }));
     let raw = |text: &str| Docs::line(format!("{text} raw number behind [`Self::{name}`]."));
     methods.extend(accessors(&scale.get_raw, bits, [raw("The"), raw("Sets the")]));
@@ -157,12 +140,7 @@ fn member_docs<'d>(name: &str, member: &'d Member) -> Docs<'d> {
         Meaning::Scaled(scaled) => scaled.units.as_deref(),
         Meaning::Flag | Meaning::Values(_) => None,
     };
-    let mut sentences: Vec<String> = Vec::new();
-    if member.description.trim().is_empty() {
-        sentences.push(format!("`{name}`."));
-    }
-    sentences.extend(units.map(|units| format!("In {}.", line(units))));
-    Docs(vec![Paragraph::said(member.description.as_str(), sentences)])
+    docs::of_part(&member.description, name, units, None)
 }
 
 fn setter_docs<'d>(name: &str, fallible: bool) -> Docs<'d> {

@@ -1,8 +1,6 @@
 //! Where a message has a view: its words, the value of its switch, and what must hold.
 
-use super::super::items::Items;
-use super::super::named::{NamedField, NamedMessage, NamedView};
-use super::super::types::shape;
+use super::super::items::{Items, NamedField, NamedMessage, NamedView};
 use crate::collect::CollectVec as _;
 use crate::internal::Internal;
 use crate::ir::{self, Condition, FieldIndex, SwitchOn, ViewSentinel};
@@ -96,7 +94,7 @@ pub(super) fn element(field: NamedField<'_>) -> SlotElement<'_> {
     let name = field.ident;
     SlotElement {
         field: name,
-        chars: matches!(shape(field.model), Shape::Chars(_)),
+        chars: matches!(field.shape(), Shape::Chars(_)),
         // No field is called so: snake case ends with no underscore.
         local: if LOCALS.contains(&name) { format!("{name}_") } else { name.to_owned() },
     }
