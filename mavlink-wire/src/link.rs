@@ -85,6 +85,7 @@ mod outbox;
 mod peer;
 mod peers;
 mod pending;
+mod sending;
 mod shared;
 mod sources;
 mod statistics;

@@ -31,7 +31,7 @@ use super::{Address, LinkError, LinkStatistics, Options, Peer, Pending, tcp};
 #[cfg(feature = "signing")]
 use crate::signing::Verifier;
 use crate::{ComponentId, Encode, Frame, Losses, Sender, SystemId};
-use send::Outgoing;
+use send::Way;
 use stream::Stream;
 
 /// Sends frames to an address and receives them.
@@ -63,7 +63,7 @@ impl Link {
     pub fn connect(address: &str, options: Options) -> Result<Self, LinkError> {
         let Opened { shared, line, receiving, sending, is_stream } = open(&address.parse()?, &options)?;
         let (peers, shared) = (shared.peers.clone(), Arc::new(shared));
-        let outgoing = Outgoing { outbox: options.outbox(&peers), carrier: sending, pending: Pending::default() };
+        let way = Way { outbox: options.outbox(&peers), carrier: sending, pending: Pending::default() };
         Ok(Self {
             receiving: ReceiveHalf {
                 shared: shared.clone(),
@@ -71,7 +71,7 @@ impl Link {
                 carrier: receiving,
                 losses: Losses::new(),
             },
-            sending: SendHalf { shared, line, outgoing: Arc::new(Mutex::new(outgoing)) },
+            sending: SendHalf { shared, line, way: Arc::new(Mutex::new(way)) },
         })
     }
 
