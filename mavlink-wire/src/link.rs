@@ -80,6 +80,7 @@ mod file;
 mod forward;
 mod inbox;
 mod line;
+mod open;
 mod options;
 mod outbox;
 mod peer;
@@ -92,6 +93,7 @@ mod statistics;
 mod tcp;
 #[cfg(feature = "tokio")]
 pub mod tokio;
+mod udp;
 
 pub use address::{Address, AddressError};
 pub use connection::{Link, ReceiveHalf, SendHalf};

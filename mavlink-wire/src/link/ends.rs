@@ -13,8 +13,18 @@ pub(super) trait Ends: Send + Sized {
     /// Writes to it.
     type Writer: Send;
 
+    /// Whether a first attempt to connect may block.
+    const BLOCKS: bool;
+
     /// Of an open connection.
     fn of_tcp(stream: TcpStream) -> io::Result<Self>;
+
+    /// What opens a serial port.
+    ///
+    /// # Errors
+    ///
+    /// The feature for serial ports is off.
+    fn serial(path: &str, baud: u32) -> Serial<Self>;
 
     /// Takes it apart.
     fn split(self) -> io::Result<Parts<Self::Reader, Self::Writer>>;
@@ -47,6 +57,9 @@ pub(super) trait Opener<E>: Send {
         false
     }
 }
+
+/// What opens a serial port.
+pub(super) type Serial<E> = Result<Box<dyn Opener<E>>, LinkError>;
 
 /// What has come of opening: something open and who is at its other end, or nothing yet.
 pub(super) type Attempt<E> = Result<Option<(E, Peer)>, LinkError>;

@@ -6,6 +6,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
 use super::ends::{Ends, Opener, Parts, Shut};
+use super::shared::Shared;
 use super::statistics::Counters;
 use super::{LinkError, Peer, Peers};
 
@@ -55,12 +56,7 @@ pub(super) struct End<S> {
 
 impl<E: Ends> Line<E> {
     /// A line that is opened now, or as soon as somebody comes.
-    pub(super) fn open(
-        opener: Box<dyn Opener<E>>,
-        reconnects: bool,
-        peers: Peers,
-        counters: Arc<Counters>,
-    ) -> Result<Self, LinkError> {
+    pub(super) fn open(opener: Box<dyn Opener<E>>, reconnects: bool, shared: &Shared) -> Result<Self, LinkError> {
         let state = State {
             opener,
             connection: None,
@@ -69,6 +65,7 @@ impl<E: Ends> Line<E> {
             wait: Duration::ZERO,
             trouble: None,
         };
+        let (peers, counters) = (shared.peers.clone(), shared.counters.clone());
         let line = Self { state: Mutex::new(state), reconnects, peers, counters };
         line.attempt(&mut line.lock())?;
         Ok(line)

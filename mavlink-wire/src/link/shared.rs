@@ -6,7 +6,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use super::statistics::Counters;
-use super::{Inbox, LinkError, Options, Outbox, Peers};
+use super::{Inbox, LinkError, Options, Outbox, Peer, Peers};
 
 /// How long the rest of a frame is waited for where the way is a stream: longer than a network takes to send again.
 const SILENCE_OF_STREAMS: Duration = Duration::from_secs(2);
@@ -25,14 +25,26 @@ pub(super) struct Shared {
 }
 
 impl Shared {
-    pub(super) fn new(peers: Peers, counters: Arc<Counters>, options: &Options) -> Self {
-        let send_timeout = options.send_timeout;
-        Self { peers, counters, local: None, is_open_to_all: false, send_timeout, closed: AtomicBool::new(false) }
+    pub(super) fn new(peers: Peers, options: &Options) -> Self {
+        Self {
+            peers,
+            counters: Arc::default(),
+            local: None,
+            is_open_to_all: false,
+            send_timeout: options.send_timeout,
+            closed: AtomicBool::new(false),
+        }
     }
 
     /// The same of a link that listens there, for whoever comes.
     pub(super) fn listening(self, local: Option<SocketAddr>) -> Self {
         Self { local, is_open_to_all: true, ..self }
+    }
+
+    /// The same of a link that sends there, whoever answers.
+    pub(super) fn towards(self, to: Peer) -> Self {
+        self.peers.name(Some(to));
+        self
     }
 
     pub(super) fn close(&self) {

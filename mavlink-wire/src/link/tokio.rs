@@ -115,8 +115,7 @@ impl Link {
     /// The address is wrong or in use, or nobody is there. The first attempt has to succeed; afterwards the link reconnects by
     /// itself.
     pub async fn connect(address: &str, options: Options) -> Result<Self, LinkError> {
-        let (receiving, sending) = open::open(&address.parse()?, &options).await?;
-        Ok(Self { receiving, sending })
+        open::open(address.parse()?, options).await
     }
 
     /// Splits the link into both halves, for two tasks.

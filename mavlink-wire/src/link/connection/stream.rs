@@ -5,10 +5,12 @@ use std::io::{IoSlice, Read, Result, Write};
 use std::net::{Shutdown, TcpStream};
 use std::time::Duration;
 
-use crate::link::ends::{Ends, Parts, Shut};
+#[cfg(not(feature = "serial"))]
+use crate::link::LinkError;
+use crate::link::ends::{Ends, Parts, Serial, Shut};
 
 /// Zero would mean to wait for ever.
-const SHORTEST: Duration = Duration::from_millis(1);
+pub(super) const SHORTEST: Duration = Duration::from_millis(1);
 
 /// The timeout that a socket has: the system is told only when it changes.
 #[derive(Debug, Default)]
@@ -42,8 +44,20 @@ impl Ends for Box<dyn Stream> {
     type Reader = Self;
     type Writer = Self;
 
+    const BLOCKS: bool = true;
+
     fn of_tcp(stream: TcpStream) -> Result<Self> {
         Ok(Box::new(Tcp::new(stream)))
+    }
+
+    #[cfg(feature = "serial")]
+    fn serial(path: &str, baud: u32) -> Serial<Self> {
+        Ok(Box::new(super::serial::Device::new(path, baud)))
+    }
+
+    #[cfg(not(feature = "serial"))]
+    fn serial(_: &str, _: u32) -> Serial<Self> {
+        Err(LinkError::Feature { name: "serial" })
     }
 
     fn split(self) -> Result<Parts<Self, Self>> {

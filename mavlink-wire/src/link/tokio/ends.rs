@@ -7,7 +7,9 @@ use std::sync::Arc;
 
 use ::tokio::net::TcpStream;
 
-use crate::link::ends::{Ends, Parts, Shut};
+#[cfg(not(feature = "tokio-serial"))]
+use crate::link::LinkError;
+use crate::link::ends::{Ends, Parts, Serial, Shut};
 
 /// An open connection or device. One task may read and one may write.
 pub(super) trait Polled: Send + Sync {
@@ -32,8 +34,20 @@ impl Ends for Opened {
     type Reader = Hand;
     type Writer = Hand;
 
+    const BLOCKS: bool = false;
+
     fn of_tcp(stream: std::net::TcpStream) -> Result<Self> {
         Ok(Self::Tcp(stream))
+    }
+
+    #[cfg(feature = "tokio-serial")]
+    fn serial(path: &str, baud: u32) -> Serial<Self> {
+        Ok(Box::new(serial::Device::new(path, baud)))
+    }
+
+    #[cfg(not(feature = "tokio-serial"))]
+    fn serial(_: &str, _: u32) -> Serial<Self> {
+        Err(LinkError::Feature { name: "tokio-serial" })
     }
 
     fn split(self) -> Result<Parts<Hand, Hand>> {

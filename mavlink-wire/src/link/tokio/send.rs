@@ -70,11 +70,6 @@ impl SendHalf {
         Self { common, line, outbox: Arc::new(Lock::new(outbox)), way }
     }
 
-    /// Goes on with the first attempt to connect; whether it has succeeded.
-    pub(super) fn try_first(&self) -> Result<bool, LinkError> {
-        self.line.as_ref().map_or(Ok(true), |line| line.try_first())
-    }
-
     /// Changes or reads the [`Sender`], for example to give it a key, save its time.
     pub fn with_sender<R>(&self, change: impl FnOnce(&mut Sender) -> R) -> R {
         change(&mut self.outbox().sender)
