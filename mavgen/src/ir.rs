@@ -5,7 +5,6 @@
 //! language: names are those of the definitions.
 
 mod carrier;
-mod crc;
 mod kept;
 mod label;
 mod layout;
@@ -23,6 +22,7 @@ pub use label::Label;
 pub(crate) use label::{param_words, unit_words};
 pub(crate) use layout::Layout;
 pub use message::{Field, FieldType, Invalid, Limits, Message, Scalar, Scope, Sentinel, Values};
+pub(crate) use message::{LARGEST_ID, MOST_FIELDS};
 pub use name::Name;
 pub use partial::{LostMessage, LostView, Partial};
 pub use validate::{Fault, Valid};
@@ -31,6 +31,7 @@ pub use view::{
     Access, Binding, Condition, Exact, FieldIndex, Key, Meaning, Member, Place, Presence, Record, Repeat, Scaled,
     Slots, Switch, SwitchOn, View, ViewSentinel, Word,
 };
+pub(crate) use view::{MOST_BITS, largest_of_bits, mask};
 pub(crate) use visit::{enums_of_enum_mut, enums_of_message_mut};
 
 use std::fmt;

@@ -13,7 +13,6 @@ mod enums;
 mod field;
 mod field_type;
 mod invalid;
-mod lifecycle;
 mod limits;
 mod lost;
 mod message;
@@ -26,7 +25,6 @@ mod poisoned;
 mod reserved;
 mod spelling;
 mod suggest;
-mod text;
 mod units;
 mod uses;
 mod version;
@@ -47,7 +45,7 @@ use build::{Links, build_enum, build_message};
 use enums::Enums;
 use invalid::Entries;
 #[cfg(feature = "uorb")]
-pub(crate) use invalid::{Refusal, sentinel_of};
+pub(crate) use invalid::sentinel_of;
 use message_scope::{EnumUse, check_enum_uses};
 use notes::Notes;
 use poisoned::Poisoned;
@@ -79,28 +77,28 @@ pub(crate) fn passes(loaded: &Loaded, sources: &Sources, diagnostics: &mut Diagn
     reserved::check(loaded, diagnostics);
     let drafts = message::drafts(loaded, &versions, &poisoned, diagnostics);
     uses::check(loaded, &enums, diagnostics);
-    let lost = message::lost(loaded, &drafts);
-    uses::check_lost(&lost, &enums, diagnostics);
     let uses = uses::collect(&drafts, &enums, diagnostics);
     let entries = Entries::of(&enums);
-    let (added, enum_uses) = overlay::resolve(loaded, &drafts, (&enums, &entries), &poisoned, diagnostics);
+    let (added, enum_uses) = overlay::resolve(loaded, &drafts.messages, (&enums, &entries), &poisoned, diagnostics);
     let widths = widths(loaded, &enums, &uses, &enum_uses, diagnostics);
     check_enum_uses(&enum_uses, &enums, &widths, diagnostics);
-    invalid::check(&lost, &entries, diagnostics);
+    for field in &drafts.lost {
+        invalid::of_field(field, &entries, diagnostics);
+    }
     spelling::check_all(loaded, diagnostics);
     check::check_entry_names(loaded, &enums.list, diagnostics);
     for ((merged, &width), uses) in enums.list.iter().zip(&widths).zip(&uses) {
         check::check(loaded, merged, width, uses, diagnostics);
     }
 
-    let notes = Notes::of(loaded, &drafts, &enums, &poisoned, diagnostics);
+    let notes = Notes::of(loaded, &drafts.messages, &enums, &poisoned, diagnostics);
     let commands = overlay::Commands::of(loaded, &enums, diagnostics);
     let said = (&notes, &commands);
     let sized = enums.list.iter().zip(&widths);
     let models =
         sized.map(|(merged, &width)| build_enum((loaded, &enums), said, merged, width, diagnostics)).collect_vec();
     let links = Links { enums: &enums, widths: &widths, entries: &entries, notes: &notes };
-    let whole = drafts.into_iter().zip(added);
+    let whole = drafts.messages.into_iter().zip(added);
     let mut messages = whole.map(|(draft, added)| build_message(draft, added, &links, diagnostics)).collect_vec();
     order::sort_by_key(&mut messages, |message| message.id);
     let (name, version) = (loaded.name.clone(), versions.first()?.number());

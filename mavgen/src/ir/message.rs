@@ -7,6 +7,12 @@ use super::{Binding, EnumId, FileIndex, Name, Origin, Repr, View};
 use crate::collect::CollectVec as _;
 use crate::order;
 
+/// Ids of messages have 24 bits.
+pub(crate) const LARGEST_ID: u32 = 0xFF_FFFF;
+
+/// pymavlink's limit on the fields of a message.
+pub(crate) const MOST_FIELDS: usize = 64;
+
 /// A message.
 #[derive(Clone, Debug)]
 pub struct Message {
@@ -155,46 +161,43 @@ pub enum Scalar {
 }
 
 impl Scalar {
+    /// All of them but the version.
+    #[rustfmt::skip]
+    pub(crate) const ALL: [Self; 11] = [
+        Self::Char, Self::U8, Self::I8, Self::U16, Self::I16, Self::U32, Self::I32, Self::U64, Self::I64, Self::F32, Self::F64,
+    ];
+
+    /// Name on the wire, bytes, and the integer that can carry an enum.
+    fn facts(self) -> (&'static str, usize, Option<Repr>) {
+        match self {
+            Self::Char => ("char", 1, None),
+            Self::U8 => ("uint8_t", 1, Some(Repr::U8)),
+            Self::Version(_) => ("uint8_t", 1, None),
+            Self::I8 => ("int8_t", 1, Some(Repr::I8)),
+            Self::U16 => ("uint16_t", 2, Some(Repr::U16)),
+            Self::I16 => ("int16_t", 2, Some(Repr::I16)),
+            Self::U32 => ("uint32_t", 4, Some(Repr::U32)),
+            Self::I32 => ("int32_t", 4, Some(Repr::I32)),
+            Self::U64 => ("uint64_t", 8, Some(Repr::U64)),
+            Self::I64 => ("int64_t", 8, Some(Repr::I64)),
+            Self::F32 => ("float", 4, None),
+            Self::F64 => ("double", 8, None),
+        }
+    }
+
     /// Bytes of one element.
     pub fn size(self) -> usize {
-        match self {
-            Self::Char | Self::U8 | Self::Version(_) | Self::I8 => 1,
-            Self::U16 | Self::I16 => 2,
-            Self::U32 | Self::I32 | Self::F32 => 4,
-            Self::U64 | Self::I64 | Self::F64 => 8,
-        }
+        self.facts().1
     }
 
     /// The type as the checksum spells it: the version type counts as `uint8_t`.
     pub fn wire_name(self) -> &'static str {
-        match self {
-            Self::Char => "char",
-            Self::U8 | Self::Version(_) => "uint8_t",
-            Self::I8 => "int8_t",
-            Self::U16 => "uint16_t",
-            Self::I16 => "int16_t",
-            Self::U32 => "uint32_t",
-            Self::I32 => "int32_t",
-            Self::U64 => "uint64_t",
-            Self::I64 => "int64_t",
-            Self::F32 => "float",
-            Self::F64 => "double",
-        }
+        self.facts().0
     }
 
     /// The integer that it is; `None` for what carries no enum: floats, characters and the version.
     pub fn repr(self) -> Option<Repr> {
-        Some(match self {
-            Self::U8 => Repr::U8,
-            Self::I8 => Repr::I8,
-            Self::U16 => Repr::U16,
-            Self::I16 => Repr::I16,
-            Self::U32 => Repr::U32,
-            Self::I32 => Repr::I32,
-            Self::U64 => Repr::U64,
-            Self::I64 => Repr::I64,
-            Self::Char | Self::Version(_) | Self::F32 | Self::F64 => return None,
-        })
+        self.facts().2
     }
 
     /// Whether a view can read its bits: they are as they were sent, with no sign to drag along and no text to keep.
@@ -207,13 +210,18 @@ impl Scalar {
         self.repr().is_some_and(|repr| !repr.is_signed())
     }
 
+    /// Whether it is a float or a double.
+    pub fn is_float(self) -> bool {
+        matches!(self, Self::F32 | Self::F64)
+    }
+
     /// Smallest and largest value; `None` for floats.
     pub fn range(self) -> Option<RangeInclusive<i128>> {
         let bits = 8 * self.size();
-        match self {
-            Self::F32 | Self::F64 => None,
-            Self::I8 | Self::I16 | Self::I32 | Self::I64 => Some(-(1 << (bits - 1))..=(1 << (bits - 1)) - 1),
-            Self::Char | Self::U8 | Self::Version(_) | Self::U16 | Self::U32 | Self::U64 => Some(0..=(1 << bits) - 1),
+        match self.repr() {
+            _ if self.is_float() => None,
+            Some(repr) if repr.is_signed() => Some(-(1 << (bits - 1))..=(1 << (bits - 1)) - 1),
+            _ => Some(0..=(1 << bits) - 1),
         }
     }
 
@@ -224,11 +232,6 @@ impl Scalar {
             Self::F64 => value.is_finite(),
             _ => false,
         }
-    }
-
-    /// Whether it is a float or a double.
-    pub fn is_float(self) -> bool {
-        matches!(self, Self::F32 | Self::F64)
     }
 }
 

@@ -107,19 +107,33 @@ pub enum Repr {
 }
 
 impl Repr {
+    /// Name, bytes, and whether it can be negative.
+    fn facts(self) -> (&'static str, usize, bool) {
+        match self {
+            Self::U8 => ("u8", 1, false),
+            Self::I8 => ("i8", 1, true),
+            Self::U16 => ("u16", 2, false),
+            Self::I16 => ("i16", 2, true),
+            Self::U32 => ("u32", 4, false),
+            Self::I32 => ("i32", 4, true),
+            Self::U64 => ("u64", 8, false),
+            Self::I64 => ("i64", 8, true),
+        }
+    }
+
     /// Bytes.
     pub fn size(self) -> usize {
-        match self {
-            Self::U8 | Self::I8 => 1,
-            Self::U16 | Self::I16 => 2,
-            Self::U32 | Self::I32 => 4,
-            Self::U64 | Self::I64 => 8,
-        }
+        self.facts().1
     }
 
     /// Whether it can be negative.
     pub fn is_signed(self) -> bool {
-        matches!(self, Self::I8 | Self::I16 | Self::I32 | Self::I64)
+        self.facts().2
+    }
+
+    /// What it is called: `u8`.
+    pub fn name(self) -> &'static str {
+        self.facts().0
     }
 
     /// The largest value it can hold.
@@ -131,19 +145,5 @@ impl Repr {
     /// The smallest unsigned type that holds `value`.
     pub fn smallest_for(value: u64) -> Self {
         [Self::U8, Self::U16, Self::U32].into_iter().find(|repr| value <= repr.highest()).unwrap_or(Self::U64)
-    }
-
-    /// What it is called: `u8`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::U8 => "u8",
-            Self::I8 => "i8",
-            Self::U16 => "u16",
-            Self::I16 => "i16",
-            Self::U32 => "u32",
-            Self::I32 => "i32",
-            Self::U64 => "u64",
-            Self::I64 => "i64",
-        }
     }
 }

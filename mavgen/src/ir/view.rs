@@ -8,6 +8,9 @@ use std::ops::RangeInclusive;
 use super::{EnumId, Label, Name, Origin, Repr, unit_words};
 use crate::source::Span;
 
+/// How many bits a view can have: there is no larger integer.
+pub(crate) const MOST_BITS: usize = 128;
+
 /// A layout of bits over one or more fields of a message; or values in some of its fields, which has no words and no bits.
 #[derive(Clone, Debug)]
 pub struct View {
@@ -168,6 +171,16 @@ pub enum SwitchOn {
     },
 }
 
+impl SwitchOn {
+    /// The largest value.
+    pub(crate) fn highest(self) -> u64 {
+        match self {
+            Self::Field(_, repr) => repr.highest(),
+            Self::Bits { width, .. } => largest_of_bits(width),
+        }
+    }
+}
+
 /// Named bits.
 #[derive(Clone, Debug)]
 pub struct Member {
@@ -253,6 +266,19 @@ impl Exact {
     pub(crate) fn suffix(&self) -> String {
         unit_words(&self.units)
     }
+}
+
+/// The largest value of so many bits, of which there are 1 to 64.
+pub(crate) fn largest_of_bits(bits: u8) -> u64 {
+    u64::MAX >> (64 - u32::from(bits.clamp(1, 64)))
+}
+
+/// The bits of so many beginning at one, and of those that repeat them; of those that a view can have.
+pub(crate) fn mask(at: u8, width: u8, repeat: Option<Repeat>) -> u128 {
+    let one = u128::MAX.checked_shr(128_u32.saturating_sub(width.into())).unwrap_or_default();
+    let Repeat { count, stride } = repeat.unwrap_or(Repeat { count: 1, stride: 0 });
+    (0..u32::from(count))
+        .fold(0, |mask, index| mask | one.checked_shl(u32::from(at) + index * u32::from(stride)).unwrap_or_default())
 }
 
 /// Several alike: number `i` begins at `at + i · stride`.

@@ -15,7 +15,7 @@ use crate::collect::CollectVec as _;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::FileIndex;
 use crate::source::{Sources, Span};
-use crate::syntax::{File, Overlay, Text};
+use crate::syntax::{File, Message, Overlay, Text};
 
 /// How many levels of includes pymavlink follows below the top file.
 const MAX_LEVEL: usize = 5;
@@ -41,6 +41,16 @@ impl Loaded {
     pub(crate) fn age(&self, file: FileIndex) -> usize {
         let files = self.files.len();
         if file.0 < files { files - 1 - file.0 } else { file.0 }
+    }
+
+    /// The messages of all files.
+    pub(crate) fn messages(&self) -> impl Iterator<Item = &Message> {
+        self.files.iter().flat_map(|file| &file.messages)
+    }
+
+    /// The overlays, which are numbered after the files.
+    pub(crate) fn numbered_overlays(&self) -> impl Iterator<Item = (FileIndex, &Overlay)> {
+        (self.files.len()..).map(FileIndex).zip(&self.overlays)
     }
 
     /// Whether a file of that name is included: if it is not among the files, it could not be read, which was said.

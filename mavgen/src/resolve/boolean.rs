@@ -29,7 +29,7 @@ impl Attribute {
 }
 
 /// A boolean of a dialect; absent is false.
-pub(super) fn read(text: Option<&Text>, attribute: Attribute, diagnostics: &mut Diagnostics) -> bool {
+pub(super) fn read(text: &Option<Text>, attribute: Attribute, diagnostics: &mut Diagnostics) -> bool {
     let Some(text) = text else { return false };
     let name = attribute.name();
     let Some(value) = number::boolean(&text.value) else { return odd(text, attribute, diagnostics) };
@@ -62,8 +62,9 @@ fn odd(text: &Text, attribute: Attribute, diagnostics: &mut Diagnostics) -> bool
     value
 }
 
-/// A boolean of an overlay; `None` if it is none, which is reported.
-pub(super) fn of_overlay(text: &Text, diagnostics: &mut Diagnostics) -> Option<bool> {
+/// A boolean of an overlay; `None` if it is none, which is reported, or absent.
+pub(super) fn of_overlay(text: &Option<Text>, diagnostics: &mut Diagnostics) -> Option<bool> {
+    let text = text.as_ref()?;
     let value = number::boolean(&text.value);
     if value.is_none() {
         diagnostics.push(not_a_boolean(text));
@@ -107,7 +108,7 @@ mod tests {
         ] {
             let span = Span::new(Sources::default().add("a.xml", text), 0..text.len());
             let mut diagnostics = Diagnostics::default();
-            assert_eq!(read(Some(&Text::new(text.to_owned(), span)), attribute, &mut diagnostics), expected, "{text}");
+            assert_eq!(read(&Some(Text::new(text.to_owned(), span)), attribute, &mut diagnostics), expected, "{text}");
             assert_eq!(diagnostics.iter().next().map(|problem| problem.code), told, "{attribute:?} {text}");
         }
     }

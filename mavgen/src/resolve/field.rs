@@ -1,7 +1,7 @@
 //! Fields of messages, each for itself.
 
 use super::boolean::{self, Attribute};
-use super::origin::Described;
+use super::origin::origin;
 use super::{field_type, limits, units};
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{FieldType, FileIndex, Limits, Origin, Scalar};
@@ -10,7 +10,6 @@ use crate::syntax;
 /// What a field takes from the message around it.
 #[derive(Clone, Copy)]
 pub(super) struct Surroundings {
-    /// The file.
     pub(super) file: FileIndex,
     /// The version that `uint8_t_mavlink_version` stands for.
     pub(super) version: u8,
@@ -20,19 +19,12 @@ pub(super) struct Surroundings {
 
 /// What a field says for itself. What needs the other fields or the enums is worked out later.
 pub(super) struct DraftField<'a> {
-    /// Where it was written.
     pub(super) syntax: &'a syntax::Field,
-    /// Its type on the wire.
     pub(super) ty: FieldType,
-    /// Whether it stands after `<extensions/>`.
     pub(super) extension: bool,
-    /// Documented range and step.
     pub(super) limits: Limits,
-    /// `display="bitmask"`.
     pub(super) display_bitmask: bool,
-    /// `instance="true"`.
     pub(super) instance: bool,
-    /// Where it comes from.
     pub(super) origin: Origin,
 }
 
@@ -42,12 +34,9 @@ pub(super) fn resolve<'a>(
     around: Surroundings,
     diagnostics: &mut Diagnostics,
 ) -> Option<DraftField<'a>> {
-    let described =
-        Described { file: around.file, span: field.span, description: field.description.as_ref(), lifecycle: None };
-    let ranges = [field.min.as_ref(), field.max.as_ref(), field.increment.as_ref()];
-    let limits = limits::resolve(ranges, f64::is_finite, diagnostics);
-    let instance = boolean::read(field.instance.as_ref(), Attribute::AnyText("instance"), diagnostics);
-    units::check(field.units.as_ref(), diagnostics);
+    let limits = limits::resolve([&field.min, &field.max, &field.increment], f64::is_finite, diagnostics);
+    let instance = boolean::read(&field.instance, Attribute::AnyText("instance"), diagnostics);
+    units::check(&field.units, diagnostics);
     let ty = field_type::resolve(&field.ty, around.version, diagnostics)?;
     check_target(field, ty, diagnostics);
     Some(DraftField {
@@ -57,7 +46,7 @@ pub(super) fn resolve<'a>(
         limits,
         display_bitmask: display_bitmask(field, ty, diagnostics),
         instance,
-        origin: described.origin(diagnostics),
+        origin: origin(around.file, field.span, &field.description, None),
     })
 }
 

@@ -2,8 +2,7 @@
 
 use std::num::NonZeroU8;
 
-use super::number;
-use super::suggest::suggest;
+use super::{number, suggest};
 use crate::decimal::is_digits;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{FieldType, Scalar};
@@ -12,128 +11,95 @@ use crate::syntax::Text;
 /// The type whose value is the version of the file that holds the message.
 pub(super) const VERSION: &str = "uint8_t_mavlink_version";
 
-/// The types as the schema spells them.
-const SPELLINGS: [(&str, Scalar); 11] = [
-    ("char", Scalar::Char),
-    ("uint8_t", Scalar::U8),
-    ("int8_t", Scalar::I8),
-    ("uint16_t", Scalar::U16),
-    ("int16_t", Scalar::I16),
-    ("uint32_t", Scalar::U32),
-    ("int32_t", Scalar::I32),
-    ("uint64_t", Scalar::U64),
-    ("int64_t", Scalar::I64),
-    ("float", Scalar::F32),
-    ("double", Scalar::F64),
-];
-
-/// Types of other languages, and what they are on the wire.
-const FOREIGN: [(&str, &str); 14] = [
-    ("bool", "uint8_t"),
-    ("byte", "uint8_t"),
-    ("int", "int32_t"),
-    ("string", "char"),
-    ("u8", "uint8_t"),
-    ("i8", "int8_t"),
-    ("u16", "uint16_t"),
-    ("i16", "int16_t"),
-    ("u32", "uint32_t"),
-    ("i32", "int32_t"),
-    ("u64", "uint64_t"),
-    ("i64", "int64_t"),
-    ("f32", "float"),
-    ("f64", "double"),
+/// Types of other languages beside the integers of Rust, and what they are on the wire.
+const FOREIGN: [(&str, Scalar); 6] = [
+    ("bool", Scalar::U8),
+    ("byte", Scalar::U8),
+    ("int", Scalar::I32),
+    ("string", Scalar::Char),
+    ("f32", Scalar::F32),
+    ("f64", Scalar::F64),
 ];
 
 /// Reads a `type` attribute; `version` is that of the file, as known at this place.
 pub(super) fn resolve(text: &Text, version: u8, diagnostics: &mut Diagnostics) -> Option<FieldType> {
-    let (element, brackets, scalar) = parts(&text.value, version);
-    let Some(scalar) = scalar else {
-        let problem = unknown(text, element, diagnostics);
-        diagnostics.push(problem);
+    let (element, brackets) = match text.value.split_once('[') {
+        Some((element, rest)) => (element, Some(rest)),
+        None => (&*text.value, None),
+    };
+    // pymavlink knows `array[N]` from the days of MAVLink 0.9.
+    let plain = if element == "array" && brackets.is_some() { "int8_t" } else { element };
+    let Some(scalar) = scalar(plain, version) else {
+        unknown(text, element, diagnostics);
         return None;
     };
-    if !SPELLINGS.iter().any(|(spelling, _)| *spelling == element) && element != VERSION {
+    if scalar.wire_name() != element && element != VERSION {
         let message = format!("type `{element}` is an old spelling of `{}`", scalar.wire_name());
         let problem = Diagnostic::new(Code::TypeSpelling, text.span, message);
         diagnostics.push(problem.label("pymavlink's schema refuses it"));
     }
-    let array = brackets.map(|rest| length(text, scalar, rest)).transpose();
-    array.map(|array| FieldType { scalar, array }).map_err(|problem| diagnostics.push(*problem)).ok()
-}
-
-/// The type that a `type` attribute names, if it names one; for what only looks at the type, and reports nothing of it.
-pub(super) fn named(text: &Text) -> Option<FieldType> {
-    let (_, brackets, scalar) = parts(&text.value, 0);
-    let scalar = scalar?;
-    let array = brackets.map(|rest| length(text, scalar, rest)).transpose().ok()?;
+    let array = brackets.map(|rest| length(text, scalar, rest, diagnostics).ok_or(())).transpose().ok()?;
     Some(FieldType { scalar, array })
 }
 
-/// What stands before the bracket, what follows it, and the type of an element.
-fn parts(text: &str, version: u8) -> (&str, Option<&str>, Option<Scalar>) {
-    let (element, brackets) = match text.split_once('[') {
-        Some((element, rest)) => (element, Some(rest)),
-        None => (text, None),
-    };
-    // pymavlink knows `array[N]` from the days of MAVLink 0.9.
-    let plain = if element == "array" && brackets.is_some() { "int8_t" } else { element };
-    (element, brackets, scalar(plain, version))
-}
-
 /// The length of an array of `scalar`; `rest` is what follows the bracket.
-fn length(text: &Text, scalar: Scalar, rest: &str) -> Result<NonZeroU8, Box<Diagnostic>> {
-    if matches!(scalar, Scalar::Version(_)) {
-        let message = "`uint8_t_mavlink_version` cannot be an array";
-        return Err(Box::new(Diagnostic::new(Code::VersionField, text.span, message)));
-    }
-    let length = rest.strip_suffix(']').and_then(number::count).ok_or_else(|| bad_length(text, "not a length"))?;
-    let length = u8::try_from(length).map_err(|_| bad_length(text, "more than 255"))?;
-    NonZeroU8::new(length).ok_or_else(|| {
-        let problem = bad_length(text, "an array of nothing");
-        Box::new(problem.help("leave the brackets out for a scalar"))
-    })
+fn length(text: &Text, scalar: Scalar, rest: &str, diagnostics: &mut Diagnostics) -> Option<NonZeroU8> {
+    let number = rest.strip_suffix(']').and_then(number::count);
+    let problem = if matches!(scalar, Scalar::Version(_)) {
+        Diagnostic::new(Code::VersionField, text.span, "`uint8_t_mavlink_version` cannot be an array")
+    } else {
+        let message = format!("the length in `{}` is not a number from 1 to 255", text.value);
+        let problem = Diagnostic::new(Code::ArrayLength, text.span, message);
+        match number.map(|number| u8::try_from(number).map(NonZeroU8::new)) {
+            Some(Ok(Some(length))) => return Some(length),
+            Some(Ok(None)) => problem.label("an array of nothing").help("leave the brackets out for a scalar"),
+            Some(Err(_)) => problem.label("more than 255"),
+            None => problem.label("not a length"),
+        }
+    };
+    diagnostics.push(problem);
+    None
 }
 
 /// The element type of that name; pymavlink takes the names without `_t` as well.
 fn scalar(name: &str, version: u8) -> Option<Scalar> {
-    if name == VERSION {
-        return Some(Scalar::Version(version));
-    }
-    let known = |spelling: &str| name == spelling || spelling.strip_suffix("_t") == Some(name);
-    SPELLINGS.into_iter().find(|(spelling, _)| known(spelling)).map(|(_, scalar)| scalar)
+    let is_named = |scalar: &Scalar| name == scalar.wire_name() || short_name(*scalar) == Some(name);
+    if name == VERSION { Some(Scalar::Version(version)) } else { Scalar::ALL.into_iter().find(is_named) }
 }
 
-fn unknown(text: &Text, element: &str, diagnostics: &Diagnostics) -> Diagnostic {
+/// The name of an integer without `_t`.
+pub(super) fn short_name(scalar: Scalar) -> Option<&'static str> {
+    scalar.wire_name().strip_suffix("_t")
+}
+
+fn unknown(text: &Text, element: &str, diagnostics: &mut Diagnostics) {
     let message = format!("type `{element}` does not exist");
     let problem = Diagnostic::new(Code::UnknownType, text.span, message).label("no such type");
     if let Some(meant) = meant(&text.value) {
-        return problem.help(format!("did you mean `{meant}`?"));
+        diagnostics.push(problem.help(format!("did you mean `{meant}`?")));
+        return;
     }
     let help = "types are char, int8_t to int64_t, uint8_t to uint64_t, float and double; \
                 an enum is named by `enum`, beside an integer type";
-    suggest(problem.help(help), element, SPELLINGS.iter().map(|(name, _)| *name).chain([VERSION]), diagnostics)
+    let mut names = Scalar::ALL.iter().map(|scalar| scalar.wire_name()).chain([VERSION]);
+    suggest::report(problem.help(help), element, &mut names, diagnostics);
 }
 
 /// What a type of another language is here, and an array whose brackets are not `[N]`.
 fn meant(text: &str) -> Option<String> {
     let name_end = text.find(|c: char| c != '_' && !c.is_ascii_alphanumeric()).unwrap_or(text.len());
     let (name, length) = text.split_at_checked(name_end)?;
-    let is_bracket = |c: char| " \t()<>{}[]".contains(c);
-    let length = length.trim_matches(is_bracket);
-    let known = SPELLINGS.iter().find(|(spelling, _)| *spelling == name).map(|&(spelling, _)| spelling);
-    let foreign = || FOREIGN.iter().find(|(foreign, _)| *foreign == name).map(|&(_, spelling)| spelling);
-    match (known.or_else(foreign)?, length) {
+    let length = length.trim_matches(|c: char| " \t()<>{}[]".contains(c));
+    let is_named =
+        |scalar: &Scalar| scalar.wire_name() == name || scalar.repr().is_some_and(|repr| repr.name() == name);
+    let foreign = || FOREIGN.iter().find(|(foreign, _)| *foreign == name).map(|&(_, scalar)| scalar);
+    let meant = Scalar::ALL.into_iter().find(is_named).or_else(foreign)?.wire_name();
+    match (meant, length) {
         ("char", "") => Some("char[N]".to_owned()),
         (meant, "") => Some(meant.to_owned()),
         (meant, digits) if is_digits(digits) => Some(format!("{meant}[{digits}]")),
         _ => None,
     }
-}
-
-fn bad_length(text: &Text, label: &str) -> Box<Diagnostic> {
-    let message = format!("the length in `{}` is not a number from 1 to 255", text.value);
-    Box::new(Diagnostic::new(Code::ArrayLength, text.span, message).label(label))
 }
 
 #[cfg(test)]

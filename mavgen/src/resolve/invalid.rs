@@ -4,31 +4,9 @@ use std::collections::HashMap;
 
 use super::enums::Enums;
 use super::field::DraftField;
-use super::message::Lost;
-use super::number;
+use super::{field_type, number};
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{FieldType, Invalid, Scalar, Scope, Sentinel};
-use crate::syntax::{self, Text};
-
-/// The limits that the attribute may name as C does.
-const LIMITS: [(&str, i128); 16] = [
-    ("UINT8_MAX", u8::MAX as i128),
-    ("UINT16_MAX", u16::MAX as i128),
-    ("UINT32_MAX", u32::MAX as i128),
-    ("UINT64_MAX", u64::MAX as i128),
-    ("UINT8_MIN", 0),
-    ("UINT16_MIN", 0),
-    ("UINT32_MIN", 0),
-    ("UINT64_MIN", 0),
-    ("INT8_MAX", i8::MAX as i128),
-    ("INT16_MAX", i16::MAX as i128),
-    ("INT32_MAX", i32::MAX as i128),
-    ("INT64_MAX", i64::MAX as i128),
-    ("INT8_MIN", i8::MIN as i128),
-    ("INT16_MIN", i16::MIN as i128),
-    ("INT32_MIN", i32::MIN as i128),
-    ("INT64_MIN", i64::MIN as i128),
-];
 
 /// The entries of all enums, by name: a sentinel may be one of them.
 pub(super) struct Entries<'a> {
@@ -46,60 +24,34 @@ impl<'a> Entries<'a> {
     }
 }
 
-/// The `invalid` value of a field; what is wrong with it is reported.
+/// The `invalid` value of a field; what is wrong with it is reported. An empty one says nothing.
 pub(super) fn of_field(
     field: &DraftField<'_>,
     entries: &Entries<'_>,
     diagnostics: &mut Diagnostics,
 ) -> Option<Invalid> {
-    attribute(field.syntax).and_then(|text| resolve(text, field.ty, entries, diagnostics))
-}
-
-/// Checks the sentinels of fields whose messages cannot be read.
-pub(super) fn check(lost: &[Lost<'_>], entries: &Entries<'_>, diagnostics: &mut Diagnostics) {
-    for Lost { ty, syntax } in lost {
-        attribute(syntax).and_then(|text| resolve(text, *ty, entries, diagnostics));
+    let text = field.syntax.invalid.as_ref().filter(|text| !text.value.is_empty())?;
+    match read(&text.value, field.ty, entries) {
+        Ok(invalid) => return Some(invalid),
+        Err(Refusal::Unknown) if !entries.complete => {}
+        Err(refusal) => {
+            let message = refusal.message(&text.value, field.ty.scalar.wire_name());
+            let problem = Diagnostic::new(Code::Invalid, text.span, message).label(refusal.label());
+            diagnostics.push(problem.help("the field is read as if it were always known"));
+        }
     }
+    None
 }
 
 /// What a text says of a field of that type, where no enum is known.
 #[cfg(feature = "uorb")]
 pub(crate) fn sentinel_of(text: &str, ty: FieldType) -> Result<Invalid, Refusal> {
+    read(text, ty, &Entries { values: HashMap::new(), complete: true })
+}
+
+fn read(text: &str, ty: FieldType, entries: &Entries<'_>) -> Result<Invalid, Refusal> {
     let (scope, value) = scope(text.trim(), ty)?;
-    let entries = Entries { values: HashMap::new(), complete: true };
-    Ok(Invalid { scope, sentinel: sentinel(value.trim(), ty.scalar, &entries)? })
-}
-
-/// The `invalid` attribute; an empty one says nothing.
-fn attribute(field: &syntax::Field) -> Option<&Text> {
-    field.invalid.as_ref().filter(|text| !text.value.is_empty())
-}
-
-fn resolve(text: &Text, ty: FieldType, entries: &Entries<'_>, diagnostics: &mut Diagnostics) -> Option<Invalid> {
-    let refusal = match scope(text.value.trim(), ty) {
-        Err(refusal) => refusal,
-        Ok((scope, value)) => match sentinel(value.trim(), ty.scalar, entries) {
-            Ok(sentinel) => return Some(Invalid { scope, sentinel }),
-            Err(Refusal::Unknown) if !entries.complete => return None,
-            Err(refusal) => refusal,
-        },
-    };
-    let (message, label) = match refusal {
-        Refusal::Unknown => {
-            (format!("`invalid` value `{}` is not understood", text.value), "neither a number nor an entry")
-        }
-        Refusal::Range => {
-            let message = format!("`invalid` value `{}` does not fit a `{}`", text.value, ty.scalar.wire_name());
-            (message, "no element can have this value")
-        }
-        Refusal::NotAnArray => {
-            (format!("`invalid` value `{}` is meant for an array", text.value), "the field is a scalar")
-        }
-        Refusal::List => (format!("`invalid` value `{}` lists several elements", text.value), "not supported"),
-    };
-    let problem = Diagnostic::new(Code::Invalid, text.span, message).label(label);
-    diagnostics.push(problem.help("the field is read as if it were always known"));
-    None
+    Ok(Invalid { scope, sentinel: sentinel(value.trim(), ty.scalar, entries)? })
 }
 
 /// Why an attribute means nothing.
@@ -113,6 +65,28 @@ pub(crate) enum Refusal {
     NotAnArray,
     /// `[V1,,V3]`: the guide allows it, no definition uses it.
     List,
+}
+
+impl Refusal {
+    /// What is wrong with a text on a field whose elements are called `element`.
+    pub(crate) fn message(self, text: &str, element: &str) -> String {
+        let what = match self {
+            Self::Unknown => "is not understood",
+            Self::Range => return format!("`invalid` value `{text}` does not fit a `{element}`"),
+            Self::NotAnArray => "is meant for an array",
+            Self::List => "lists several elements",
+        };
+        format!("`invalid` value `{text}` {what}")
+    }
+
+    fn label(self) -> &'static str {
+        match self {
+            Self::Unknown => "neither a number nor an entry",
+            Self::Range => "no element can have this value",
+            Self::NotAnArray => "the field is a scalar",
+            Self::List => "not supported",
+        }
+    }
 }
 
 /// Takes `V`, `[V]`, `[V:]` or `[V,]` apart.
@@ -138,9 +112,21 @@ fn scope(text: &str, ty: FieldType) -> Result<(Scope, &str), Refusal> {
 
 /// An integer: a number, a limit as C names it, or the name of an entry.
 pub(super) fn integer(text: &str, entries: &Entries<'_>) -> Option<i128> {
-    number::signed(text)
-        .or_else(|| LIMITS.iter().find(|(name, _)| *name == text).map(|(_, value)| *value))
-        .or_else(|| entries.values.get(text).copied().map(i128::from))
+    let entry = || entries.values.get(text).copied().map(i128::from);
+    number::signed(text).or_else(|| limit(text)).or_else(entry)
+}
+
+/// A limit of an integer as C names it: `UINT16_MAX`.
+fn limit(text: &str) -> Option<i128> {
+    let (name, end) = text.rsplit_once('_')?;
+    let is_named =
+        |scalar: &Scalar| field_type::short_name(*scalar).is_some_and(|short| short.to_ascii_uppercase() == name);
+    let range = Scalar::ALL.into_iter().find(is_named)?.range()?;
+    match end {
+        "MAX" => Some(*range.end()),
+        "MIN" => Some(*range.start()),
+        _ => None,
+    }
 }
 
 /// The value, if an element of that type can have it.

@@ -6,8 +6,8 @@ use crate::ir::Limits;
 use crate::syntax::Text;
 
 /// Reads `minValue`, `maxValue` and `increment`, in this order: numbers of which `fits` is true.
-pub(super) fn resolve(attributes: [Option<&Text>; 3], fits: fn(f64) -> bool, diagnostics: &mut Diagnostics) -> Limits {
-    let [min, max, increment] = attributes.map(|text| text.and_then(|text| finite(text, fits, diagnostics)));
+pub(super) fn resolve(attributes: [&Option<Text>; 3], fits: fn(f64) -> bool, diagnostics: &mut Diagnostics) -> Limits {
+    let [min, max, increment] = attributes.map(|text| text.as_ref().and_then(|text| finite(text, fits, diagnostics)));
     if let ([Some(min_text), Some(max_text), _], Some(low), Some(high)) = (attributes, min, max)
         && low > high
     {

@@ -28,8 +28,7 @@ pub(super) fn views(loaded: &Loaded, dialect: &Dialect) -> Vec<LostView> {
         resolved.extend(message.views.iter().map(|view| view.origin.span));
     }
     let mut lost = Vec::new();
-    for (index, overlay) in loaded.overlays.iter().enumerate() {
-        let file = FileIndex(loaded.files.len() + index);
+    for (file, overlay) in loaded.numbered_overlays() {
         for message in &overlay.messages {
             for view in message.views.iter().filter(|view| !resolved.contains(&view.span)) {
                 lost.push(LostView { name: spelling::name(&view.name), file });

@@ -1,125 +1,97 @@
 //! Messages by themselves: their fields, layout and checksum. Enums come later.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 
 use super::field::{self, DraftField, Surroundings};
-use super::origin::Described;
+use super::number;
+use super::origin::{lifecycle, origin};
 use super::poisoned::Poisoned;
 use super::version::Version;
-use super::{field_type, number};
 use crate::collect::CollectVec as _;
 use crate::diag::{Code, Diagnostic, Diagnostics};
-use crate::ir::{FieldType, FileIndex, Layout, Origin, Scalar};
+use crate::ir::{FileIndex, LARGEST_ID, Layout, MOST_FIELDS, Origin, Scalar};
 use crate::order;
 use crate::read::Loaded;
-use crate::source::Span;
-use crate::syntax::{self, Message};
-
-/// pymavlink's limit on the fields of a message.
-const MOST_FIELDS: usize = 64;
-
-/// Ids have 24 bits.
-const LARGEST_ID: u32 = 0xFF_FFFF;
+use crate::syntax::Message;
 
 /// Payload lengths have 8 bits.
 const LONGEST_PAYLOAD: usize = 255;
 
 /// What a message says for itself.
 pub(super) struct Draft<'a> {
-    /// Where it was written; it has as many fields.
     pub(super) syntax: &'a Message,
-    /// Its id.
     pub(super) id: u32,
-    /// The fields, in the order of the XML.
+    /// In the order of the XML; as many as in `syntax`.
     pub(super) fields: Vec<DraftField<'a>>,
-    /// Where they lie.
     pub(super) wire: Wire,
-    /// Where it comes from.
     pub(super) origin: Origin,
 }
 
 /// Where the fields of a message lie on the wire.
 pub(super) struct Wire {
-    /// The first byte of each, in the order of the XML.
+    /// In the order of the XML.
     pub(super) offsets: Vec<u8>,
-    /// Bytes before `<extensions/>`.
     pub(super) len_v1: u8,
-    /// Bytes.
     pub(super) len_v2: u8,
-    /// The checksum of the definition.
     pub(super) crc_extra: u8,
 }
 
-/// Reads the messages of all files; those that cannot be are reported and left out.
+/// The messages of all files.
+#[derive(Default)]
+pub(super) struct Drafts<'a> {
+    pub(super) messages: Vec<Draft<'a>>,
+    /// Fields of messages that cannot be read: what is wrong with the field itself is still worth a word.
+    pub(super) lost: Vec<DraftField<'a>>,
+}
+
+/// Reads the messages of all files; those that cannot be are reported.
 pub(super) fn drafts<'a>(
     loaded: &'a Loaded,
     versions: &[Version],
     poisoned: &Poisoned,
     diagnostics: &mut Diagnostics,
-) -> Vec<Draft<'a>> {
-    let mut drafts = Vec::new();
+) -> Drafts<'a> {
+    let mut drafts = Drafts::default();
     for ((index, file), version) in loaded.files.iter().enumerate().zip(versions) {
         for (position, syntax) in file.messages.iter().enumerate() {
             let around = Surroundings { file: FileIndex(index), version: version.seen_by(position), extension: false };
-            let whole = !poisoned.near(syntax.span);
-            drafts.extend(resolve(syntax, around, whole, diagnostics));
+            if !poisoned.near(syntax.span) {
+                check_presence(syntax, diagnostics);
+            }
+            match resolve(syntax, around, diagnostics) {
+                Ok(draft) => drafts.messages.push(draft),
+                Err(fields) => drafts.lost.extend(fields),
+            }
         }
     }
     drafts
 }
 
-/// A field of a message that cannot be read: what is wrong with the field itself is still worth a word.
-pub(super) struct Lost<'a> {
-    /// Its type.
-    pub(super) ty: FieldType,
-    /// Where it was written.
-    pub(super) syntax: &'a syntax::Field,
-}
-
-/// The fields of the messages that are no drafts, those whose type is one.
-pub(super) fn lost<'a>(loaded: &'a Loaded, drafts: &[Draft<'_>]) -> Vec<Lost<'a>> {
-    let drafted: HashSet<Span> = drafts.iter().map(|draft| draft.syntax.span).collect();
-    let mut lost = Vec::new();
-    for file in &loaded.files {
-        for message in file.messages.iter().filter(|message| !drafted.contains(&message.span)) {
-            for syntax in &message.fields {
-                lost.extend(field_type::named(&syntax.ty).map(|ty| Lost { ty, syntax }));
-            }
-        }
-    }
-    lost
-}
-
+/// Reads a message; the fields that can be read are the error.
 fn resolve<'a>(
     syntax: &'a Message,
     around: Surroundings,
-    whole: bool,
     diagnostics: &mut Diagnostics,
-) -> Option<Draft<'a>> {
+) -> Result<Draft<'a>, Vec<DraftField<'a>>> {
     let id = id(syntax, diagnostics);
-    if whole {
-        check_presence(syntax, diagnostics);
-    }
     let base = base_count(syntax, diagnostics);
-    let resolved: Vec<Option<DraftField<'a>>> = (syntax.fields.iter().enumerate())
-        .map(|(position, field)| {
-            let around = Surroundings { extension: position >= base, ..around };
-            field::resolve(field, around, diagnostics)
-        })
-        .collect_vec();
+    let mut fields = Vec::new();
+    for (position, field) in syntax.fields.iter().enumerate() {
+        let around = Surroundings { extension: position >= base, ..around };
+        fields.extend(field::resolve(field, around, diagnostics));
+    }
     check_fields(syntax, diagnostics);
-    let described = Described {
-        file: around.file,
-        span: syntax.span,
-        description: syntax.description.as_ref(),
-        lifecycle: syntax.lifecycle.as_ref(),
-    };
-    let origin = described.origin(diagnostics);
-    let fields = resolved.into_iter().collect::<Option<Vec<_>>>()?;
+    let lifecycle = lifecycle(&syntax.lifecycle, diagnostics);
+    let origin = origin(around.file, syntax.span, &syntax.description, lifecycle);
+    if fields.len() < syntax.fields.len() {
+        return Err(fields);
+    }
     check_version_fields(syntax, &fields, diagnostics);
     check_instances(syntax, &fields, diagnostics);
-    let wire = wire(syntax, &fields, diagnostics)?;
-    Some(Draft { syntax, id: id?, fields, wire, origin })
+    match (id, wire(syntax, &fields, diagnostics)) {
+        (Some(id), Some(wire)) => Ok(Draft { syntax, id, fields, wire, origin }),
+        _ => Err(fields),
+    }
 }
 
 fn id(syntax: &Message, diagnostics: &mut Diagnostics) -> Option<u32> {
@@ -204,7 +176,8 @@ fn check_instances(syntax: &Message, fields: &[DraftField<'_>], diagnostics: &mu
 /// Places the fields and checks that the payload is one.
 fn wire(syntax: &Message, fields: &[DraftField<'_>], diagnostics: &mut Diagnostics) -> Option<Wire> {
     let name = syntax.name.value.as_str();
-    let layout = Layout::of(fields.iter().map(|field| (field.ty, field.extension)));
+    let placed = fields.iter().map(|field| (field.syntax.name.value.as_str(), field.ty, field.extension));
+    let layout = Layout::of(name, &placed.collect_vec());
     let (v1, v2) = (layout.v1, layout.v2);
     if v2 > LONGEST_PAYLOAD {
         let what = if v1 > LONGEST_PAYLOAD || v1 == v2 { "" } else { " with its extensions" };
@@ -213,12 +186,11 @@ fn wire(syntax: &Message, fields: &[DraftField<'_>], diagnostics: &mut Diagnosti
         diagnostics.push(problem.label(sum(fields, v2)));
     }
     let offsets = layout.offsets.iter().map(|&offset| u8::try_from(offset).ok());
-    let names = fields.iter().map(|field| field.syntax.name.value.as_str()).collect_vec();
     Some(Wire {
         offsets: offsets.collect::<Option<_>>()?,
         len_v1: u8::try_from(v1).ok()?,
         len_v2: u8::try_from(v2).ok()?,
-        crc_extra: layout.crc_extra(name, &names),
+        crc_extra: layout.crc_extra,
     })
 }
 

@@ -5,33 +5,26 @@ use std::collections::HashMap;
 use super::enums::Enums;
 use super::message::Draft;
 use super::poisoned::Poisoned;
-use super::suggest::suggest;
+use super::suggest;
 use crate::collect::CollectVec as _;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{FileIndex, Origin};
 use crate::read::Loaded;
 use crate::source::Span;
 use crate::syntax::Text;
-use crate::syntax::overlay::{Note, Overlay};
+use crate::syntax::overlay::Note;
 
-/// What a note is about: a whole and, if it is about one, its part.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) enum Subject<T> {
+/// What a note is about.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+pub(super) enum Whole {
     /// A message, or a field of it.
-    Message(T, Option<T>),
+    Message,
     /// An enum, or an entry of it.
-    Enum(T, Option<T>),
+    Enum,
 }
 
-impl<'n> Subject<&'n Text> {
-    fn names(self) -> Subject<&'n str> {
-        let name = |text: &'n Text| text.value.as_str();
-        match self {
-            Self::Message(whole, part) => Subject::Message(name(whole), part.map(name)),
-            Self::Enum(whole, part) => Subject::Enum(name(whole), part.map(name)),
-        }
-    }
-}
+/// A whole by its name and, if it is only about that, the name of its part.
+type Subject<T> = (Whole, T, Option<T>);
 
 /// What overlays say, by what it is about.
 #[derive(Default)]
@@ -49,7 +42,7 @@ struct Said<'a> {
 }
 
 impl<'a> Notes<'a> {
-    /// Reads the notes of all overlays. One about what does not exist is reported.
+    /// Reads the notes of all overlays, and what else they add to. A note about what does not exist is reported.
     pub(super) fn of(
         loaded: &'a Loaded,
         drafts: &[Draft<'_>],
@@ -58,9 +51,13 @@ impl<'a> Notes<'a> {
         diagnostics: &mut Diagnostics,
     ) -> Self {
         let mut notes = Self::default();
-        for (index, overlay) in loaded.overlays.iter().enumerate() {
-            let file = FileIndex(loaded.files.len() + index);
-            notes.credit(file, overlay);
+        for (file, overlay) in loaded.numbered_overlays() {
+            for additions in &overlay.messages {
+                notes.by(file, (Whole::Message, &additions.name.value, None));
+            }
+            for refinement in &overlay.refinements {
+                notes.by(file, (Whole::Enum, &refinement.enum_.value, None));
+            }
             for note in &overlay.notes {
                 let Some(subject) = subject(note, diagnostics) else { continue };
                 let Some(text) = &note.text else {
@@ -68,26 +65,18 @@ impl<'a> Notes<'a> {
                     diagnostics.push(problem.help("the text stands between `<note …>` and `</note>`"));
                     continue;
                 };
-                let known = Known { drafts, enums };
-                if known.has(subject) {
-                    notes.by(file, subject.names()).paragraphs.push(&text.value);
-                } else if !poisoned.any() && !known.is_broken(subject, loaded) {
-                    let problem = known.missing(subject, diagnostics);
-                    diagnostics.push(problem);
+                let (what, whole, part) = subject;
+                let parts = parts(what, &whole.value, drafts, enums);
+                let has = |part: &Text| parts.as_ref().is_some_and(|(_, names)| names.contains(&part.value.as_str()));
+                if parts.is_some() && part.is_none_or(has) {
+                    let subject = (what, whole.value.as_str(), part.map(|part| part.value.as_str()));
+                    notes.by(file, subject).paragraphs.push(&text.value);
+                } else if !poisoned.any() && (parts.is_some() || !is_broken(what, &whole.value, loaded)) {
+                    report_missing(subject, parts, (drafts, enums), diagnostics);
                 }
             }
         }
         notes
-    }
-
-    /// Notes what an overlay adds to beside its notes.
-    fn credit(&mut self, file: FileIndex, overlay: &'a Overlay) {
-        for additions in &overlay.messages {
-            self.by(file, Subject::Message(&additions.name.value, None));
-        }
-        for refinement in &overlay.refinements {
-            self.by(file, Subject::Enum(&refinement.enum_.value, None));
-        }
     }
 
     /// What is said of an item, now also by the overlay `file`.
@@ -111,8 +100,8 @@ impl<'a> Notes<'a> {
 fn subject<'n>(note: &'n Note, diagnostics: &mut Diagnostics) -> Option<Subject<&'n Text>> {
     let Note { message, field, enum_, entry, .. } = note;
     let wrong = match (message, field, enum_, entry) {
-        (Some(message), field, None, None) => return Some(Subject::Message(message, field.as_ref())),
-        (None, None, Some(enum_), entry) => return Some(Subject::Enum(enum_, entry.as_ref())),
+        (Some(message), field, None, None) => return Some((Whole::Message, message, field.as_ref())),
+        (None, None, Some(enum_), entry) => return Some((Whole::Enum, enum_, entry.as_ref())),
         (None, None, None, None) => "a note does not say what it is about",
         (None, Some(_), _, _) => "a note about a field does not say of which message",
         (_, _, None, Some(_)) => "a note about an entry does not say of which enum",
@@ -123,71 +112,47 @@ fn subject<'n>(note: &'n Note, diagnostics: &mut Diagnostics) -> Option<Subject<
     None
 }
 
-/// What a note can be about.
-struct Known<'k, 'a> {
-    drafts: &'k [Draft<'a>],
-    enums: &'k Enums<'a>,
+/// The place of a whole, if it exists, and the names of its parts.
+fn parts<'a>(what: Whole, name: &str, drafts: &[Draft<'a>], enums: &Enums<'a>) -> Option<(Span, Vec<&'a str>)> {
+    match what {
+        Whole::Message => {
+            let message = drafts.iter().find(|draft| draft.syntax.name.value == name)?.syntax;
+            Some((message.span, message.fields.iter().map(|field| field.name.value.as_str()).collect_vec()))
+        }
+        Whole::Enum => {
+            let merged = enums.get(enums.id(name)?)?;
+            Some((merged.span, merged.entry_names().collect_vec()))
+        }
+    }
 }
 
-impl<'a> Known<'_, 'a> {
-    fn has(&self, subject: Subject<&Text>) -> bool {
-        let (Subject::Message(whole, part) | Subject::Enum(whole, part)) = subject;
-        match (self.whole(subject, whole), part) {
-            (None, _) => false,
-            (Some(_), None) => true,
-            (Some((_, parts)), Some(part)) => parts.contains(&part.value.as_str()),
-        }
-    }
+/// Whether a message is defined, though it is no draft because something is wrong with it.
+fn is_broken(what: Whole, name: &str, loaded: &Loaded) -> bool {
+    what == Whole::Message && loaded.messages().any(|message| message.name.value == name)
+}
 
-    /// The place of a whole, if it exists, and the names of its parts.
-    fn whole(&self, subject: Subject<&Text>, name: &Text) -> Option<(Span, Vec<&'a str>)> {
-        match subject {
-            Subject::Message(..) => {
-                let message = self.drafts.iter().find(|draft| draft.syntax.name.value == name.value)?.syntax;
-                Some((message.span, message.fields.iter().map(|field| field.name.value.as_str()).collect_vec()))
-            }
-            Subject::Enum(..) => {
-                let merged = self.enums.list.get(self.enums.id(&name.value)?.0)?;
-                let entries = merged.entries.iter().map(|entry| entry.syntax.name.value.as_str());
-                Some((merged.span, entries.collect_vec()))
-            }
+/// Says which of the names does not exist.
+fn report_missing(
+    (what, whole, part): Subject<&Text>,
+    parts: Option<(Span, Vec<&str>)>,
+    (drafts, enums): (&[Draft<'_>], &Enums<'_>),
+    diagnostics: &mut Diagnostics,
+) {
+    let (what, code, part_what, part_code, wholes) = match what {
+        Whole::Message => {
+            let names = drafts.iter().map(|draft| draft.syntax.name.value.as_str()).collect_vec();
+            ("message", Code::OverlayMessage, "field", Code::OverlayField, names)
         }
-    }
-
-    /// Whether a message is defined and no draft, because something is wrong with it.
-    fn is_broken(&self, subject: Subject<&Text>, loaded: &Loaded) -> bool {
-        let Subject::Message(name, _) = subject else { return false };
-        let mut defined = loaded.files.iter().flat_map(|file| &file.messages);
-        self.whole(subject, name).is_none() && defined.any(|message| message.name.value == name.value)
-    }
-
-    /// Says which of the names does not exist.
-    fn missing(&self, subject: Subject<&Text>, before: &Diagnostics) -> Diagnostic {
-        let (whole, part, [code, part_code], [what, part_what]) = match subject {
-            Subject::Message(whole, part) => {
-                (whole, part, [Code::OverlayMessage, Code::OverlayField], ["message", "field"])
-            }
-            Subject::Enum(whole, part) => (whole, part, [Code::OverlayEnum, Code::OverlayEntry], ["enum", "entry"]),
-        };
-        match (self.whole(subject, whole), part) {
-            (Some((place, parts)), Some(part)) => {
-                let message = format!("{what} `{}` has no {part_what} `{}`", whole.value, part.value);
-                let problem = Diagnostic::new(part_code, part.span, message).label(format!("no such {part_what}"));
-                suggest(problem.related(place, format!("the {what}")), &part.value, parts, before)
-            }
-            _ => {
-                let message = format!("{what} `{}` does not exist", whole.value);
-                let problem = Diagnostic::new(code, whole.span, message).label(format!("no such {what}"));
-                suggest(problem, &whole.value, self.wholes(subject), before)
-            }
-        }
-    }
-
-    /// The names that a whole could have.
-    fn wholes(&self, subject: Subject<&Text>) -> Vec<&'a str> {
-        match subject {
-            Subject::Message(..) => self.drafts.iter().map(|draft| draft.syntax.name.value.as_str()).collect_vec(),
-            Subject::Enum(..) => self.enums.names().collect_vec(),
-        }
+        Whole::Enum => ("enum", Code::OverlayEnum, "entry", Code::OverlayEntry, enums.names().collect_vec()),
+    };
+    if let (Some((place, parts)), Some(part)) = (parts, part) {
+        let message = format!("{what} `{}` has no {part_what} `{}`", whole.value, part.value);
+        let problem = Diagnostic::new(part_code, part.span, message).label(format!("no such {part_what}"));
+        let problem = problem.related(place, format!("the {what}"));
+        suggest::report(problem, &part.value, &mut parts.into_iter(), diagnostics);
+    } else {
+        let message = format!("{what} `{}` does not exist", whole.value);
+        let problem = Diagnostic::new(code, whole.span, message).label(format!("no such {what}"));
+        suggest::report(problem, &whole.value, &mut wholes.into_iter(), diagnostics);
     }
 }

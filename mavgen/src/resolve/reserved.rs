@@ -34,7 +34,7 @@ pub(super) fn check(loaded: &Loaded, diagnostics: &mut Diagnostics) {
             check_name(&entry.name, is_end.or_else(|| member_reason(name)), diagnostics);
         }
     }
-    for message in loaded.files.iter().flat_map(|file| &file.messages) {
+    for message in loaded.messages() {
         check_name(&message.name, reason(&message.name.value), diagnostics);
         for field in &message.fields {
             let hides = has(&HIDDEN, &field.name.value).then_some("hides an attribute of pymavlink's message class");

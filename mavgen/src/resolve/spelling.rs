@@ -1,9 +1,7 @@
 //! Spellings: what keeps a text from being a name, and names as the model has them.
 
-use super::enums::Enums;
-use super::suggest::suggest;
 use crate::diag::{Code, Diagnostic, Diagnostics};
-use crate::ir::{EnumId, Label, Name};
+use crate::ir::{Label, Name};
 use crate::read::Loaded;
 use crate::syntax::Text;
 
@@ -17,18 +15,6 @@ pub(super) fn label(text: &Text) -> Label {
     Label::plain(name(text))
 }
 
-/// The enum that an overlay names; one that there is not is reported.
-pub(super) fn overlay_enum(name: &Text, enums: &Enums<'_>, diagnostics: &mut Diagnostics) -> Option<EnumId> {
-    let id = enums.id(&name.value);
-    if id.is_none() && enums.complete {
-        let message = format!("enum `{}` does not exist", name.value);
-        let problem = Diagnostic::new(Code::OverlayEnum, name.span, message).label("no such enum");
-        let problem = suggest(problem, &name.value, enums.names(), diagnostics);
-        diagnostics.push(problem);
-    }
-    id
-}
-
 /// Reports the names of definitions that are none, wherever they stand.
 pub(super) fn check_all(loaded: &Loaded, diagnostics: &mut Diagnostics) {
     let overlaid = loaded.overlays.iter().flat_map(|overlay| &overlay.enums);
@@ -36,7 +22,7 @@ pub(super) fn check_all(loaded: &Loaded, diagnostics: &mut Diagnostics) {
         check(&element.name, "an enum", diagnostics);
         element.entries.iter().for_each(|entry| check(&entry.name, "an entry", diagnostics));
     }
-    for message in loaded.files.iter().flat_map(|file| &file.messages) {
+    for message in loaded.messages() {
         check(&message.name, "a message", diagnostics);
         message.fields.iter().for_each(|field| check(&field.name, "a field", diagnostics));
     }

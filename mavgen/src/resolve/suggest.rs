@@ -2,31 +2,30 @@
 
 use crate::diag::{Diagnostic, Diagnostics, nearest};
 
-/// After so many problems there are no more suggestions.
+/// After so many problems there are no more suggestions: nobody would read them, and looking for them takes long.
 const MOST_PROBLEMS: usize = 25;
 
-/// Adds what may have been meant to a problem, unless there are so many problems already that nobody would read it: looking
-/// for it takes long.
-pub(super) fn suggest<'c>(
+/// Reports a name that means nothing, with what may have been meant.
+pub(super) fn report(
     problem: Diagnostic,
     name: &str,
-    candidates: impl IntoIterator<Item = &'c str>,
-    before: &Diagnostics,
-) -> Diagnostic {
-    suggest_by(problem, before, || nearest(name, candidates))
+    candidates: &mut dyn Iterator<Item = &str>,
+    diagnostics: &mut Diagnostics,
+) {
+    report_by(problem, &mut || nearest(name, &mut *candidates), diagnostics);
 }
 
-/// Adds what `find` says was meant, on the same terms.
-pub(super) fn suggest_by<'c>(
+/// Reports a problem, with what `find` says was meant.
+pub(super) fn report_by<'c>(
     problem: Diagnostic,
-    before: &Diagnostics,
-    find: impl FnOnce() -> Option<&'c str>,
-) -> Diagnostic {
-    let meant = if before.are_at_least(MOST_PROBLEMS) { None } else { find() };
-    match meant {
+    find: &mut dyn FnMut() -> Option<&'c str>,
+    diagnostics: &mut Diagnostics,
+) {
+    let meant = if diagnostics.are_at_least(MOST_PROBLEMS) { None } else { find() };
+    diagnostics.push(match meant {
         Some(meant) => problem.help(format!("did you mean `{meant}`?")),
         None => problem,
-    }
+    });
 }
 
 #[cfg(test)]
@@ -36,12 +35,12 @@ mod tests {
 
     #[test]
     fn suggestions_end_where_nobody_reads_them() {
-        let problem = Diagnostic::without_place(Code::UnknownEnum, "");
         let mut diagnostics = Diagnostics::default();
         for count in 0..=MOST_PROBLEMS {
-            let suggested = suggest(problem.clone(), "MAV_STAT", ["MAV_STATE"], &diagnostics);
+            let problem = Diagnostic::without_place(Code::UnknownEnum, "");
+            report(problem, "MAV_STAT", &mut ["MAV_STATE"].into_iter(), &mut diagnostics);
+            let suggested = diagnostics.iter().last().unwrap();
             assert_eq!(suggested.help.is_some(), count < MOST_PROBLEMS, "{count}");
-            diagnostics.push(problem.clone());
         }
     }
 }

@@ -2,7 +2,7 @@
 
 mod spelling;
 
-use super::suggest::suggest_by;
+use super::suggest;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::syntax::Text;
 
@@ -22,14 +22,14 @@ fn known() -> impl Iterator<Item = &'static str> {
 }
 
 /// Reports a unit that the schema does not have; no text is no unit.
-pub(super) fn check(units: Option<&Text>, diagnostics: &mut Diagnostics) {
-    let Some(units) = units.filter(|units| !units.value.is_empty()) else { return };
+pub(super) fn check(units: &Option<Text>, diagnostics: &mut Diagnostics) {
+    let Some(units) = units.as_ref().filter(|units| !units.value.is_empty()) else { return };
     if known().any(|known| known == units.value) {
         return;
     }
     let message = format!("unit `{}` is not one of MAVLink's", units.value);
     let problem = Diagnostic::new(Code::Units, units.span, message).label("ground stations do not know it");
-    diagnostics.push(suggest_by(problem, diagnostics, || spelling::meant(&units.value)));
+    suggest::report_by(problem, &mut || spelling::meant(&units.value), diagnostics);
 }
 
 #[cfg(test)]

@@ -1,8 +1,8 @@
 //! Uses: which fields carry which enum.
 
 use super::enums::Enums;
-use super::message::{Draft, Lost};
-use super::suggest::suggest;
+use super::field::DraftField;
+use super::message::Drafts;
 use crate::collect::CollectVec as _;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{EnumId, FileIndex, Repr};
@@ -15,9 +15,7 @@ pub(super) struct Use<'a> {
     pub(super) file: FileIndex,
     /// The integer of the field, or of its elements.
     pub(super) repr: Repr,
-    /// The message.
     pub(super) message: &'a syntax::Message,
-    /// The field.
     pub(super) field: &'a syntax::Field,
     /// The `enum` attribute.
     pub(super) name: &'a Text,
@@ -25,60 +23,53 @@ pub(super) struct Use<'a> {
 
 /// Reports fields whose enum does not exist, also those of messages that are wrong in other ways.
 pub(super) fn check(loaded: &Loaded, enums: &Enums<'_>, diagnostics: &mut Diagnostics) {
-    if !enums.complete {
-        return;
-    }
-    for message in loaded.files.iter().flat_map(|file| &file.messages) {
+    for message in loaded.messages() {
         for field in &message.fields {
-            let Some(name) = named(field).filter(|name| enums.id(&name.value).is_none()) else { continue };
-            let problem = suggest(unknown(message, field, name), &name.value, enums.names(), diagnostics);
-            diagnostics.push(problem);
+            if let Some(name) = named(field).filter(|name| enums.id(&name.value).is_none()) {
+                let of = format!(" of `{}.{}`", message.name.value, field.name.value);
+                enums.report_unknown(name, Code::UnknownEnum, &of, diagnostics);
+            }
         }
     }
 }
 
-/// Reports fields that cannot carry their enums, in messages that cannot be read.
-pub(super) fn check_lost(lost: &[Lost<'_>], enums: &Enums<'_>, diagnostics: &mut Diagnostics) {
-    for Lost { ty, syntax } in lost {
-        let Some(name) = named(syntax).filter(|name| enums.id(&name.value).is_some()) else { continue };
-        if ty.scalar.repr().is_none() {
-            diagnostics.push(unsuitable(syntax, name));
-        }
-    }
-}
-
-/// The uses of every enum, in the order of the enums.
-pub(super) fn collect<'a>(drafts: &[Draft<'a>], enums: &Enums<'a>, diagnostics: &mut Diagnostics) -> Vec<Vec<Use<'a>>> {
+/// The uses of every enum, in the order of the enums. Fields that cannot carry theirs are reported.
+pub(super) fn collect<'a>(drafts: &Drafts<'a>, enums: &Enums<'a>, diagnostics: &mut Diagnostics) -> Vec<Vec<Use<'a>>> {
     let mut uses = enums.list.iter().map(|_| Vec::new()).collect_vec();
-    for draft in drafts {
+    for field in &drafts.lost {
+        carried(field, enums, diagnostics);
+    }
+    for draft in &drafts.messages {
         for field in &draft.fields {
-            let syntax = field.syntax;
-            let Some(name) = named(syntax) else { continue };
-            let list = enums.id(&name.value).and_then(|EnumId(index)| uses.get_mut(index));
-            match (list, field.ty.scalar.repr()) {
-                (Some(list), Some(repr)) => {
-                    list.push(Use { file: field.origin.file, repr, message: draft.syntax, field: syntax, name });
-                }
-                (Some(_), None) => diagnostics.push(unsuitable(syntax, name)),
-                (None, _) => {}
+            let Some((name, EnumId(index), repr)) = carried(field, enums, diagnostics) else { continue };
+            let one = Use { file: field.origin.file, repr, message: draft.syntax, field: field.syntax, name };
+            if let Some(list) = uses.get_mut(index) {
+                list.push(one);
             }
         }
     }
     uses
 }
 
+/// The enum that a field carries, and the integer that it is in; nothing if it does not exist.
+fn carried<'a>(
+    field: &DraftField<'a>,
+    enums: &Enums<'_>,
+    diagnostics: &mut Diagnostics,
+) -> Option<(&'a Text, EnumId, Repr)> {
+    let name = named(field.syntax)?;
+    let id = enums.id(&name.value)?;
+    let repr = field.ty.scalar.repr();
+    if repr.is_none() {
+        let ty = &field.syntax.ty;
+        let message = format!("a field of type `{}` cannot carry enum `{}`", ty.value, name.value);
+        let problem = Diagnostic::new(Code::EnumOnField, name.span, message).label("ignored");
+        diagnostics.push(problem.related(ty.span, "not a plain integer"));
+    }
+    Some((name, id, repr?))
+}
+
 /// The `enum` attribute; pymavlink takes an empty one for none.
 pub(super) fn named(field: &syntax::Field) -> Option<&Text> {
     field.enum_.as_ref().filter(|name| !name.value.is_empty())
-}
-
-fn unknown(message: &syntax::Message, field: &syntax::Field, name: &Text) -> Diagnostic {
-    let text = format!("enum `{}` of `{}.{}` does not exist", name.value, message.name.value, field.name.value);
-    Diagnostic::new(Code::UnknownEnum, name.span, text).label("no such enum")
-}
-
-fn unsuitable(field: &syntax::Field, name: &Text) -> Diagnostic {
-    let message = format!("a field of type `{}` cannot carry enum `{}`", field.ty.value, name.value);
-    let problem = Diagnostic::new(Code::EnumOnField, name.span, message).label("ignored");
-    problem.related(field.ty.span, "not a plain integer")
 }

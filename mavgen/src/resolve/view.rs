@@ -1,62 +1,44 @@
 //! Views: layouts of bits over the fields of a message, or values in them.
 
-mod beside;
-mod branches;
-mod case;
+mod access;
 mod coverage;
 mod exact;
 mod layout;
 mod meaning;
 mod piece;
-mod place;
 mod ranges;
 mod scaling;
 mod selector;
 mod sentinel;
-mod slots;
 mod switch;
-mod units;
-mod values;
 mod words;
 
-use super::message_scope::{EnumUse, MessageScope, condition};
-use super::{spelling, text};
-use crate::diag::{Code, Diagnostic, Diagnostics};
-use crate::ir::{Origin, View};
+use super::message_scope::{MessageScope, condition};
+use super::{origin, spelling};
+use crate::diag::{Code, Diagnostic};
+use crate::ir::View;
 use crate::syntax::overlay::{self, Part, Piece};
-use words::Words;
 
 /// Resolves a view; what is wrong with it is reported. Where the words are not clear, the rest is not looked at.
-pub(super) fn resolve<'a>(
-    scope: &MessageScope<'_, 'a>,
-    element: &'a overlay::View,
-    enum_uses: &mut Vec<EnumUse<'a>>,
-    diagnostics: &mut Diagnostics,
-) -> Option<View> {
-    check_members(scope, element, diagnostics);
-    let condition = condition(scope, &element.condition, diagnostics);
+pub(super) fn resolve<'a>(scope: &mut MessageScope<'_, 'a>, element: &'a overlay::View) -> Option<View> {
+    check_members(scope, element);
+    let condition = condition(scope, &element.condition);
     let name = spelling::name(&element.name);
-    let origin = Origin {
-        file: scope.file,
-        overlays: Vec::new(),
-        span: element.span,
-        description: text::or_empty(element.description.as_ref()),
-        lifecycle: None,
-    };
+    let origin = origin::origin(scope.file, element.span, &element.description, None);
     let Some(words) = &element.words else {
-        let access = values::access(scope, element, condition, diagnostics)?;
+        let access = access::of_values(scope, element, condition)?;
         return Some(View::of_values(name, access, condition, origin));
     };
-    let words = words::resolve(scope, words, diagnostics)?;
-    let access = slots::access(scope, element, &words, diagnostics);
-    let invalid = sentinel::sentinels(scope, element, &words, condition, diagnostics);
-    let layout::Layout { members, switch } = layout::resolve(scope, element, &words, enum_uses, diagnostics);
-    let Words { list: words, width, .. } = words;
-    Some(View { name, words, width, access: access?, condition, invalid, switch, members, origin })
+    let words = words::resolve(scope, words)?;
+    let access = access::of_words(scope, element, &words);
+    let invalid = sentinel::sentinels(scope, element, &words, condition);
+    let (members, switch) = layout::resolve(scope, element, &words);
+    let (access, width, words) = (access?, words.width, words.list);
+    Some(View { name, words, width, access, condition, invalid, switch, members, origin })
 }
 
 /// Every `<bits>` of a view.
-pub(super) fn all_bits(element: &overlay::View) -> Vec<&overlay::Bits> {
+fn all_bits(element: &overlay::View) -> Vec<&overlay::Bits> {
     let mut all = Vec::new();
     for part in &element.parts {
         match part {
@@ -77,12 +59,13 @@ fn bits(piece: &Piece) -> Option<&overlay::Bits> {
 }
 
 /// A view has something to say, and its names are names.
-fn check_members(scope: &MessageScope<'_, '_>, element: &overlay::View, diagnostics: &mut Diagnostics) {
-    spelling::check(&element.name, "a view", diagnostics);
-    if scope.whole && all_bits(element).is_empty() && element.values.is_empty() {
+fn check_members(scope: &mut MessageScope<'_, '_>, element: &overlay::View) {
+    let bits = all_bits(element);
+    spelling::check(&element.name, "a view", scope.diagnostics);
+    if scope.whole && bits.is_empty() && element.values.is_empty() {
         let message = format!("view `{}` has no members", element.name.value);
         let problem = Diagnostic::new(Code::EmptyView, element.name.span, message);
-        diagnostics.push(problem.help(match element.words {
+        scope.report(problem.help(match element.words {
             Some(_) => "add `<bits name=\"…\" at=\"…\" width=\"…\"/>`",
             None => "add `<value name=\"…\" field=\"…\"/>`, or `words` and `<bits>`",
         }));
@@ -90,12 +73,13 @@ fn check_members(scope: &MessageScope<'_, '_>, element: &overlay::View, diagnost
     if let (Some(words), Some(value)) = (&element.words, element.values.first()) {
         let problem = Diagnostic::new(Code::ViewKind, value.span, "a value belongs to a view without `words`");
         let problem = problem.related(words.span, "the words");
-        diagnostics.push(problem.help("write another view for the values"));
+        scope.report(problem.help("write another view for the values"));
     }
-    all_bits(element).iter().for_each(|bits| spelling::check(&bits.name, "bits", diagnostics));
-    element.keys.iter().for_each(|key| spelling::check(&key.name, "a key", diagnostics));
-    element.values.iter().for_each(|value| spelling::check(&value.name, "a value", diagnostics));
-    for (name, what) in [(&element.item, "an item"), (&element.items, "an iterator")] {
-        name.iter().for_each(|name| spelling::check(name, what, diagnostics));
-    }
+    let mut names = Vec::new();
+    names.extend(bits.iter().map(|bits| (&bits.name, "bits")));
+    names.extend(element.keys.iter().map(|key| (&key.name, "a key")));
+    names.extend(element.values.iter().map(|value| (&value.name, "a value")));
+    names.extend(element.item.iter().map(|name| (name, "an item")));
+    names.extend(element.items.iter().map(|name| (name, "an iterator")));
+    names.into_iter().for_each(|(name, what)| spelling::check(name, what, scope.diagnostics));
 }

@@ -5,7 +5,7 @@ use std::num::NonZeroU8;
 use super::model::{Constant, Element, Field};
 use super::scalar::Scalar;
 use crate::ir::{self, FieldType, Invalid, Scope, Sentinel};
-use crate::resolve::{Refusal, sentinel_of};
+use crate::resolve::sentinel_of;
 
 /// What an overlay says: the grammar of `invalid` in MAVLink XML, or the name of a constant of the file.
 ///
@@ -18,12 +18,7 @@ pub(super) fn of_overlay(text: &str, field: &Field, constants: &[Constant]) -> R
     };
     let named = constants.iter().find(|constant| constant.name == text.trim());
     let value = named.map_or_else(|| text.to_owned(), |constant| constant.value.to_string());
-    sentinel_of(&value, ty).map_err(|refusal| match refusal {
-        Refusal::Unknown => format!("`invalid` value `{text}` is not understood"),
-        Refusal::Range => format!("`invalid` value `{text}` does not fit a `{}`", element_name(field)),
-        Refusal::NotAnArray => format!("`invalid` value `{text}` is meant for an array"),
-        Refusal::List => format!("`invalid` value `{text}` lists several elements"),
-    })
+    sentinel_of(&value, ty).map_err(|refusal| refusal.message(text, element_name(field)))
 }
 
 /// What a comment says: a value, and prose behind it. `None` if the prose says of an array what no sentinel is.

@@ -3,7 +3,7 @@
 use std::ops::RangeInclusive;
 
 use super::{Faults, Item};
-use crate::ir::{Meaning, Member, Presence, Repeat, Scaled};
+use crate::ir::{Meaning, Member, Presence, Repeat, Scaled, largest_of_bits, mask};
 
 /// The widest integer that an enum, or the arithmetic of scaled values, can have.
 const WIDEST: u8 = 64;
@@ -37,8 +37,7 @@ fn check_meaning(item: &Item, member: &Member, meaning: &Meaning, faults: &mut F
         Meaning::Flag => faults.unless(width == 1, item, "a flag is one bit"),
         Meaning::Values(id) => {
             faults.check_enum(item, Some(*id));
-            let largest = u64::MAX >> (64 - u32::from(width.clamp(1, WIDEST)));
-            let holds = faults.dialect.enum_by_id(*id).is_none_or(|one| one.repr.highest() >= largest);
+            let holds = faults.dialect.enum_by_id(*id).is_none_or(|one| one.repr.highest() >= largest_of_bits(width));
             faults.unless(holds && width <= WIDEST && !signed, item, "its enum does not hold all values of its bits");
         }
         Meaning::Number { units: _ } => {}
@@ -76,15 +75,6 @@ fn share_bits(a: &Member, b: &Member) -> bool {
         }
         _ => true,
     };
-    together && mask(a) & mask(b) != 0
-}
-
-/// The bits of a member, of those that 128 bits have.
-fn mask(member: &Member) -> u128 {
-    let one = u128::MAX.checked_shr(128_u32.saturating_sub(member.width.into())).unwrap_or_default();
-    let Repeat { count, stride } = member.repeat.unwrap_or(Repeat { count: 1, stride: 0 });
-    (0..u32::from(count)).fold(0, |mask, index| {
-        let at = u32::from(member.at) + index * u32::from(stride);
-        mask | one.checked_shl(at).unwrap_or_default()
-    })
+    let bits = |member: &Member| mask(member.at, member.width, member.repeat);
+    together && bits(a) & bits(b) != 0
 }

@@ -2,13 +2,9 @@
 
 use super::{Faults, Item, views};
 use crate::collect::CollectVec as _;
-use crate::ir::{Binding, Field, FieldType, Invalid, Layout, Message, Scalar, Scope, Sentinel, Values};
-
-/// pymavlink's limit on the fields of a message.
-const MOST_FIELDS: usize = 64;
-
-/// Ids have 24 bits.
-const LARGEST_ID: u32 = 0xFF_FFFF;
+use crate::ir::{
+    Binding, Field, FieldType, Invalid, LARGEST_ID, Layout, MOST_FIELDS, Message, Scalar, Scope, Sentinel, Values,
+};
 
 pub(super) fn check(faults: &mut Faults<'_>) {
     let messages = &faults.dialect.messages;
@@ -37,15 +33,14 @@ fn check_message(message: &Message, faults: &mut Faults<'_>) {
 
 /// Offsets, lengths and checksum are worked out anew.
 fn check_wire(item: &Item, message: &Message, faults: &mut Faults<'_>) {
-    let layout = Layout::of(message.fields.iter().map(|field| (field.ty, field.extension)));
+    let fields = message.fields.iter().map(|field| (field.name.text.as_str(), field.ty, field.extension));
+    let layout = Layout::of(&message.name.text, &fields.collect_vec());
     let lengths = [(message.len_v1, layout.v1), (message.len_v2, layout.v2)];
     let right = lengths.iter().all(|(said, found)| usize::from(*said) == *found);
     faults.unless(right, item, "its lengths are not the sum of its fields");
     let offsets = message.fields.iter().map(|field| usize::from(field.offset));
     faults.unless(offsets.eq(layout.offsets.iter().copied()), item, "a field does not lie where the wire has it");
-    let names = message.fields.iter().map(|field| field.name.text.as_str()).collect_vec();
-    let crc_extra = layout.crc_extra(&message.name.text, &names);
-    faults.unless(message.crc_extra == crc_extra, item, "its `crc_extra` is another");
+    faults.unless(message.crc_extra == layout.crc_extra, item, "its `crc_extra` is another");
 }
 
 fn check_field(item: &Item, field: &Field, faults: &mut Faults<'_>) {

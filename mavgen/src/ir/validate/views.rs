@@ -5,12 +5,9 @@ use std::num::NonZeroU8;
 use super::{Faults, Item, members};
 use crate::collect::CollectVec as _;
 use crate::ir::{
-    Access, Condition, Field, FieldIndex, Key, Message, Place, Record, Scalar, Slots, Switch, SwitchOn, View,
-    ViewSentinel, Word,
+    Access, Condition, Field, FieldIndex, Key, MOST_BITS, Message, Place, Record, Scalar, Slots, Switch, SwitchOn,
+    View, ViewSentinel, Word,
 };
-
-/// How many bits a view can have: there is no larger integer.
-const MOST_BITS: usize = 128;
 
 /// A switch looks at so many bits.
 const MOST_SWITCHED: u8 = 64;
@@ -44,16 +41,8 @@ pub(super) fn check(item: &Item, message: &Message, view: &View, faults: &mut Fa
     if let Some(switch) = switch {
         check_switch(&item, message, switch, (*width, length), faults);
     }
-    let most = switch.as_ref().map(|switch| highest(switch.on));
+    let most = switch.as_ref().map(|switch| switch.on.highest());
     members::check(&item, members, (*width, most), faults);
-}
-
-/// The largest value of a switch.
-fn highest(on: SwitchOn) -> u64 {
-    match on {
-        SwitchOn::Field(_, repr) => repr.highest(),
-        SwitchOn::Bits { width, .. } => u64::MAX >> (64 - u32::from(width.clamp(1, MOST_SWITCHED))),
-    }
 }
 
 /// The words are integers, each once, and together as wide as is said.

@@ -2,9 +2,8 @@
 
 use super::super::boolean::{self, Attribute};
 use super::super::enums::{Enums, ValuedEntry};
-use super::super::origin::Described;
-use super::super::suggest::suggest;
-use super::super::{limits, number, text, units};
+use super::super::origin::{non_empty, origin};
+use super::super::{limits, number, units};
 use crate::collect::CollectVec as _;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{Command, EnumId, FileIndex, Param};
@@ -33,9 +32,9 @@ pub(super) fn resolve(
         return None;
     }
     let location = Attribute::OnlyWords("hasLocation");
-    let has_location = boolean::read(syntax.has_location.as_ref(), location, diagnostics);
-    let is_destination = boolean::read(syntax.is_destination.as_ref(), Attribute::Unread("isDestination"), diagnostics);
-    let mission_only = boolean::read(syntax.mission_only.as_ref(), Attribute::Unread("missionOnly"), diagnostics);
+    let has_location = boolean::read(&syntax.has_location, location, diagnostics);
+    let is_destination = boolean::read(&syntax.is_destination, Attribute::Unread("isDestination"), diagnostics);
+    let mission_only = boolean::read(&syntax.mission_only, Attribute::Unread("missionOnly"), diagnostics);
     let mut params: Vec<(&Text, Param)> = Vec::new();
     for element in &syntax.params {
         let Some(index) = index(&element.index, diagnostics) else { continue };
@@ -67,28 +66,24 @@ fn param(
     enums: &Enums<'_>,
     diagnostics: &mut Diagnostics,
 ) -> Param {
-    let described = Described { file, span: element.span, description: element.description.as_ref(), lifecycle: None };
-    units::check(element.units.as_ref(), diagnostics);
-    let ranges = [element.min.as_ref(), element.max.as_ref(), element.increment.as_ref()];
+    units::check(&element.units, diagnostics);
+    let ranges = [&element.min, &element.max, &element.increment];
     Param {
         index,
-        label: text::non_empty(element.label.as_ref()),
-        units: text::non_empty(element.units.as_ref()),
+        label: non_empty(&element.label),
+        units: non_empty(&element.units),
         enum_: element.enum_.as_ref().and_then(|name| enum_id(name, enums, diagnostics)),
         limits: limits::resolve(ranges, is_float, diagnostics),
         default: element.default.as_ref().and_then(|text| default(index, text, diagnostics)),
-        reserved: boolean::read(element.reserved.as_ref(), Attribute::AnyText("reserved"), diagnostics),
-        origin: described.origin(diagnostics),
+        reserved: boolean::read(&element.reserved, Attribute::AnyText("reserved"), diagnostics),
+        origin: origin(file, element.span, &element.description, None),
     }
 }
 
 fn enum_id(name: &Text, enums: &Enums<'_>, diagnostics: &mut Diagnostics) -> Option<EnumId> {
     let id = enums.id(&name.value);
-    if id.is_none() && enums.complete && !name.value.is_empty() {
-        let message = format!("enum `{}` of a param does not exist", name.value);
-        let problem = Diagnostic::new(Code::ParamEnum, name.span, message).label("no such enum");
-        let problem = suggest(problem, &name.value, enums.names(), diagnostics);
-        diagnostics.push(problem);
+    if id.is_none() && !name.value.is_empty() {
+        enums.report_unknown(name, Code::ParamEnum, " of a param", diagnostics);
     }
     id
 }

@@ -1,16 +1,17 @@
 //! Enums of the model.
 
 use super::super::enums::{Enums, Merged, ValuedEntry};
-use super::super::notes::{Notes, Subject};
-use super::super::origin::Described;
+use super::super::notes::{Notes, Whole};
+use super::super::origin::{lifecycle, origin, tell_deprecated};
 use super::super::overlay::Commands;
+use super::super::spelling;
 use super::super::width::Width;
-use super::super::{lifecycle, spelling};
 use super::command;
 use crate::collect::CollectVec as _;
 use crate::diag::Diagnostics;
 use crate::ir::{Entry, Enum, FileIndex, Lifecycle, Origin};
 use crate::read::Loaded;
+use crate::syntax::Text;
 
 /// The model of an enum.
 pub(in crate::resolve) fn build(
@@ -26,11 +27,11 @@ pub(in crate::resolve) fn build(
     let name = merged.name.value.as_str();
     let entries = entries.map(|entry| build_entry(name, entry, enums, said, diagnostics)).collect_vec();
     let (named_in, oldest) = merged.oldest(loaded);
-    let mut origin = origin(merged, defining_file, diagnostics);
+    let mut origin = origin_of(merged, defining_file, diagnostics);
     if merged.refined.in_use {
-        lifecycle::tell(&mut origin);
+        tell_deprecated(&mut origin);
     }
-    said.0.add_to(&mut origin, Subject::Enum(name, None));
+    said.0.add_to(&mut origin, (Whole::Enum, name, None));
     Enum {
         name: spelling::name(oldest),
         named_in,
@@ -50,14 +51,9 @@ fn build_entry(
     diagnostics: &mut Diagnostics,
 ) -> Entry {
     let syntax = entry.syntax;
-    let described = Described {
-        file: entry.file,
-        span: syntax.span,
-        description: syntax.description.as_ref(),
-        lifecycle: syntax.lifecycle.as_ref(),
-    };
-    let mut origin = described.origin(diagnostics);
-    notes.add_to(&mut origin, Subject::Enum(enum_, Some(&syntax.name.value)));
+    let lifecycle = lifecycle(&syntax.lifecycle, diagnostics);
+    let mut origin = origin(entry.file, syntax.span, &syntax.description, lifecycle);
+    notes.add_to(&mut origin, (Whole::Enum, enum_, Some(&syntax.name.value)));
     let mut command = command::resolve(enum_, entry, enums, diagnostics);
     commands.add_to((enum_, &syntax.name.value), (&mut command, &mut origin), enums, diagnostics);
     Entry { name: spelling::name(&syntax.name), value, auto: entry.auto, command, origin }
@@ -66,24 +62,17 @@ fn build_entry(
 /// Place of the first definition, first description that is not empty, stage of life of the file that owns the enum.
 ///
 /// The stage goes with that file so that a dialect that adds entries to a deprecated enum does not revive it.
-fn origin(merged: &Merged<'_>, defining_file: FileIndex, diagnostics: &mut Diagnostics) -> Origin {
-    let mut lifecycle: Option<Lifecycle> = None;
-    let mut description = "";
+fn origin_of(merged: &Merged<'_>, defining_file: FileIndex, diagnostics: &mut Diagnostics) -> Origin {
+    let mut stage: Option<Lifecycle> = None;
+    let mut description = &None;
     for block in &merged.blocks {
-        let element = block.syntax;
-        let own = element.lifecycle.as_ref().map(|element| lifecycle::resolve(element, diagnostics));
-        if block.file == defining_file && lifecycle.is_none() {
-            lifecycle = own;
+        let own = lifecycle(&block.syntax.lifecycle, diagnostics);
+        if block.file == defining_file && stage.is_none() {
+            stage = own;
         }
-        if let (true, Some(text)) = (description.is_empty(), &element.description) {
-            description = &text.value;
+        if description.as_ref().is_none_or(|text: &Text| text.value.is_empty()) {
+            description = &block.syntax.description;
         }
     }
-    Origin {
-        file: merged.file,
-        overlays: Vec::new(),
-        span: merged.span,
-        description: description.to_owned(),
-        lifecycle,
-    }
+    origin(merged.file, merged.span, description, stage)
 }

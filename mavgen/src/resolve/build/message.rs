@@ -4,10 +4,11 @@ use super::super::enums::Enums;
 use super::super::field::DraftField;
 use super::super::invalid::{self, Entries};
 use super::super::message::Draft;
-use super::super::notes::{Notes, Subject};
+use super::super::notes::{Notes, Whole};
+use super::super::origin::non_empty;
 use super::super::overlay::Added;
 use super::super::width::Width;
-use super::super::{spelling, text, uses};
+use super::super::{spelling, uses};
 use crate::collect::CollectVec as _;
 use crate::diag::Diagnostics;
 use crate::ir::{Field, Message, Values};
@@ -33,7 +34,7 @@ pub(in crate::resolve) fn build(
 ) -> Message {
     let name = draft.syntax.name.value.as_str();
     let mut origin = draft.origin;
-    links.notes.add_to(&mut origin, Subject::Message(name, None));
+    links.notes.add_to(&mut origin, (Whole::Message, name, None));
     let fields = draft.fields.into_iter().zip(draft.wire.offsets);
     let fields = fields.map(|(field, offset)| build_field(name, field, offset, links, diagnostics)).collect_vec();
     Message {
@@ -59,19 +60,19 @@ fn build_field(
     let invalid = invalid::of_field(&field, links.entries, diagnostics);
     let values = values(&field, links);
     let DraftField { syntax, ty, extension, limits, display_bitmask, instance, mut origin } = field;
-    links.notes.add_to(&mut origin, Subject::Message(message, Some(&syntax.name.value)));
+    links.notes.add_to(&mut origin, (Whole::Message, message, Some(&syntax.name.value)));
     Field {
         name: spelling::name(&syntax.name),
         ty,
         offset,
         extension,
         values,
-        units: text::non_empty(syntax.units.as_ref()),
+        units: non_empty(&syntax.units),
         invalid,
         limits,
-        multiplier: text::non_empty(syntax.multiplier.as_ref()),
-        default: text::non_empty(syntax.default.as_ref()),
-        print_format: text::non_empty(syntax.print_format.as_ref()),
+        multiplier: non_empty(&syntax.multiplier),
+        default: non_empty(&syntax.default),
+        print_format: non_empty(&syntax.print_format),
         display_bitmask,
         instance,
         origin,

@@ -51,7 +51,7 @@ impl<'a> Block<'a> {
         poisoned: &Poisoned,
         diagnostics: &mut Diagnostics,
     ) -> Self {
-        let bitmask = boolean::read(syntax.bitmask.as_ref(), Attribute::OnlyTrue("bitmask"), diagnostics);
+        let bitmask = boolean::read(&syntax.bitmask, Attribute::OnlyTrue("bitmask"), diagnostics);
         let exact = !poisoned.near(syntax.span);
         let mut block = Self { file, syntax, bitmask, entries: Vec::new(), highest: 0, exact };
         if exact && syntax.entries.is_empty() {

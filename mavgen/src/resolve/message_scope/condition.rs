@@ -1,80 +1,49 @@
 //! Conditions: `if="autopilot" is="MAV_AUTOPILOT_AUTOQUAD"`.
 
 use super::super::number;
-use super::super::suggest::suggest;
 use super::{Found, MessageScope};
-use crate::diag::{Code, Diagnostic, Diagnostics};
-use crate::ir::{self, Repr};
+use crate::diag::{Code, Diagnostic};
+use crate::ir;
 use crate::syntax::Text;
 use crate::syntax::overlay::Condition;
 
 /// Resolves a condition: nothing if there is none. What is wrong with one is reported.
-pub(in crate::resolve) fn resolve(
-    scope: &MessageScope<'_, '_>,
-    condition: &Condition,
-    diagnostics: &mut Diagnostics,
-) -> Option<ir::Condition> {
-    let (name, value) = (condition.field.as_ref()?, condition.value.as_ref()?);
-    let found = scope.field(name, diagnostics)?;
-    let repr = found.field.ty.scalar.repr().filter(|_| found.field.ty.array.is_none());
-    let Some(repr) = repr else {
-        diagnostics.push(unsuitable(scope, name, found));
+pub(in crate::resolve) fn resolve(scope: &mut MessageScope<'_, '_>, condition: &Condition) -> Option<ir::Condition> {
+    let (name, text) = (condition.field.as_ref()?, condition.value.as_ref()?);
+    let found = scope.field(name)?;
+    let Some(repr) = found.scalar_repr() else {
+        let why = ("no condition can ask", "a condition asks a scalar integer");
+        scope.report_type(Code::Condition, name.span, found, why);
         return None;
     };
-    let number = number_of(scope, value, found, repr, diagnostics)?;
-    Some(ir::Condition { field: found.index, value: number, enum_: scope.enum_of(found.syntax) })
-}
-
-/// The value: a number, or an entry of the enum that the field carries.
-fn number_of(
-    scope: &MessageScope<'_, '_>,
-    text: &Text,
-    found: Found<'_>,
-    repr: Repr,
-    diagnostics: &mut Diagnostics,
-) -> Option<u64> {
     let enum_ = scope.enum_of(found.syntax);
-    let number = number::unsigned(&text.value).ok();
-    let number = number.or_else(|| enum_.and_then(|enum_| scope.entry(enum_, &text.value)));
-    match number {
-        Some(number) if number <= repr.highest() => return number.into(),
-        Some(number) => diagnostics.push(too_large(scope, text, number, found)),
-        None if !scope.entries.complete => {}
-        None => {
-            let problem = not_a_value(scope, text, found);
-            let problem = suggest(problem, &text.value, scope.entry_names(enum_), diagnostics);
-            diagnostics.push(problem);
+    let entry = || enum_.and_then(|enum_| scope.entry(enum_, &text.value));
+    match number::unsigned(&text.value).ok().or_else(entry) {
+        Some(value) if value <= repr.highest() => return Some(ir::Condition { field: found.index, value, enum_ }),
+        Some(value) => {
+            let (ty, field) = (&found.syntax.ty, &found.syntax.name.value);
+            let message = format!("`{}.{field}` is never {value}: it is `{}`", scope.name(), ty.value);
+            let problem = Diagnostic::new(Code::Condition, text.span, message).related(ty.span, "the field");
+            scope.report(problem.help("the condition would never hold"));
         }
+        None if !scope.entries.complete => {}
+        None => scope.report_value(not_a_value(scope.name(), text, found), &text.value, enum_),
     }
     None
 }
 
-fn unsuitable(scope: &MessageScope<'_, '_>, name: &Text, found: Found<'_>) -> Diagnostic {
-    let (ty, message) = (&found.syntax.ty, scope.name());
-    let text = format!("`{message}.{}` is `{}`, which no condition can ask", name.value, ty.value);
-    let problem = Diagnostic::new(Code::Condition, name.span, text).related(ty.span, "the field");
-    problem.help("a condition asks a scalar integer")
-}
-
-fn too_large(scope: &MessageScope<'_, '_>, text: &Text, number: u64, found: Found<'_>) -> Diagnostic {
-    let (ty, name) = (&found.syntax.ty, &found.syntax.name.value);
-    let message = format!("`{}.{name}` is never {number}: it is `{}`", scope.name(), ty.value);
-    let problem = Diagnostic::new(Code::Condition, text.span, message).related(ty.span, "the field");
-    problem.help("the condition would never hold")
-}
-
-fn not_a_value(scope: &MessageScope<'_, '_>, text: &Text, found: Found<'_>) -> Diagnostic {
-    let name = &found.syntax.name.value;
-    let (message, place, label) = match &found.syntax.enum_ {
-        Some(values) => {
-            let message = format!("`{}` is neither a number nor an entry of `{}`", text.value, values.value);
-            (message, values.span, "the enum of the field".to_owned())
+fn not_a_value(message: &str, text: &Text, found: Found<'_>) -> Diagnostic {
+    let field = &found.syntax.name;
+    let (problem, place, label) = match &found.syntax.enum_ {
+        Some(enum_) => {
+            let problem = format!("`{}` is neither a number nor an entry of `{}`", text.value, enum_.value);
+            (problem, enum_.span, "the enum of the field".to_owned())
         }
         None => {
-            let message = format!("`{}` is not a number from 0", text.value);
-            (message, found.syntax.name.span, format!("`{}.{name}` carries no enum", scope.name()))
+            let label = format!("`{message}.{}` carries no enum", field.value);
+            (format!("`{}` is not a number from 0", text.value), field.span, label)
         }
     };
-    let problem = Diagnostic::new(Code::Condition, text.span, message).related(place, label);
+    let problem = Diagnostic::new(Code::Condition, text.span, problem).related(place, label);
     problem.help("write a number, or an entry of the enum that the field carries")
 }

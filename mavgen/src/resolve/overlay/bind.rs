@@ -1,53 +1,42 @@
 //! `<bind>`: an enum on a field that the definitions give none.
 
-use super::super::message_scope::{EnumUse, Found, MessageScope, UsePlace, condition};
-use super::super::{spelling, text};
-use crate::diag::{Code, Diagnostic, Diagnostics};
+use super::super::message_scope::{EnumUse, MessageScope, UsePlace, condition};
+use super::super::origin::or_empty;
+use super::super::spelling;
+use crate::diag::{Code, Diagnostic};
 use crate::ir::Binding;
-use crate::syntax::Text;
 use crate::syntax::overlay::Bind;
 
 /// Resolves a binding; what is wrong with it is reported.
-pub(super) fn resolve<'a>(
-    scope: &MessageScope<'_, 'a>,
-    element: &'a Bind,
-    enum_uses: &mut Vec<EnumUse<'a>>,
-    diagnostics: &mut Diagnostics,
-) -> Option<Binding> {
-    spelling::check(&element.name, "a binding", diagnostics);
-    let condition = condition(scope, &element.condition, diagnostics);
-    let enum_ = scope.enum_(&element.enum_, diagnostics);
-    let found = scope.field(&element.field, diagnostics)?;
-    let Some(repr) = found.field.ty.scalar.repr().filter(|_| found.field.ty.array.is_none()) else {
-        diagnostics.push(unsuitable(scope, &element.field, found));
+pub(super) fn resolve<'a>(scope: &mut MessageScope<'_, 'a>, element: &'a Bind) -> Option<Binding> {
+    spelling::check(&element.name, "a binding", scope.diagnostics);
+    let condition = condition(scope, &element.condition);
+    let enum_ = scope.enums.find(&element.enum_, scope.diagnostics);
+    let found = scope.field(&element.field)?;
+    let span = element.field.span;
+    let Some(repr) = found.scalar_repr() else {
+        scope.report_type(
+            Code::Bind,
+            span,
+            found,
+            ("cannot carry an enum", "an enum can be bound to a scalar integer"),
+        );
         return None;
     };
     if let Some(own) = &found.syntax.enum_ {
-        diagnostics.push(carries(scope, element, own));
+        let message = format!("`{}.{}` carries enum `{}` already", scope.name(), element.field.value, own.value);
+        let problem = Diagnostic::new(Code::Bind, span, message).related(own.span, "as the definitions say");
+        scope.report(problem.help("a field carries one enum; leave the binding out"));
         return None;
     }
     let enum_ = enum_?;
-    let place = UsePlace::Field(repr, found.syntax.ty.span);
-    enum_uses.push(EnumUse { enum_, name: &element.enum_, place });
+    let place = (UsePlace::Field(repr), found.syntax.ty.span);
+    scope.enum_uses.push(EnumUse { enum_, name: &element.enum_, place });
     Some(Binding {
         name: spelling::label(&element.name),
         field: found.index,
         enum_,
         condition,
-        description: text::or_empty(element.description.as_ref()),
+        description: or_empty(&element.description),
     })
-}
-
-fn unsuitable(scope: &MessageScope<'_, '_>, name: &Text, found: Found<'_>) -> Diagnostic {
-    let ty = &found.syntax.ty;
-    let message = format!("`{}.{}` is `{}`, which cannot carry an enum", scope.name(), name.value, ty.value);
-    let problem = Diagnostic::new(Code::Bind, name.span, message).related(ty.span, "the field");
-    problem.help("an enum can be bound to a scalar integer")
-}
-
-fn carries(scope: &MessageScope<'_, '_>, element: &Bind, own: &Text) -> Diagnostic {
-    let (message, field) = (scope.name(), &element.field.value);
-    let message = format!("`{message}.{field}` carries enum `{}` already", own.value);
-    let problem = Diagnostic::new(Code::Bind, element.field.span, message).related(own.span, "as the definitions say");
-    problem.help("a field carries one enum; leave the binding out")
 }

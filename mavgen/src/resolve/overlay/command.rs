@@ -3,11 +3,11 @@
 use std::collections::HashMap;
 
 use super::super::enums::{Enums, Merged};
-use super::super::suggest::suggest;
-use super::super::{boolean, number, spelling, units};
+use super::super::origin::origin;
+use super::super::{boolean, number, suggest, units};
 use crate::collect::CollectVec as _;
 use crate::diag::{Code, Diagnostic, Diagnostics};
-use crate::ir::{self, EnumId, FileIndex, Limits, Origin, Param, param_words};
+use crate::ir::{self, FileIndex, Limits, Origin, Param, param_words};
 use crate::read::Loaded;
 use crate::syntax::Text;
 use crate::syntax::overlay::{Command, NamedParam};
@@ -24,10 +24,9 @@ impl<'a> Commands<'a> {
     /// Reads the commands of all overlays. One that does not exist is reported.
     pub(in crate::resolve) fn of(loaded: &'a Loaded, enums: &Enums<'a>, diagnostics: &mut Diagnostics) -> Self {
         let mut said: HashMap<&'a str, Vec<_>> = HashMap::new();
-        let known = enums.id(COMMANDS).and_then(|EnumId(at)| enums.list.get(at));
-        for (index, overlay) in loaded.overlays.iter().enumerate() {
+        let known = enums.id(COMMANDS).and_then(|id| enums.get(id));
+        for (file, overlay) in loaded.numbered_overlays() {
             for command in &overlay.commands {
-                let file = FileIndex(loaded.files.len() + index);
                 said.entry(&command.name.value).or_default().push((file, command));
                 check(&command.name, known, enums.complete, diagnostics);
             }
@@ -48,11 +47,12 @@ impl<'a> Commands<'a> {
         let mut named: HashMap<u8, &Text> = HashMap::new();
         for (file, element) in said {
             origin.overlays.extend((!origin.overlays.contains(file)).then_some(*file));
-            let flag = |text: &Option<Text>, was: bool, diagnostics: &mut Diagnostics| {
-                text.as_ref().and_then(|text| boolean::of_overlay(text, diagnostics)).unwrap_or(was)
-            };
-            command.has_location = flag(&element.has_location, command.has_location, diagnostics);
-            command.is_destination = flag(&element.is_destination, command.is_destination, diagnostics);
+            for (text, flag) in [
+                (&element.has_location, &mut command.has_location),
+                (&element.is_destination, &mut command.is_destination),
+            ] {
+                *flag = boolean::of_overlay(text, diagnostics).unwrap_or(*flag);
+            }
             for param in &element.params {
                 let Some(index) = index(param, &mut named, diagnostics) else { continue };
                 name(command, index, (*file, param), enums, diagnostics);
@@ -64,14 +64,13 @@ impl<'a> Commands<'a> {
 
 /// Reports a command that does not exist.
 fn check(name: &Text, known: Option<&Merged<'_>>, complete: bool, diagnostics: &mut Diagnostics) {
-    let entries = known.map_or(&[][..], |merged| &merged.entries).iter().map(|entry| entry.syntax.name.value.as_str());
-    if !complete || entries.clone().any(|entry| entry == name.value) {
+    let entries = || known.into_iter().flat_map(Merged::entry_names);
+    if !complete || entries().any(|entry| entry == name.value) {
         return;
     }
     let message = format!("`{COMMANDS}` has no command `{}`", name.value);
     let problem = Diagnostic::new(Code::OverlayCommand, name.span, message).label("no such command");
-    let problem = suggest(problem, &name.value, entries, diagnostics);
-    diagnostics.push(problem);
+    suggest::report(problem, &name.value, &mut entries(), diagnostics);
 }
 
 /// The number of a param, which is named once.
@@ -118,12 +117,12 @@ fn name(
         diagnostics.push(problem.related(param.origin.span, "the definition").help("leave it out"));
     }
     param.label = Some(element.label.value.clone());
+    units::check(&element.units, diagnostics);
     if let Some(text) = &element.units {
-        units::check(Some(text), diagnostics);
         param.units = Some(text.value.clone());
     }
     if let Some(text) = &element.enum_ {
-        param.enum_ = spelling::overlay_enum(text, enums, diagnostics).or(param.enum_);
+        param.enum_ = enums.find(text, diagnostics).or(param.enum_);
     }
     param.origin.span = element.span;
     param.origin.overlays.extend((param.origin.file != file).then_some(file));
@@ -139,7 +138,7 @@ fn unsaid(index: u8, file: FileIndex, element: &NamedParam) -> Param {
         limits: Limits::default(),
         default: None,
         reserved: false,
-        origin: Origin { file, overlays: Vec::new(), span: element.span, description: String::new(), lifecycle: None },
+        origin: origin(file, element.span, &None, None),
     }
 }
 

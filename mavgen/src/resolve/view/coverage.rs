@@ -1,43 +1,43 @@
 //! Coverage: no bit in two members of one layout, and none forgotten.
 
-use std::ops::RangeInclusive;
-
 use super::piece::PlacedBits;
 use super::ranges;
 use super::switch::Branch;
 use super::words::Words;
 use crate::collect::CollectVec as _;
-use crate::diag::{Code, Diagnostic, Diagnostics};
+use crate::diag::{Code, Diagnostic};
+use crate::ir::mask;
+use crate::resolve::message_scope::MessageScope;
 use crate::syntax::overlay::View;
 
 /// Checks that every bit of every layout has at most one meaning and, if the view has to be `complete`, at least one.
 pub(super) fn check(
+    scope: &mut MessageScope<'_, '_>,
     element: &View,
     words: &Words,
     (common, branches): (&[PlacedBits<'_>], &[Branch<'_>]),
     complete: bool,
-    diagnostics: &mut Diagnostics,
 ) {
-    let shared = overlaps(common, &[], diagnostics);
-    let covered = branches.iter().map(|branch| shared | overlaps(&branch.pieces, common, diagnostics)).collect_vec();
+    let shared = overlaps(scope, common, &[]);
+    let covered = branches.iter().map(|branch| shared | overlaps(scope, &branch.pieces, common)).collect_vec();
     if !complete {
         return;
     }
-    let all = u128::MAX >> (128 - u32::from(words.width));
     // What no layout covers is said once, of the view.
     let anywhere = covered.iter().fold(shared, |sum, covered| sum | covered);
-    if all & !anywhere != 0 {
-        let message = format!("view `{}` says nothing of {}", element.name.value, bits(all & !anywhere));
+    let missing = mask(0, words.width, None) & !anywhere;
+    if missing != 0 {
+        let message = format!("view `{}` says nothing of {}", element.name.value, bits(missing));
         let problem = Diagnostic::new(Code::BitsUncovered, element.name.span, message);
         let problem = problem.related(words.span, format!("{} bits", words.width));
-        diagnostics.push(problem.help(help(all & !anywhere)));
+        scope.report(problem.help(help(missing)));
     }
     for (branch, covered) in branches.iter().zip(covered) {
         let missing = anywhere & !covered;
         if missing != 0 {
             let message = format!("view `{}` says nothing of {} in this case", element.name.value, bits(missing));
             let problem = Diagnostic::new(Code::BitsUncovered, branch.span, message);
-            diagnostics.push(problem.help(help(missing)));
+            scope.report(problem.help(help(missing)));
         }
     }
 }
@@ -50,7 +50,7 @@ fn help(missing: u128) -> String {
 }
 
 /// Reports bits that `pieces` share with each other or with those of `before`. Returns all bits of `pieces`.
-fn overlaps(pieces: &[PlacedBits<'_>], before: &[PlacedBits<'_>], diagnostics: &mut Diagnostics) -> u128 {
+fn overlaps(scope: &mut MessageScope<'_, '_>, pieces: &[PlacedBits<'_>], before: &[PlacedBits<'_>]) -> u128 {
     let mut covered = 0;
     for (index, piece) in pieces.iter().enumerate() {
         let earlier = before.iter().chain(pieces.iter().take(index));
@@ -60,7 +60,7 @@ fn overlaps(pieces: &[PlacedBits<'_>], before: &[PlacedBits<'_>], diagnostics: &
             let problem = Diagnostic::new(Code::BitsOverlap, piece.at.span, message);
             let problem = problem.label(format!("{own}: {}", bits(piece.mask)));
             let problem = problem.related(first.at.span, format!("{other}: {}", bits(first.mask)));
-            diagnostics.push(problem.help("of one layout, a bit can be in one member only"));
+            scope.report(problem.help("of one layout, a bit can be in one member only"));
         }
         covered |= piece.mask;
     }
@@ -70,8 +70,7 @@ fn overlaps(pieces: &[PlacedBits<'_>], before: &[PlacedBits<'_>], diagnostics: &
 /// `bits 29 to 31`.
 fn bits(mask: u128) -> String {
     let positions = (0..128_u64).filter(|&bit| mask >> bit & 1 == 1).map(|bit| bit..=bit);
-    let ranges: Vec<RangeInclusive<u64>> = ranges::joined(positions);
-    let list = ranges::list(&ranges);
+    let list = ranges::list(&ranges::joined(positions.collect_vec()));
     if mask.is_power_of_two() { format!("bit {list}") } else { format!("bits {list}") }
 }
 

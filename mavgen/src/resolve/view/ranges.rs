@@ -5,14 +5,10 @@ use crate::order;
 use std::ops::RangeInclusive;
 
 /// Joins ranges that overlap or touch.
-pub(super) fn joined(ranges: impl IntoIterator<Item = RangeInclusive<u64>>) -> Vec<RangeInclusive<u64>> {
-    join(ranges.into_iter().collect_vec())
-}
-
-fn join(mut sorted: Vec<RangeInclusive<u64>>) -> Vec<RangeInclusive<u64>> {
-    order::sort_by_key(&mut sorted, |range| (*range.start(), *range.end()));
+pub(super) fn joined(mut ranges: Vec<RangeInclusive<u64>>) -> Vec<RangeInclusive<u64>> {
+    order::sort_by_key(&mut ranges, |range| (*range.start(), *range.end()));
     let mut joined: Vec<RangeInclusive<u64>> = Vec::new();
-    for range in sorted {
+    for range in ranges {
         match joined.last_mut() {
             Some(last) if *range.start() <= last.end().saturating_add(1) => {
                 *last = *last.start()..=(*last.end()).max(*range.end());
@@ -54,12 +50,12 @@ mod tests {
 
     #[test]
     fn ranges_are_joined_and_inverted() {
-        let all = joined([30..=255, 3..=9, 5..=7, 10..=10]);
+        let all = joined(vec![30..=255, 3..=9, 5..=7, 10..=10]);
         assert_eq!(all, [3..=10, 30..=255]);
         assert_eq!(complement(&all, 255), [0..=2, 11..=29]);
         assert_eq!(complement(&[], 7), [0..=7]);
         assert_eq!(complement(&[0..=7], 7), []);
-        assert_eq!(complement(&joined([0..=u64::MAX, 4..=9]), u64::MAX), []);
+        assert_eq!(complement(&joined(vec![0..=u64::MAX, 4..=9]), u64::MAX), []);
         assert_eq!(complement(&[1..=u64::MAX], u64::MAX), [0..=0]);
         assert_eq!(list(&[0..=2, 4..=4]), "0 to 2, 4");
     }

@@ -3,7 +3,8 @@
 use std::fmt;
 
 use crate::decimal::is_digits;
-use crate::diag::{Code, Diagnostic, Diagnostics};
+use crate::diag::{Code, Diagnostic};
+use crate::resolve::message_scope::MessageScope;
 use crate::syntax::Text;
 use crate::syntax::overlay::Bits;
 
@@ -94,14 +95,14 @@ pub(super) fn stays_small((factor, bias): (i64, i64), (width, signed): (u8, bool
 }
 
 /// Reads `scale` and `bias` of bits of a width and sign.
-pub(super) fn line(bits: &Bits, raw: (u8, bool), diagnostics: &mut Diagnostics) -> Option<Line> {
-    let scale = attribute(bits.scale.as_ref(), Fraction::ONE, diagnostics);
-    let bias = attribute(bits.bias.as_ref(), Fraction::ZERO, diagnostics);
+pub(super) fn line(scope: &mut MessageScope<'_, '_>, bits: &Bits, raw: (u8, bool)) -> Option<Line> {
+    let scale = attribute(scope, &bits.scale, Fraction::ONE);
+    let bias = attribute(scope, &bits.bias, Fraction::ZERO);
     let (scale, bias) = (scale?, bias?);
     let place = bits.scale.as_ref().or(bits.bias.as_ref()).map_or(bits.span, |text| text.span);
     if scale.numerator == 0 {
         let message = format!("the scale of `{}` is zero: every value would be the same", bits.name.value);
-        diagnostics.push(Diagnostic::new(Code::Scale, place, message).help("leave `scale` out for 1"));
+        scope.report(Diagnostic::new(Code::Scale, place, message).help("leave `scale` out for 1"));
         return None;
     }
     let line = Line::new(scale, bias).filter(|line| stays_small((line.factor, line.bias), raw));
@@ -111,20 +112,19 @@ pub(super) fn line(bits: &Bits, raw: (u8, bool), diagnostics: &mut Diagnostics) 
         let message = format!("`{name}` = raw · {scale}{bias} is beyond 64 bits for some raw values");
         let problem = Diagnostic::new(Code::Scale, place, message);
         let problem = problem.related(width.span, format!("{} bits", width.value));
-        diagnostics
-            .push(problem.help("everything is computed in 64 bits: make the bits fewer, or the numbers smaller"));
+        scope.report(problem.help("everything is computed in 64 bits: make the bits fewer, or the numbers smaller"));
     }
     line
 }
 
-fn attribute(text: Option<&Text>, default: Fraction, diagnostics: &mut Diagnostics) -> Option<Fraction> {
+fn attribute(scope: &mut MessageScope<'_, '_>, text: &Option<Text>, default: Fraction) -> Option<Fraction> {
     let Some(text) = text else { return Some(default) };
     match fraction(&text.value) {
         Ok(fraction) => Some(fraction),
         Err(why) => {
             let message = format!("`{}` is not a fraction", text.value);
             let problem = Diagnostic::new(Code::Scale, text.span, message).label(why);
-            diagnostics.push(problem.help("write it like `1/100`, `0.25` or `-32`"));
+            scope.report(problem.help("write it like `1/100`, `0.25` or `-32`"));
             None
         }
     }

@@ -1,88 +1,76 @@
 //! What a switch looks at: a field, or bits that are in every layout.
 
-use super::beside::beside;
 use super::piece::PlacedBits;
-use super::spelling;
-use super::words::Words;
-use crate::diag::{Code, Diagnostic, Diagnostics};
-use crate::ir::{EnumId, Label, Meaning, SwitchOn};
+use super::words::{Words, beside};
+use crate::diag::{Code, Diagnostic};
+use crate::ir::{EnumId, Meaning, Switch, SwitchOn};
 use crate::resolve::message_scope::MessageScope;
-use crate::resolve::suggest::suggest;
+use crate::resolve::{spelling, suggest};
 use crate::source::Span;
-use crate::syntax::Text;
-use crate::syntax::overlay::Switch;
+use crate::syntax::{Text, overlay};
 
 /// What a switch looks at.
 pub(super) struct Selector {
-    /// The name of its getter.
-    pub(super) name: Label,
-    /// What a message calls it.
-    pub(super) title: String,
-    /// Where it is read.
-    pub(super) on: SwitchOn,
-    /// The largest value.
-    pub(super) most: u64,
+    pub(super) switch: Switch,
     /// The enum of its values.
     pub(super) enum_: Option<EnumId>,
-    /// Where it is defined.
+    /// Where its width is defined.
     pub(super) span: Span,
-    /// Where the switch names it.
-    pub(super) named: Span,
+}
+
+impl Selector {
+    /// What a message calls it.
+    pub(super) fn title(&self) -> String {
+        format!("`{}`", self.switch.name.name.text)
+    }
+
+    /// The largest value.
+    pub(super) fn most(&self) -> u64 {
+        self.switch.on.highest()
+    }
 }
 
 /// Resolves what a switch looks at: a field, or bits that stand before it in every layout.
 pub(super) fn resolve(
-    scope: &MessageScope<'_, '_>,
-    element: &Switch,
+    scope: &mut MessageScope<'_, '_>,
+    element: &overlay::Switch,
     words: &Words,
     common: &[PlacedBits<'_>],
-    diagnostics: &mut Diagnostics,
 ) -> Option<Selector> {
     let message = match (&element.field, &element.bits) {
-        (Some(field), None) => return on_field(scope, field, words, diagnostics),
-        (None, Some(bits)) => return on_bits(bits, common, diagnostics),
+        (Some(field), None) => return on_field(scope, field, words),
+        (None, Some(bits)) => return on_bits(scope, bits, common),
         (None, None) => "a switch does not say what it looks at",
         (Some(_), Some(_)) => "a switch looks at a field and at bits",
     };
     let problem = Diagnostic::new(Code::SwitchOn, element.span, message);
-    diagnostics.push(problem.help("write `field=\"…\"` or `bits=\"…\"`"));
+    scope.report(problem.help("write `field=\"…\"` or `bits=\"…\"`"));
     None
 }
 
-fn on_field(
-    scope: &MessageScope<'_, '_>,
-    text: &Text,
-    words: &Words,
-    diagnostics: &mut Diagnostics,
-) -> Option<Selector> {
-    let (place, found) = beside(scope, text, words, diagnostics)?;
-    let (name, ty) = (&found.syntax.name, &found.syntax.ty);
+fn on_field(scope: &mut MessageScope<'_, '_>, text: &Text, words: &Words) -> Option<Selector> {
+    let (place, found) = beside(scope, text, words)?;
     let Some(repr) = found.field.ty.scalar.repr().filter(|repr| !repr.is_signed()) else {
-        let message = format!("`{}.{}` is `{}`, which no switch can look at", scope.name(), name.value, ty.value);
-        let problem = Diagnostic::new(Code::SwitchOn, text.span, message).related(ty.span, "the field");
-        diagnostics.push(problem.help("a switch looks at an unsigned integer"));
+        let why = ("no switch can look at", "a switch looks at an unsigned integer");
+        scope.report_type(Code::SwitchOn, text.span, found, why);
         return None;
     };
+    let name = spelling::label(&found.syntax.name);
     Some(Selector {
-        name: spelling::label(name),
-        title: format!("`{}`", name.value),
-        on: SwitchOn::Field(place, repr),
-        most: repr.highest(),
+        switch: Switch { name, on: SwitchOn::Field(place, repr), span: text.span },
         enum_: scope.enum_of(found.syntax),
-        span: ty.span,
-        named: text.span,
+        span: found.syntax.ty.span,
     })
 }
 
-fn on_bits(text: &Text, common: &[PlacedBits<'_>], diagnostics: &mut Diagnostics) -> Option<Selector> {
+fn on_bits(scope: &mut MessageScope<'_, '_>, text: &Text, common: &[PlacedBits<'_>]) -> Option<Selector> {
     let name = spelling::label(text);
-    let members = || common.iter().filter_map(|piece| piece.member.as_ref());
-    let Some((member, bits)) = members().find(|(member, _)| member.name == name) else {
+    let members = common.iter().filter_map(|piece| piece.member.as_ref());
+    let Some((member, bits)) = members.clone().find(|(member, _)| member.name == name) else {
         let message = format!("`{}` is not in every layout of the view", text.value);
         let problem = Diagnostic::new(Code::SwitchOn, text.span, message).label("no such bits outside of the switch");
-        let names = members().map(|(_, bits)| bits.name.value.as_str());
-        let problem = suggest(problem, &text.value, names, diagnostics);
-        diagnostics.push(problem);
+        let mut names = members.map(|(_, bits)| bits.name.value.as_str());
+        suggest::report(problem, &text.value, &mut names, scope.diagnostics);
         return None;
     };
     let enum_ = match member.meaning {
@@ -93,16 +81,9 @@ fn on_bits(text: &Text, common: &[PlacedBits<'_>], diagnostics: &mut Diagnostics
     if !plain || member.width > 64 {
         let message = format!("`{}` is no plain number, which no switch can look at", text.value);
         let problem = Diagnostic::new(Code::SwitchOn, text.span, message).related(bits.span, "the bits");
-        diagnostics.push(problem.help("a switch looks at up to 64 bits without sign, scale or repetition"));
+        scope.report(problem.help("a switch looks at up to 64 bits without sign, scale or repetition"));
         return None;
     }
-    Some(Selector {
-        name,
-        title: format!("`{}`", text.value),
-        on: SwitchOn::Bits { at: member.at, width: member.width },
-        most: u64::MAX >> (64 - u32::from(member.width)),
-        enum_,
-        span: bits.width.span,
-        named: text.span,
-    })
+    let on = SwitchOn::Bits { at: member.at, width: member.width };
+    Some(Selector { switch: Switch { name, on, span: text.span }, enum_, span: bits.width.span })
 }

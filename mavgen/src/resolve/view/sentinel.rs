@@ -1,10 +1,9 @@
 //! `invalid`: the values that say that a view or a key means nothing.
 
-use super::beside::beside;
-use super::words::Words;
+use super::words::{Words, beside};
 use crate::collect::CollectVec as _;
-use crate::diag::{Code, Diagnostic, Diagnostics};
-use crate::ir::{Condition, Place, Scalar, Sentinel, ViewSentinel};
+use crate::diag::{Code, Diagnostic};
+use crate::ir::{Condition, Place, Scalar, Sentinel, ViewSentinel, mask};
 use crate::resolve::invalid::{self, Refusal};
 use crate::resolve::message_scope::{Found, MessageScope};
 use crate::source::Span;
@@ -13,11 +12,10 @@ use crate::syntax::overlay::{Invalid, View};
 
 /// Resolves all `<invalid>` of a view. Each says something new, and none that the view is never there.
 pub(super) fn sentinels(
-    scope: &MessageScope<'_, '_>,
+    scope: &mut MessageScope<'_, '_>,
     element: &View,
     words: &Words,
     condition: Option<Condition>,
-    diagnostics: &mut Diagnostics,
 ) -> Vec<ViewSentinel> {
     let mut found: Vec<(ViewSentinel, Span)> = Vec::new();
     let demanded = condition.zip(element.condition.value.as_ref()).map(|(condition, text)| {
@@ -25,7 +23,7 @@ pub(super) fn sentinels(
         (ViewSentinel::Field(place, condition.value.into()), text.span)
     });
     for invalid in &element.invalids {
-        let Some(sentinel) = sentinel(scope, invalid, words, diagnostics) else { continue };
+        let Some(sentinel) = sentinel(scope, invalid, words) else { continue };
         let span = invalid.value.span;
         let (first, message, label) = match (found.iter().find(|first| first.0 == sentinel), demanded) {
             (Some(first), _) => (first.1, "the view is unknown by this value already", "the first time"),
@@ -38,70 +36,56 @@ pub(super) fn sentinels(
             }
         };
         let problem = Diagnostic::new(Code::Sentinel, span, message).related(first, label);
-        diagnostics.push(problem.help("leave it out, or correct it"));
+        scope.report(problem.help("leave it out, or correct it"));
     }
     found.into_iter().map(|(sentinel, _)| sentinel).collect_vec()
 }
 
-fn sentinel(
-    scope: &MessageScope<'_, '_>,
-    element: &Invalid,
-    words: &Words,
-    diagnostics: &mut Diagnostics,
-) -> Option<ViewSentinel> {
-    let Some(field) = &element.field else {
-        return of_words(scope, &element.value, words, diagnostics);
-    };
-    let (place, found) = beside(scope, field, words, diagnostics)?;
-    of_field(scope, &element.value, found, diagnostics).map(|value| ViewSentinel::Field(place, value))
+fn sentinel(scope: &mut MessageScope<'_, '_>, element: &Invalid, words: &Words) -> Option<ViewSentinel> {
+    match &element.field {
+        Some(field) => {
+            let (place, found) = beside(scope, field, words)?;
+            of_field(scope, &element.value, found).map(|value| ViewSentinel::Field(place, value))
+        }
+        None => of_words(scope, &element.value, words),
+    }
 }
 
 /// A value of the joined words.
-fn of_words(
-    scope: &MessageScope<'_, '_>,
-    text: &Text,
-    words: &Words,
-    diagnostics: &mut Diagnostics,
-) -> Option<ViewSentinel> {
-    let largest = u128::MAX >> (128 - u32::from(words.width));
+fn of_words(scope: &mut MessageScope<'_, '_>, text: &Text, words: &Words) -> Option<ViewSentinel> {
     let number = invalid::integer(text.value.trim(), scope.entries);
     let problem = match number.map(u128::try_from) {
-        Some(Ok(number)) if number <= largest => return Some(ViewSentinel::Words(number)),
+        Some(Ok(number)) if number <= mask(0, words.width, None) => return Some(ViewSentinel::Words(number)),
         Some(_) => {
             let message = format!("`{}` does not fit the {} bits of the words", text.value, words.width);
             Diagnostic::new(Code::Sentinel, text.span, message).help("leave it out, or correct it")
         }
         None => not_understood(text),
     };
-    diagnostics.push(problem.related(words.span, "the words"));
+    scope.report(problem.related(words.span, "the words"));
     None
 }
 
 /// A value of an integer field.
-pub(super) fn of_field(
-    scope: &MessageScope<'_, '_>,
-    text: &Text,
-    found: Found<'_>,
-    diagnostics: &mut Diagnostics,
-) -> Option<i128> {
-    let (ty, name) = (&found.syntax.ty, &found.syntax.name.value);
+pub(super) fn of_field(scope: &mut MessageScope<'_, '_>, text: &Text, found: Found<'_>) -> Option<i128> {
     let scalar = found.field.ty.scalar;
     if scalar.repr().is_none() && !matches!(scalar, Scalar::Version(_)) {
-        let message = format!("`{}.{name}` is `{}`, which is compared with no number", scope.name(), ty.value);
-        let problem = Diagnostic::new(Code::UnsuitableField, text.span, message).related(ty.span, "the field");
-        diagnostics.push(problem.help("`invalid` compares integers"));
+        let why = ("is compared with no number", "`invalid` compares integers");
+        scope.report_type(Code::UnsuitableField, text.span, found, why);
         return None;
     }
+    let ty = &found.syntax.ty;
     let problem = match invalid::sentinel(text.value.trim(), scalar, scope.entries) {
         Ok(Sentinel::Integer(value)) => return Some(value),
         Err(Refusal::Unknown) if !scope.entries.complete => return None,
         Err(Refusal::Range) => {
-            let message = format!("`{}.{name}` is never `{}`: it is `{}`", scope.name(), text.value, ty.value);
+            let field = &found.syntax.name.value;
+            let message = format!("`{}.{field}` is never `{}`: it is `{}`", scope.name(), text.value, ty.value);
             Diagnostic::new(Code::Sentinel, text.span, message).help("leave it out, or correct it")
         }
         Ok(_) | Err(_) => not_understood(text),
     };
-    diagnostics.push(problem.related(ty.span, "the field"));
+    scope.report(problem.related(ty.span, "the field"));
     None
 }
 

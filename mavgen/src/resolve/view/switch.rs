@@ -1,17 +1,17 @@
-//! `<switch>`: its cases.
+//! `<switch>`: its cases, `<case value="3..=9 30..">`, and which values each is for.
 
 use std::ops::RangeInclusive;
 
-use super::case::{self, CaseValues};
 use super::piece::{self, PlacedBits};
-use super::ranges;
 use super::ranges::{complement, joined, list};
 use super::selector::Selector;
-use super::words::Words;
+use super::words::{Words, parts};
 use crate::collect::CollectVec as _;
-use crate::diag::{Code, Diagnostic, Diagnostics};
-use crate::resolve::message_scope::{EnumUse, MessageScope};
+use crate::diag::{Code, Diagnostic};
+use crate::resolve::message_scope::MessageScope;
+use crate::resolve::number;
 use crate::source::Span;
+use crate::syntax::Text;
 use crate::syntax::overlay::{Case, Switch};
 
 /// One of the layouts.
@@ -24,29 +24,31 @@ pub(super) struct Branch<'a> {
     pub(super) span: Span,
 }
 
+/// A range of values, and where it is written.
+type CaseValues = (RangeInclusive<u64>, Span);
+
 /// Resolves the cases. Without a selector their parts are looked at all the same, for what is wrong with them.
 pub(super) fn branches<'a>(
-    (scope, words): (&MessageScope<'_, 'a>, &Words),
+    scope: &mut MessageScope<'_, 'a>,
     element: &'a Switch,
+    words: &Words,
     selector: Option<&Selector>,
-    enum_uses: &mut Vec<EnumUse<'a>>,
-    diagnostics: &mut Diagnostics,
 ) -> Option<Vec<Branch<'a>>> {
-    let taken = selector.map(|selector| cases(scope, element, selector, diagnostics));
-    let rest = selector.zip(taken.as_deref()).map(|(selector, taken)| {
-        let ranges = joined(taken.iter().flatten().map(|values| values.range.clone()));
-        complement(&ranges, selector.most)
+    let taken = selector.map(|selector| cases(scope, element, selector)).unwrap_or_default();
+    let rest = selector.map(|selector| {
+        let ranges = joined(taken.iter().flatten().map(|(range, _)| range.clone()).collect_vec());
+        complement(&ranges, selector.most())
     });
-    check_default(element, selector.zip(rest.as_deref()).filter(|_| scope.whole), diagnostics);
+    let rest = rest.unwrap_or_default();
+    check_default(scope, element, selector, &rest);
     let mut branches = Vec::new();
     let mut whole = true;
     for (index, case) in element.cases.iter().enumerate() {
-        let ranges = match (&case.value, taken.as_deref().and_then(|taken| taken.get(index))) {
-            (Some(_), Some(values)) => joined(values.iter().map(|values| values.range.clone())),
-            _ => rest.clone().unwrap_or_default(),
+        let ranges = match (&case.value, taken.get(index)) {
+            (Some(_), Some(values)) => joined(values.iter().map(|(range, _)| range.clone()).collect_vec()),
+            _ => rest.clone(),
         };
-        let pieces = case.pieces.iter().map(|piece| piece::resolve(scope, piece, words, enum_uses, diagnostics));
-        let pieces = pieces.collect_vec();
+        let pieces = case.pieces.iter().map(|piece| piece::resolve(scope, piece, words)).collect_vec();
         whole &= pieces.iter().all(Option::is_some);
         branches.push(Branch { ranges, pieces: pieces.into_iter().flatten().collect_vec(), span: case.span });
     }
@@ -54,19 +56,18 @@ pub(super) fn branches<'a>(
 }
 
 /// The values of every case, of which none may be in two.
-fn cases(
-    scope: &MessageScope<'_, '_>,
-    element: &Switch,
-    selector: &Selector,
-    diagnostics: &mut Diagnostics,
-) -> Vec<Vec<CaseValues>> {
+fn cases(scope: &mut MessageScope<'_, '_>, element: &Switch, selector: &Selector) -> Vec<Vec<CaseValues>> {
     let mut all: Vec<Vec<CaseValues>> = Vec::new();
     for case in &element.cases {
-        let own = case.value.as_ref().map(|text| case::ranges(scope, text, selector, diagnostics)).unwrap_or_default();
-        for (index, values) in own.iter().enumerate() {
+        let own = case.value.as_ref().map(|text| ranges(scope, text, selector)).unwrap_or_default();
+        for (index, (range, span)) in own.iter().enumerate() {
             let mut before = all.iter().flatten().chain(own.iter().take(index));
-            if let Some(first) = before.find(|first| overlap(&first.range, &values.range).is_some()) {
-                diagnostics.extend(in_two_cases(first, values, selector));
+            let twice = before.find_map(|(first, first_span)| Some((overlap(first, range)?, *first_span)));
+            if let Some((both, first)) = twice {
+                let verb = if both.start() == both.end() { "is" } else { "are" };
+                let message = format!("{} of {} {verb} in two cases", list(&[both]), selector.title());
+                let problem = Diagnostic::new(Code::CaseOverlap, *span, message).label("again here");
+                scope.report(problem.related(first, "first here").help("a value can be in one case only"));
             }
         }
         all.push(own);
@@ -79,36 +80,99 @@ fn overlap(a: &RangeInclusive<u64>, b: &RangeInclusive<u64>) -> Option<RangeIncl
     (start <= end).then_some(start..=end)
 }
 
-fn in_two_cases(first: &CaseValues, second: &CaseValues, selector: &Selector) -> Option<Diagnostic> {
-    let both = ranges::list(&[overlap(&first.range, &second.range)?]);
-    let message = format!("{both} of {} are in two cases", selector.title);
-    let message = if both.contains(' ') { message } else { message.replace(" are ", " is ") };
-    let problem = Diagnostic::new(Code::CaseOverlap, second.text.span, message).label("again here");
-    Some(problem.related(first.text.span, "first here").help("a value can be in one case only"))
+const HELP: &str = "write `3`, `3..=9` or `30..`; several are separated by blanks";
+
+/// The ranges of a case, inside of what the switch can be; what is wrong is reported.
+fn ranges(scope: &mut MessageScope<'_, '_>, text: &Text, selector: &Selector) -> Vec<CaseValues> {
+    let parts = parts(text);
+    if parts.is_empty() {
+        scope.report(Diagnostic::new(Code::CaseValue, text.span, "a case of no values").help(HELP));
+    }
+    let mut ranges = Vec::new();
+    for part in parts {
+        let Some(range) = range(scope, &part, selector) else { continue };
+        let most = selector.most();
+        if *range.end() <= most {
+            ranges.push((range, part.span));
+            continue;
+        }
+        let title = selector.title();
+        let beyond = (*range.start()).max(most.saturating_add(1));
+        let message = format!("{title} is never {beyond}: it is at most {most}");
+        let problem = Diagnostic::new(Code::UnreachableCase, part.span, message);
+        let problem = problem.related(selector.span, format!("{title} is 0 to {most}"));
+        scope.report(problem.help("leave it out, or correct it"));
+    }
+    ranges
 }
 
-/// Checks that there is one default if there has to be, and none if it is never reached.
-fn check_default(element: &Switch, rest: Option<(&Selector, &[RangeInclusive<u64>])>, diagnostics: &mut Diagnostics) {
+/// One part: `a`, `a..=b` or `a..`.
+fn range(scope: &mut MessageScope<'_, '_>, text: &Text, selector: &Selector) -> Option<RangeInclusive<u64>> {
+    let Some((start, end)) = text.value.split_once("..") else {
+        let value = value(scope, text, &text.value, selector)?;
+        return Some(value..=value);
+    };
+    let problem = |what: &str| Diagnostic::new(Code::CaseValue, text.span, format!("`{}` {what}", text.value));
+    if start.is_empty() {
+        scope.report(problem("does not say where it starts").help(format!("write `0{}`", text.value)));
+        return None;
+    }
+    let start = value(scope, text, start, selector)?;
+    let end = match end.strip_prefix('=') {
+        Some(end) => value(scope, text, end, selector)?,
+        // A start beyond what there is makes a range that is refused as such.
+        None if end.is_empty() => selector.most().max(start),
+        None => {
+            let fixed = text.value.replace("..", "..=");
+            scope.report(problem("is not a range of values").help(format!("write `{fixed}`, end included")));
+            return None;
+        }
+    };
+    if start > end {
+        scope.report(problem("is no value: it ends before it starts").help("the smaller one is first"));
+        return None;
+    }
+    Some(start..=end)
+}
+
+/// A number, or the name of an entry, in a part of a case.
+fn value(scope: &mut MessageScope<'_, '_>, part: &Text, text: &str, selector: &Selector) -> Option<u64> {
+    let entry = || selector.enum_.and_then(|enum_| scope.entry(enum_, text));
+    let value = number::unsigned(text).ok().or_else(entry);
+    if value.is_none() && scope.entries.complete {
+        let message = format!("`{text}` is not a value of {}", selector.title());
+        let problem = Diagnostic::new(Code::CaseValue, part.span, message).help(HELP);
+        let problem = problem.related(selector.span, "what the switch looks at");
+        scope.report_value(problem, text, selector.enum_);
+    }
+    value
+}
+
+/// Checks that there is one default if there has to be, and none if it is never reached; `rest` is what no case has.
+fn check_default(
+    scope: &mut MessageScope<'_, '_>,
+    element: &Switch,
+    selector: Option<&Selector>,
+    rest: &[RangeInclusive<u64>],
+) {
     let mut defaults = element.cases.iter().filter(|case| case.value.is_none());
     let first = defaults.next();
     if let (Some(first), Some(second)) = (first, defaults.next()) {
         let problem = Diagnostic::new(Code::SecondDefault, second.span, "a second `<default>`");
-        diagnostics.push(problem.label("again here").related(first.span, "first here").help("join them"));
+        scope.report(problem.label("again here").related(first.span, "first here").help("join them"));
     }
-    let Some((selector, rest)) = rest else { return };
-    match (first, rest) {
+    let Some(selector) = selector.filter(|_| scope.whole) else { return };
+    let (code, span, message, help) = match (first, rest) {
         (Some(Case { span, .. }), []) => {
-            let message = format!("the default is never reached: the cases have every value of {}", selector.title);
-            let problem = Diagnostic::new(Code::UnreachableCase, *span, message);
-            let problem = problem.related(selector.span, format!("0 to {}", selector.most));
-            diagnostics.push(problem.help("leave it out"));
+            let message = format!("the default is never reached: the cases have every value of {}", selector.title());
+            (Code::UnreachableCase, *span, message, "leave it out")
         }
         (None, [_, ..]) => {
-            let message = format!("no case has the values {} of {}", list(rest), selector.title);
-            let problem = Diagnostic::new(Code::MissingCase, element.span, message);
-            diagnostics
-                .push(problem.related(selector.span, format!("0 to {}", selector.most)).help("add a `<default>`"));
+            let message = format!("no case has the values {} of {}", list(rest), selector.title());
+            (Code::MissingCase, element.span, message, "add a `<default>`")
         }
-        _ => {}
-    }
+        _ => return,
+    };
+    let problem = Diagnostic::new(code, span, message);
+    scope.report(problem.related(selector.span, format!("0 to {}", selector.most())).help(help));
 }

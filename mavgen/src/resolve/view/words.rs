@@ -1,17 +1,14 @@
-//! `words`: the fields whose bits a view is read from, least significant first.
+//! The fields whose bits a view is read from, least significant first, and those that it reads beside them: `x` for a scalar,
+//! `x[i]` for the element of a slot, `x[*]` for all of an array.
 
 use std::num::NonZeroU8;
 
-use super::place::{self, Index};
 use crate::collect::CollectVec as _;
-use crate::diag::{Code, Diagnostic, Diagnostics};
-use crate::ir::{Place, Word};
-use crate::resolve::message_scope::{Found, MessageScope, parts};
+use crate::diag::{Code, Diagnostic};
+use crate::ir::{MOST_BITS, Place, Word};
+use crate::resolve::message_scope::{Found, MessageScope};
 use crate::source::Span;
 use crate::syntax::Text;
-
-/// How many bits a view can have: there is no larger integer.
-const MOST_BITS: usize = 128;
 
 /// The words of a view.
 pub(super) struct Words {
@@ -28,7 +25,6 @@ pub(super) struct Words {
 /// The slots of arrays that lie side by side.
 #[derive(Clone, Copy)]
 pub(super) struct Shape {
-    /// How many.
     pub(super) length: NonZeroU8,
     /// Where the first of the arrays is defined.
     pub(super) span: Span,
@@ -42,51 +38,137 @@ struct Read<'s> {
     bits: usize,
 }
 
+/// Which elements of a field are meant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Index {
+    /// `x`: it is a scalar.
+    None,
+    /// `x[i]`: the element of the slot.
+    Slot,
+    /// `x[*]`: all elements.
+    All,
+}
+
 /// Resolves the words; `None` if any of them is not clear.
-pub(super) fn resolve(scope: &MessageScope<'_, '_>, text: &Text, diagnostics: &mut Diagnostics) -> Option<Words> {
+pub(super) fn resolve(scope: &mut MessageScope<'_, '_>, text: &Text) -> Option<Words> {
     let parts = parts(text);
     if parts.is_empty() {
-        diagnostics.push(Diagnostic::new(Code::Words, text.span, "a view of no words").help("name a field"));
+        scope.report(Diagnostic::new(Code::Words, text.span, "a view of no words").help("name a field"));
         return None;
     }
-    let read = parts.into_iter().map(|part| one(scope, part, diagnostics)).collect_vec();
+    let read = parts.into_iter().map(|part| one(scope, part)).collect_vec();
     let read = read.into_iter().collect::<Option<Vec<Read<'_>>>>()?;
-    check_once(&read, diagnostics)?;
-    let shape = shape(&read, diagnostics)?;
-    let width = width(scope, text, &read, diagnostics)?;
+    check_once(scope, &read)?;
+    let shape = shape(scope, &read)?;
+    let width = width(scope, text, &read)?;
     Some(Words { list: read.iter().map(|read| read.word).collect_vec(), width, shape, span: text.span })
 }
 
-fn one<'s>(scope: &MessageScope<'s, '_>, text: Text, diagnostics: &mut Diagnostics) -> Option<Read<'s>> {
-    let (found, index) = place::found(scope, &text, diagnostics)?;
+/// A scalar, or the element of a slot, for what is read beside the words: keys, sentinels, what a switch looks at.
+pub(super) fn beside<'s>(scope: &mut MessageScope<'s, '_>, text: &Text, words: &Words) -> Option<(Place, Found<'s>)> {
+    let (found, index) = found(scope, text)?;
+    let problem = |message| Diagnostic::new(Code::Index, text.span, message);
+    let problem = match (index, found.field.ty.array, words.shape) {
+        (Index::None, ..) => return Some((Place { field: found.index, element: false }, found)),
+        (Index::Slot, Some(length), Some(shape)) if length == shape.length => {
+            return Some((Place { field: found.index, element: true }, found));
+        }
+        (Index::Slot, _, Some(shape)) => length_differs(text, found, shape),
+        (Index::Slot, _, None) => {
+            let message = format!("`{}` is the element of a slot, and the view has no slots", text.value);
+            problem(message).related(words.span, "none of these has slots").help("name a scalar")
+        }
+        (Index::All, ..) => {
+            let problem = problem(format!("`{}` is not one value", text.value));
+            problem.related(found.syntax.ty.span, "the field").help("only words can be joined")
+        }
+    };
+    scope.report(problem);
+    None
+}
+
+/// The parts of a text between blanks, each with its own place.
+///
+/// A part of a text with character references has the place of the whole: references make it shorter than its source.
+pub(super) fn parts(text: &Text) -> Vec<Text> {
+    let exact = text.value.len() == text.span.range().len();
+    let start = text.value.as_ptr() as usize;
+    let part = |part: &str| {
+        let at = (part.as_ptr() as usize).wrapping_sub(start) + text.span.range().start;
+        let span = if exact { Span::new(text.span.file, at..at + part.len()) } else { text.span };
+        Text::new(part.to_owned(), span)
+    };
+    text.value.split_whitespace().map(part).collect_vec()
+}
+
+/// The name and the index; `Err` is what stands in the brackets and is neither.
+fn split(text: &str) -> Result<(&str, Index), &str> {
+    match text.split_once('[') {
+        None => Ok((text, Index::None)),
+        Some((name, "i]")) => Ok((name, Index::Slot)),
+        Some((name, "*]")) => Ok((name, Index::All)),
+        Some((name, _)) => Err(text.get(name.len()..).unwrap_or_default()),
+    }
+}
+
+/// The field that `text` names, with an index if and only if it is an array.
+fn found<'s>(scope: &mut MessageScope<'s, '_>, text: &Text) -> Option<(Found<'s>, Index)> {
+    let problem = |message| Diagnostic::new(Code::Index, text.span, message);
+    let (name, index) = match split(text.value.trim()) {
+        Ok(split) => split,
+        Err(index) => {
+            let help = "`x[i]` is the element of a slot, `x[*]` all elements of an array";
+            scope.report(problem(format!("`{index}` is no index")).help(help));
+            return None;
+        }
+    };
+    let found = scope.field(&Text::new(name.to_owned(), text.span))?;
+    let problem = match (index, found.field.ty.array) {
+        (Index::None, Some(_)) => problem(format!("`{name}` is an array"))
+            .help(format!("write `{name}[i]` for the element of a slot, `{name}[*]` for all elements")),
+        (Index::Slot | Index::All, None) => {
+            problem(format!("`{name}` is a scalar, which has no elements")).help(format!("write `{name}`"))
+        }
+        _ => return Some((found, index)),
+    };
+    scope.report(problem.related(found.syntax.ty.span, "the field"));
+    None
+}
+
+/// Says that an array has another length than the first array of the view.
+fn length_differs(text: &Text, found: Found<'_>, Shape { length, span }: Shape) -> Diagnostic {
+    let own = found.field.ty.array.map_or(0, NonZeroU8::get);
+    let message = format!("`{}` has {own} elements, and the view has {length} slots", found.syntax.name.value);
+    let problem = Diagnostic::new(Code::WordLengths, text.span, message);
+    let problem = problem.related(found.syntax.ty.span, "the field").related(span, format!("{length} elements"));
+    problem.help("arrays that are read side by side have one length")
+}
+
+fn one<'s>(scope: &mut MessageScope<'s, '_>, text: Text) -> Option<Read<'s>> {
+    let (found, index) = found(scope, &text)?;
     let ty = found.field.ty;
     if !ty.scalar.is_word() {
-        let (message, spelled) = (scope.name(), &found.syntax.ty);
-        let message = format!("`{message}.{}` is `{}`, which is no word", found.syntax.name.value, spelled.value);
-        let problem = Diagnostic::new(Code::WordType, text.span, message).related(spelled.span, "the field");
-        diagnostics.push(
-            problem.help("words are unsigned integers, `uint8_t` to `uint64_t`, and the bits of `float` and `double`"),
-        );
+        let help = "words are unsigned integers, `uint8_t` to `uint64_t`, and the bits of `float` and `double`";
+        scope.report_type(Code::WordType, text.span, found, ("is no word", help));
         return None;
     }
-    let element = 8 * ty.scalar.size();
-    let (word, bits) = match index {
-        Index::All => (Word::Joined(found.index), 8 * ty.size()),
-        Index::Slot => (Word::One(Place { field: found.index, element: true }), element),
-        Index::None => (Word::One(Place { field: found.index, element: false }), element),
+    let (word, bytes) = match index {
+        Index::All => (Word::Joined(found.index), ty.size()),
+        Index::Slot | Index::None => {
+            (Word::One(Place { field: found.index, element: index == Index::Slot }), ty.scalar.size())
+        }
     };
-    Some(Read { text, word, found, bits })
+    Some(Read { text, word, found, bits: 8 * bytes })
 }
 
 /// No word stands twice: a setter would contradict itself.
-fn check_once(read: &[Read<'_>], diagnostics: &mut Diagnostics) -> Option<()> {
+fn check_once(scope: &mut MessageScope<'_, '_>, read: &[Read<'_>]) -> Option<()> {
     let mut once = Some(());
     for (index, word) in read.iter().enumerate() {
-        let before = read.iter().take(index).find(|before| before.found.index == word.found.index);
-        if let Some(before) = before {
+        if let Some(before) = read.iter().take(index).find(|before| before.found.index == word.found.index) {
             let message = format!("`{}` is a word of the view already", word.text.value);
             let problem = Diagnostic::new(Code::Words, word.text.span, message);
-            diagnostics.push(problem.related(before.text.span, "the first time").help("leave one of them out"));
+            scope.report(problem.related(before.text.span, "the first time").help("leave one of them out"));
             once = None;
         }
     }
@@ -94,26 +176,25 @@ fn check_once(read: &[Read<'_>], diagnostics: &mut Diagnostics) -> Option<()> {
 }
 
 /// The slots, if the words are elements; that all of them are, and of arrays of one length.
-fn shape(read: &[Read<'_>], diagnostics: &mut Diagnostics) -> Option<Option<Shape>> {
+fn shape(scope: &mut MessageScope<'_, '_>, read: &[Read<'_>]) -> Option<Option<Shape>> {
     let is_element = |read: &&Read<'_>| matches!(read.word, Word::One(Place { element: true, .. }));
     let Some(first) = read.iter().find(is_element) else { return Some(None) };
     if let Some(whole) = read.iter().find(|read| !is_element(read)) {
         let message = format!("`{}` is the same for every slot, and `{}` is not", whole.text.value, first.text.value);
         let problem = Diagnostic::new(Code::WordsMixed, whole.text.span, message);
         let problem = problem.related(first.text.span, "an element for each slot");
-        diagnostics.push(problem.help("make all words elements (`x[i]`), or none"));
+        scope.report(problem.help("make all words elements (`x[i]`), or none"));
         return None;
     }
-    let length = first.found.field.ty.array?;
-    let other = read.iter().find(|read| read.found.field.ty.array != Some(length));
-    if let Some(other) = other {
-        diagnostics.push(place::length_differs(&other.text, other.found, length, first.found.syntax.ty.span));
+    let shape = Shape { length: first.found.field.ty.array?, span: first.found.syntax.ty.span };
+    if let Some(other) = read.iter().find(|read| read.found.field.ty.array != Some(shape.length)) {
+        scope.report(length_differs(&other.text, other.found, shape));
         return None;
     }
-    Some(Some(Shape { length, span: first.found.syntax.ty.span }))
+    Some(Some(shape))
 }
 
-fn width(scope: &MessageScope<'_, '_>, text: &Text, read: &[Read<'_>], diagnostics: &mut Diagnostics) -> Option<u8> {
+fn width(scope: &mut MessageScope<'_, '_>, text: &Text, read: &[Read<'_>]) -> Option<u8> {
     let bits: usize = read.iter().map(|read| read.bits).sum();
     if bits <= MOST_BITS {
         return u8::try_from(bits).ok();
@@ -122,10 +203,41 @@ fn width(scope: &MessageScope<'_, '_>, text: &Text, read: &[Read<'_>], diagnosti
     let sum = if terms.len() > 1 { format!("{} = {bits}", terms.join(" + ")) } else { bits.to_string() };
     let message = format!("the words are {sum} bits wide; {MOST_BITS} are allowed");
     let mut problem = Diagnostic::new(Code::WordsTooWide, text.span, message);
-    for read in read {
-        let (name, ty) = (&read.found.syntax.name.value, &read.found.syntax.ty);
-        problem = problem.related(ty.span, format!("`{}.{name}`", scope.name()));
+    for Read { found, .. } in read {
+        problem = problem.related(found.syntax.ty.span, format!("`{}.{}`", scope.name(), found.syntax.name.value));
     }
-    diagnostics.push(problem.help("there is no larger integer: read the words in several views"));
+    scope.report(problem.help("there is no larger integer: read the words in several views"));
     None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::source::Sources;
+
+    #[test]
+    fn indices() {
+        for (text, expected) in [
+            ("x", Ok(("x", Index::None))),
+            ("x[i]", Ok(("x", Index::Slot))),
+            ("x[*]", Ok(("x", Index::All))),
+            ("x[0]", Err("[0]")),
+            ("x[i", Err("[i")),
+            ("x[]", Err("[]")),
+            ("x[i][i]", Err("[i][i]")),
+        ] {
+            assert_eq!(split(text), expected, "{text}");
+        }
+    }
+
+    #[test]
+    fn parts_have_their_places() {
+        let file = Sources::default().add("a.xml", "");
+        let spans = |length: usize| -> Vec<_> {
+            let text = Text::new(" a  bc ".to_owned(), Span::new(file, 10..10 + length));
+            parts(&text).into_iter().map(|part| (part.value, part.span.range())).collect()
+        };
+        assert_eq!(spans(7), [("a".to_owned(), 11..12), ("bc".to_owned(), 14..16)]);
+        assert_eq!(spans(9), [("a".to_owned(), 10..19), ("bc".to_owned(), 10..19)]);
+    }
 }
