@@ -193,12 +193,7 @@ impl Builder {
     pub fn resolve(&self) -> Result<Resolved, Failure> {
         if self.is_uorb() {
             let root = self.roots.first().map_or(String::new(), |root| root.display().to_string());
-            let help = if cfg!(feature = "uorb") {
-                "Builder::topics resolves them"
-            } else {
-                "turn on mavgen's feature `uorb`"
-            };
-            return Err(Failure::Usage(format!("`{root}` has uORB messages, no dialect: {help}")));
+            return Err(Failure::Usage(format!("`{root}` has uORB messages: a dialect's XML file is needed")));
         }
         let (selection, tree) = (self.selection()?, self.name.as_deref().unwrap_or(roots::TREE));
         if let Some(conflict) = roots::conflict(&self.roots, tree) {

@@ -22,7 +22,7 @@ use mavgen::decode::{Tables, contents};
 use mavgen::ir::Dialect;
 use mavgen::{Failure, Resolved};
 
-use super::input::{Reading, resolve};
+use super::input::{Reading, folder, resolve};
 use super::report::{Report, plural};
 use choice::Choice;
 use columns::Columns;
@@ -53,7 +53,7 @@ pub(super) struct Decode {
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
     /// A folder for a table of each message: for CSV instead of one table on standard output, for Parquet always.
-    #[arg(long, value_name = "DIR")]
+    #[arg(long, value_name = "DIR", value_parser = folder())]
     out: Option<PathBuf>,
     #[command(flatten)]
     choice: Choice,
@@ -101,10 +101,13 @@ impl Decode {
             Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(false),
             Err(error) => Err(Failure::Usage(format!("standard output: {error}"))),
         };
-        let mut listens = print(printer.head())?;
-        while listens {
+        if !print(printer.head())? {
+            return Ok(ExitCode::SUCCESS);
+        }
+        loop {
             match stream.next() {
-                Ok(Some(received)) => listens = print(printer.lines(&received)?)?,
+                Ok(Some(received)) if print(printer.lines(&received)?)? => {}
+                Ok(Some(_)) => return Ok(ExitCode::SUCCESS),
                 Ok(None) => break,
                 // Much of it was no frame; there may be more.
                 Err(error) if error.kind() == ErrorKind::WouldBlock => {}
@@ -113,10 +116,8 @@ impl Decode {
         }
         stream.tally().lines(printer.tables.table()).iter().for_each(|line| report.note(line));
         let tables = match printer.style {
-            Style::Text | Style::Json | Style::Csv(_) => None,
             Style::Folder(folder) => Some(folder.finish()?),
-            #[cfg(feature = "parquet")]
-            Style::Parquet(folder) => Some(folder.finish()?),
+            Style::Text | Style::Json | Style::Csv(_) => None,
         };
         if let (Some(tables), Some(out)) = (tables, &self.out) {
             report.note(&format!("{}: {} written", out.display(), plural(tables, "table")));
@@ -142,12 +143,12 @@ impl Decode {
             (Format::Text, None) => Style::Text,
             (Format::Json, None) => Style::Json,
             (Format::Csv, None) => Style::Csv(only(chosen)?),
-            (Format::Csv, Some(out)) => Style::Folder(Folder::new(out, chosen.into_iter())),
+            (Format::Csv, Some(out)) => Style::Folder(Box::new(Folder::<csv::Csv>::new(out, chosen))),
             (Format::Parquet, None) => {
                 return Err(Failure::Usage("Parquet is written to files: give --out a folder for them".to_owned()));
             }
             #[cfg(feature = "parquet")]
-            (Format::Parquet, Some(out)) => Style::Parquet(parquet::Folder::new(out, chosen.into_iter())),
+            (Format::Parquet, Some(out)) => Style::Folder(Box::new(Folder::<parquet::Parquet>::new(out, chosen))),
             #[cfg(not(feature = "parquet"))]
             (Format::Parquet, Some(_)) => {
                 return Err(Failure::Usage(
@@ -190,10 +191,7 @@ enum Style {
     Json,
     Csv(Columns),
     /// Tables in files, and no text.
-    Folder(Folder),
-    /// The same, typed.
-    #[cfg(feature = "parquet")]
-    Parquet(parquet::Folder),
+    Folder(Box<dyn folder::Tables>),
 }
 
 impl Printer<'_> {
@@ -226,11 +224,6 @@ impl Printer<'_> {
             Style::Json => json::message(received, name, &contents),
             Style::Csv(columns) => columns.row(received, &contents),
             Style::Folder(folder) => {
-                folder.add(name, received, &contents)?;
-                String::new()
-            }
-            #[cfg(feature = "parquet")]
-            Style::Parquet(folder) => {
                 folder.add(name, received, &contents)?;
                 String::new()
             }

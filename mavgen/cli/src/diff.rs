@@ -10,7 +10,7 @@ use mavgen::compare::{Change, Group, compare};
 use mavgen::source::{Sources, Span};
 use serde_json::{Value, json};
 
-use super::input::{Reading, resolve, resolve_silently};
+use super::input::{Reading, file, resolve, resolve_silently};
 use super::report::{self, Report, plural};
 
 /// Says what changed between two states of a dialect: on the wire, in its enums, in the generated Rust.
@@ -25,8 +25,10 @@ use super::report::{self, Report, plural};
 #[command(after_help = AFTER_HELP)]
 pub(super) struct Diff {
     /// The old state: a dialect's XML file.
+    #[arg(value_parser = file())]
     old: PathBuf,
     /// The new state.
+    #[arg(value_parser = file())]
     new: PathBuf,
     /// Only what both ends have to agree on: messages on the wire, and enums.
     #[arg(long, conflicts_with = "api")]
@@ -43,7 +45,7 @@ pub(super) struct Diff {
     #[command(flatten)]
     reading: Reading,
     /// An overlay of the old state, instead of those that `--overlay` gives for both; may be given several times.
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", value_parser = file())]
     old_overlay: Vec<PathBuf>,
 }
 

@@ -59,7 +59,13 @@ impl Generate {
 fn next(out: &Path) -> String {
     let messages = out.join("messages.rs");
     let read = if messages.exists() { messages } else { out.join("mod.rs") };
-    let name = out.file_name().unwrap_or_default().display();
+    let folder = out.canonicalize().unwrap_or_else(|_| out.to_owned());
+    let folder = folder.file_name().unwrap_or_default().display().to_string();
+    let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    let module = match folder.chars().all(is_word) && !folder.starts_with(|c: char| c.is_ascii_digit()) {
+        true => format!("mod {folder};"),
+        false => format!("#[path = \"{folder}/mod.rs\"] mod dialect;"),
+    };
     let read = read.display();
-    format!("next: read {read}, and write `#[rustfmt::skip] mod {name};` in a crate that depends on mavlink-wire")
+    format!("next: read {read}, and write `#[rustfmt::skip] {module}` in a crate that depends on mavlink-wire")
 }

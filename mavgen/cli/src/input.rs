@@ -3,18 +3,37 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use clap::builder::{PathBufValueParser, TypedValueParser};
 use mavgen::diag::{Diagnostic, Diagnostics, Severity};
 use mavgen::source::Sources;
 use mavgen::{Builder, Failure, Resolved, Topics};
 
 use super::report::Report;
 
+/// A file of definitions: no single stream, as it names others beside it.
+pub(super) fn file() -> impl TypedValueParser<Value = PathBuf> {
+    named("definitions are read from a file, not from standard input, because they name others that lie beside it")
+}
+
+/// A folder for files.
+pub(super) fn folder() -> impl TypedValueParser<Value = PathBuf> {
+    named("files are written into a folder, not to standard output")
+}
+
+/// A path that is not `-`.
+fn named(why: &'static str) -> impl TypedValueParser<Value = PathBuf> {
+    PathBufValueParser::new().try_map(move |path| match path == Path::new("-") {
+        true => Err(format!("{why}; `./-` is one of that name")),
+        false => Ok(path),
+    })
+}
+
 /// The definitions.
 #[derive(Args)]
 pub(super) struct Input {
     /// The dialect's XML file; several are the dialects of one tree, with a module for each. Or a folder of PX4's `.msg` files,
     /// or some files of one folder: uORB messages.
-    #[arg(required = true)]
+    #[arg(required = true, value_parser = file())]
     pub(super) xml: Vec<PathBuf>,
     #[command(flatten)]
     pub(super) reading: Reading,
@@ -37,7 +56,7 @@ pub(super) struct Reading {
     #[command(flatten)]
     pub(super) definitions: Definitions,
     /// A file that says what the XML cannot, like the meaning of packed bits; may be given several times.
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", value_parser = file())]
     pub(super) overlay: Vec<PathBuf>,
 }
 
@@ -66,7 +85,7 @@ pub(super) struct Output {
     #[command(flatten)]
     pub(super) input: Input,
     /// The folder for the sources.
-    #[arg(long, value_name = "DIR")]
+    #[arg(long, value_name = "DIR", value_parser = folder())]
     pub(super) out: PathBuf,
     /// No types for the entries of MAV_CMD: what is generated compiles a little faster.
     #[arg(long)]

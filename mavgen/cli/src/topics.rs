@@ -60,7 +60,11 @@ fn wanted(paths: &[PathBuf], names: Option<&[String]>) -> Result<(PathBuf, Vec<S
     if !names.is_empty() {
         return Err(usage("give the folder, and `--messages` says which of its messages"));
     }
-    let stems = paths.iter().filter_map(|path| path.file_stem()?.to_str()).map(str::to_owned).collect();
+    let stem = |path: &PathBuf| {
+        let stem = path.file_stem().and_then(|stem| stem.to_str()).map(str::to_owned);
+        stem.ok_or_else(|| usage(&format!("`{}` is not named after a message", path.display())))
+    };
+    let stems = paths.iter().map(stem).collect::<Result<_, _>>()?;
     let path = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
     Ok((path.to_owned(), stems))
 }

@@ -7,7 +7,7 @@ use clap::Args;
 use mavgen::Failure;
 use mavgen::vendor::{Copy, Prose, Retained, Vendored, Written, vendor, write};
 
-use super::input::{Definitions, concerning, concerning_failure};
+use super::input::{Definitions, concerning, concerning_failure, file, folder};
 use super::report::{Report, plural};
 
 /// Copies a dialect and its includes into one folder.
@@ -34,9 +34,10 @@ Examples:
   mavgen vendor acme.xml --include-dir upstream --out xml --deny-warnings")]
 pub(super) struct Vendor {
     /// The dialect's XML file.
+    #[arg(value_parser = file())]
     xml: PathBuf,
     /// The folder for the copies.
-    #[arg(long, value_name = "DIR")]
+    #[arg(long, value_name = "DIR", value_parser = folder())]
     out: PathBuf,
     #[command(flatten)]
     definitions: Definitions,

@@ -4,15 +4,50 @@
 //! parentheses. What the sender does not know, and what a frame does not have, is empty; a secret key is one column, that
 //! says `secret`.
 
+use std::fs::File;
+use std::io::{self, BufRead as _, BufReader, BufWriter, Read as _, Write as _};
+
 use csv::WriterBuilder;
 use mavgen::decode::Contents;
 
 use super::columns::{Column, Columns, cells};
+use super::folder::Table;
 use super::received::Received;
 use super::text::plain;
 
 /// The columns in front of those of the message.
 const FRAME: [&str; 5] = ["time", "unix_time (s)", "system_id", "component_id", "sequence"];
+
+/// No first row is longer, in bytes.
+const LONGEST: u64 = 1 << 20;
+
+/// A table in a file.
+pub(super) struct Csv(BufWriter<File>);
+
+impl Table for Csv {
+    const EXTENSION: &str = "csv";
+    type Error = io::Error;
+
+    fn is_own(file: File) -> io::Result<bool> {
+        let mut head = Vec::new();
+        BufReader::new(file.take(LONGEST)).read_until(b'\n', &mut head)?;
+        Ok(is_head(&String::from_utf8_lossy(&head)))
+    }
+
+    fn begin(file: File, _: &str, columns: &Columns) -> io::Result<Self> {
+        let mut file = BufWriter::new(file);
+        file.write_all(columns.head().as_bytes())?;
+        Ok(Self(file))
+    }
+
+    fn add(&mut self, columns: &Columns, received: &Received<'_>, contents: &Contents) -> io::Result<()> {
+        self.0.write_all(columns.row(received, contents).as_bytes())
+    }
+
+    fn finish(mut self) -> io::Result<()> {
+        self.0.flush()
+    }
+}
 
 impl Columns {
     /// The first row.
@@ -38,7 +73,7 @@ impl Columns {
 }
 
 /// Whether a file begins as these tables do.
-pub(super) fn is_head(line: &str) -> bool {
+fn is_head(line: &str) -> bool {
     let head = row(FRAME.map(str::to_owned).into_iter());
     line.strip_prefix(head.trim_end()).is_some_and(|rest| rest.is_empty() || rest.starts_with([',', '\r', '\n']))
 }

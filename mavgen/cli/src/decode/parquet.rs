@@ -3,13 +3,10 @@
 //! Columns are those of CSV, without units in their names: units are in the metadata of the file, as JSON under the key `units`.
 //! `time` is a timestamp in UTC. What the sender does not know is null.
 
-use std::collections::BTreeMap;
-use std::fs::{self, File};
-use std::io::{self, ErrorKind, Read, Seek, SeekFrom};
-use std::path::{Path, PathBuf};
+use std::fs::File;
+use std::io::{self, Read, Seek, SeekFrom};
 use std::sync::Arc;
 
-use mavgen::Failure;
 use mavgen::decode::{Contents, Node};
 use parquet::basic::{Compression, LogicalType, Repetition, TimeUnit, Type as Physical};
 use parquet::data_type::{BoolType, ByteArray, ByteArrayType, DataType, DoubleType, FloatType, Int32Type, Int64Type};
@@ -21,6 +18,7 @@ use parquet::schema::types::Type;
 use serde_json::{Map, Value};
 
 use super::columns::{Columns, Kind, cells};
+use super::folder::Table;
 use super::received::Received;
 use super::text::plain;
 
@@ -37,22 +35,8 @@ const FRAME: [(&str, Kind); 3] = [
     ("sequence", Kind::Integer { bits: 8, signed: false }),
 ];
 
-/// The tables of a run.
-pub(super) struct Folder {
-    path: PathBuf,
-    /// By the name of the message.
-    tables: BTreeMap<String, Table>,
-}
-
-struct Table {
-    columns: Columns,
-    /// Made when the first row comes.
-    open: Option<Open>,
-}
-
 /// A file, and the rows that are not in it yet.
-struct Open {
-    path: PathBuf,
+pub(super) struct Parquet {
     writer: SerializedFileWriter<File>,
     buffers: Vec<Buffer>,
     rows: usize,
@@ -73,38 +57,29 @@ enum Values {
     Text(Vec<ByteArray>),
 }
 
-impl Folder {
-    /// A folder for these messages. Nothing is written before there is something to write.
-    pub(super) fn new(path: &Path, messages: impl Iterator<Item = (String, Columns)>) -> Self {
-        let tables = messages.map(|(name, columns)| (name, Table { columns, open: None }));
-        Self { path: path.to_owned(), tables: tables.collect() }
-    }
+impl Table for Parquet {
+    const EXTENSION: &str = "parquet";
+    type Error = ParquetError;
 
-    /// Adds a row to the table of a message.
-    pub(super) fn add(&mut self, name: &str, received: &Received<'_>, contents: &Contents) -> Result<(), Failure> {
-        let Some(Table { columns, open }) = self.tables.get_mut(name) else { return Ok(()) };
-        let open = match open {
-            Some(open) => open,
-            None => open.insert(Open::create(&self.path, name, columns)?),
-        };
-        open.add(columns, received, contents)
-    }
-
-    /// Writes what is left; how many files there are.
-    pub(super) fn finish(self) -> Result<usize, Failure> {
-        let mut count = 0;
-        for open in self.tables.into_values().filter_map(|table| table.open) {
-            open.finish()?;
-            count += 1;
+    /// The last part of a table says what made it.
+    fn is_own(mut file: File) -> io::Result<bool> {
+        let length = file.metadata()?.len();
+        if length < 8 {
+            return Ok(false);
         }
-        Ok(count)
+        let mut end = [0; 8];
+        file.seek(SeekFrom::End(-8))?;
+        file.read_exact(&mut end)?;
+        let [a, b, c, d, b'P', b'A', b'R', b'1'] = end else { return Ok(false) };
+        let footer = u64::from(u32::from_le_bytes([a, b, c, d])).min(length - 8);
+        file.seek(SeekFrom::Start(length - 8 - footer))?;
+        let mut text = Vec::new();
+        file.take(footer).read_to_end(&mut text)?;
+        let mark = b"mavgen decode ";
+        Ok(text.windows(mark.len()).any(|window| window == mark))
     }
-}
 
-impl Open {
-    fn create(folder: &Path, message: &str, columns: &Columns) -> Result<Self, Failure> {
-        let path = folder.join(format!("{message}.parquet"));
-        let file = create(folder, &path).map_err(|error| refused(&path, error))?;
+    fn begin(file: File, message: &str, columns: &Columns) -> Result<Self, ParquetError> {
         let units =
             columns.columns.iter().filter_map(|column| Some((column.path.1.clone(), column.units.clone()?.into())));
         let units = Value::Object(units.collect::<Map<String, Value>>()).to_string();
@@ -115,16 +90,14 @@ impl Open {
             .set_compression(Compression::SNAPPY)
             .set_key_value_metadata(Some(metadata.to_vec()))
             .build();
-        let schema = schema(message, columns).map_err(|error| refused(&path, error))?;
-        let writer = SerializedFileWriter::new(file, schema, Arc::new(properties));
-        let writer = writer.map_err(|error| refused(&path, error))?;
+        let writer = SerializedFileWriter::new(file, schema(message, columns)?, Arc::new(properties))?;
         let kinds = FRAME.iter().map(|&(_, kind)| kind).chain(columns.columns.iter().map(|column| column.kind));
         let time = Buffer { values: Values::Int64(Vec::new()), present: Vec::new() };
         let buffers = [time].into_iter().chain(kinds.map(Buffer::new)).collect();
-        Ok(Self { path, writer, buffers, rows: 0 })
+        Ok(Self { writer, buffers, rows: 0 })
     }
 
-    fn add(&mut self, columns: &Columns, received: &Received<'_>, contents: &Contents) -> Result<(), Failure> {
+    fn add(&mut self, columns: &Columns, received: &Received<'_>, contents: &Contents) -> Result<(), ParquetError> {
         let (frame, cells) = (&received.frame, cells(contents));
         let time = received.time.map(|time| Node::Unsigned(time.0.into()));
         let sender = [frame.system_id().to_u32(), frame.component_id().to_u32(), frame.sequence().into()];
@@ -138,26 +111,25 @@ impl Open {
         if self.rows == GROUP { self.write_group() } else { Ok(()) }
     }
 
-    /// Writes the rows that are held.
-    fn write_group(&mut self) -> Result<(), Failure> {
-        self.rows = 0;
-        let path = &self.path;
-        let mut group = self.writer.next_row_group().map_err(|error| refused(path, error))?;
-        for buffer in &mut self.buffers {
-            let Some(mut column) = group.next_column().map_err(|error| refused(path, error))? else { break };
-            buffer.write(&mut column).map_err(|error| refused(path, error))?;
-            column.close().map_err(|error| refused(path, error))?;
-        }
-        group.close().map(drop).map_err(|error| refused(path, error))
-    }
-
-    fn finish(mut self) -> Result<(), Failure> {
+    fn finish(mut self) -> Result<(), ParquetError> {
         if self.rows > 0 {
             self.write_group()?;
         }
-        let Self { path, writer, .. } = self;
-        writer.close().map_err(|error| refused(&path, error))?;
-        fs::rename(unfinished(&path), &path).map_err(|error| refused(&path, error))
+        self.writer.close().map(drop)
+    }
+}
+
+impl Parquet {
+    /// Writes the rows that are held.
+    fn write_group(&mut self) -> Result<(), ParquetError> {
+        self.rows = 0;
+        let mut group = self.writer.next_row_group()?;
+        for buffer in &mut self.buffers {
+            let Some(mut column) = group.next_column()? else { break };
+            buffer.write(&mut column)?;
+            column.close()?;
+        }
+        group.close().map(drop)
     }
 }
 
@@ -264,48 +236,4 @@ fn types(kind: Kind) -> (Physical, Option<LogicalType>) {
         Kind::Flag => (Physical::BOOLEAN, None),
         Kind::Text => (Physical::BYTE_ARRAY, Some(LogicalType::String)),
     }
-}
-
-/// A new file, in place of one of an earlier run; no other file is written over.
-fn create(folder: &Path, path: &Path) -> io::Result<File> {
-    fs::create_dir_all(folder)?;
-    match File::open(path) {
-        Err(error) if error.kind() != ErrorKind::NotFound => return Err(error),
-        Err(_) => {}
-        Ok(file) => {
-            if !is_own(file)? {
-                return Err(io::Error::other(
-                    "`mavgen decode` did not write this file: remove it, or choose another folder",
-                ));
-            }
-        }
-    }
-    File::create(unfinished(path))
-}
-
-/// What a table is called until it is whole: no reader finds a part of one.
-fn unfinished(path: &Path) -> PathBuf {
-    path.with_extension("parquet.part")
-}
-
-/// Whether a file is an earlier table: its last part says what made it.
-fn is_own(mut file: File) -> io::Result<bool> {
-    let length = file.metadata()?.len();
-    if length < 8 {
-        return Ok(false);
-    }
-    let mut end = [0; 8];
-    file.seek(SeekFrom::End(-8))?;
-    file.read_exact(&mut end)?;
-    let [a, b, c, d, b'P', b'A', b'R', b'1'] = end else { return Ok(false) };
-    let footer = u64::from(u32::from_le_bytes([a, b, c, d])).min(length - 8);
-    file.seek(SeekFrom::Start(length - 8 - footer))?;
-    let mut text = Vec::new();
-    file.take(footer).read_to_end(&mut text)?;
-    let mark = b"mavgen decode ";
-    Ok(text.windows(mark.len()).any(|window| window == mark))
-}
-
-fn refused(path: &Path, error: impl std::fmt::Display) -> Failure {
-    Failure::Usage(format!("{}: {error}", path.display()))
 }

@@ -166,6 +166,41 @@ fn a_full_disk_gets_no_half_of_a_vendored_dialect() {
     assert!(!folder.path().join("copies").exists());
 }
 
+/// `-` is one stream, which neither a folder nor a file that names others is.
+#[test]
+fn a_dash_is_no_folder_and_no_definition() {
+    let folder = generated();
+    for (arguments, named, why) in [
+        (&["generate", "acme.xml", "--out", "-"][..], "--out <DIR>", "files are written into a folder"),
+        (&["check", "acme.xml", "--out=-"], "--out <DIR>", "files are written into a folder"),
+        (&["vendor", "acme.xml", "--out", "-"], "--out <DIR>", "files are written into a folder"),
+        (&["decode", "acme.xml", "--format", "csv", "--out", "-"], "--out <DIR>", "files are written into a folder"),
+        (&["lint", "-"], "<XML>...", "definitions are read from a file"),
+        (&["dump", "acme.xml", "--overlay", "-"], "--overlay <FILE>", "definitions are read from a file"),
+        (&["vendor", "-", "--out", "copies"], "<XML>", "definitions are read from a file"),
+        (&["diff", "-", "acme.xml"], "<OLD>", "definitions are read from a file"),
+        (&["diff", "acme.xml", "-"], "<NEW>", "definitions are read from a file"),
+        (&["diff", "acme.xml", "acme.xml", "--old-overlay", "-"], "--old-overlay <FILE>", "definitions are read"),
+    ] {
+        let said = refused(folder.path(), arguments);
+        assert!(said.starts_with(&format!("error: invalid value '-' for '{named}': {why}")), "{arguments:?}: {said}");
+        assert!(said.ends_with("`./-` is one of that name"), "{said}");
+    }
+    assert_eq!(mavgen(folder.path(), &["generate", "acme.xml", "--out", "./-"]).status.code(), Some(0));
+    assert!(folder.path().join("-/mod.rs").exists());
+}
+
+#[test]
+fn messages_of_px4_where_a_dialect_is_needed() {
+    let folder = generated();
+    fs::create_dir(folder.path().join("msg")).unwrap();
+    fs::write(folder.path().join("msg/Foo.msg"), "uint64 timestamp\n").unwrap();
+    for arguments in [&["diff", "msg", "acme.xml"][..], &["diff", "acme.xml", "msg"], &["decode", "msg", "acme.xml"]] {
+        let said = refused(folder.path(), arguments);
+        assert_eq!(said, "error: `msg` has uORB messages: a dialect's XML file is needed");
+    }
+}
+
 #[test]
 fn wrong_options() {
     let folder = generated();

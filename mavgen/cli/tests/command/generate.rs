@@ -88,3 +88,19 @@ fn the_folder_of_the_definitions_is_refused() {
     assert_eq!(refused.status.code(), Some(2));
     assert_eq!(tree(folder.path()).len(), 1);
 }
+
+/// What is said to write next is Rust, whatever the folder is called.
+#[test]
+fn the_module_of_a_folder_that_is_called_like_none() {
+    let folder = folder(ACME);
+    fs::create_dir(folder.path().join("here")).unwrap();
+    for (place, out, module) in [
+        ("", "own-dialect", r#"#[path = "own-dialect/mod.rs"] mod dialect;"#),
+        ("", "2nd", r#"#[path = "2nd/mod.rs"] mod dialect;"#),
+        ("here", ".", "mod here;"),
+    ] {
+        let xml = folder.path().join("acme.xml");
+        let output = mavgen(&folder.path().join(place), &["generate", xml.to_str().unwrap(), "--out", out]);
+        assert!(stderr(&output).contains(&format!("write `#[rustfmt::skip] {module}`")), "{}", stderr(&output));
+    }
+}

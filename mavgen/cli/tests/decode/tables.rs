@@ -1,6 +1,8 @@
 //! `--format csv --out` and `--format parquet --out`: a table of each message.
 
 use std::fs;
+use std::io::Read as _;
+use std::process::Stdio;
 
 use crate::bench::{Bench, stderr};
 
@@ -43,6 +45,48 @@ fn somebodys_file_is_not_written_over() {
         assert!(said.contains("SPRAYER.csv: `mavgen decode` did not write this file"), "{said}");
         assert_eq!((refused.status.code(), &*fs::read_to_string(&theirs).unwrap()), (Some(2), text));
     }
+}
+
+/// A limit on the length of files lets it write some of a table, then no more.
+#[cfg(unix)]
+#[test]
+fn on_a_full_disk_there_is_no_part_of_a_table() {
+    let mut bench = Bench::new();
+    let one = bench.sprayer();
+    let log = bench.folder.path().join("long.raw");
+    let formats = if cfg!(feature = "parquet") { &["csv", "parquet"][..] } else { &["csv"] };
+    for format in formats {
+        let run = |limit: &str, count: usize| {
+            fs::write(&log, one.repeat(count)).unwrap();
+            let decode = format!("decode acme.xml long.raw --input raw --format {format} --out t");
+            let script = format!("trap '' XFSZ; ulimit -f {limit}; exec \"$0\" {decode}");
+            let mut shell = std::process::Command::new("sh");
+            let output = shell.args(["-c", &script, env!("CARGO_BIN_EXE_mavgen")]).current_dir(&bench.folder).output();
+            output.unwrap()
+        };
+        let table = bench.folder.path().join(format!("t/SPRAYER.{format}"));
+        assert!(run("unlimited", 1).status.success());
+        let before = fs::read(&table).unwrap();
+        let output = run(if *format == "csv" { "16" } else { "0" }, 2_000);
+        assert_eq!(output.status.code(), Some(2), "{}", stderr(&output));
+        assert!(stderr(&output).contains(&format!("t/SPRAYER.{format}: ")), "{}", stderr(&output));
+        assert!(fs::read(&table).unwrap() == before);
+        assert_eq!(fs::read_dir(table.parent().unwrap()).unwrap().count(), 1);
+        fs::remove_file(&table).unwrap();
+    }
+}
+
+/// Nobody asked for a count of what was not read to its end.
+#[test]
+fn a_reader_that_has_seen_enough_ends_it_without_a_word() {
+    let mut bench = Bench::new();
+    fs::write(bench.folder.path().join("long.raw"), bench.sprayer().repeat(20_000)).unwrap();
+    let mut mavgen = std::process::Command::new(env!("CARGO_BIN_EXE_mavgen"));
+    mavgen.args(["decode", "acme.xml", "long.raw", "--input", "raw"]).current_dir(&bench.folder);
+    let mut child = mavgen.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    child.stdout.take().unwrap().read_exact(&mut [0]).unwrap();
+    let output = child.wait_with_output().unwrap();
+    assert_eq!((output.status.code(), &*stderr(&output)), (Some(0), ""));
 }
 
 #[test]
