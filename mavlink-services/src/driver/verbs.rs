@@ -2,7 +2,7 @@
 
 /// The verbs of a station, on the two that the type brings: `run` an operation, and its `session`.
 macro_rules! verbs {
-    ([$($async:tt)?] [$($wait:tt)*]) => {
+    ($($async:ident $await:ident)?) => {
         /// Sends a `COMMAND_LONG` or `COMMAND_INT` of any dialect to the vehicle, and waits until it has been carried out.
         ///
         /// # Errors
@@ -10,7 +10,7 @@ macro_rules! verbs {
         /// The vehicle refuses it (the error has its reason and its `STATUSTEXT`), or does not answer; or the message is no command.
         pub $($async)? fn command(&mut self, command: &(impl Encode + ?Sized)) -> Result<Accepted, Error> {
             let mut sending = self.session.command(command)?;
-            self.run(&mut sending, |_| {}) $($wait)*
+            self.run(&mut sending, |_| {})$(.$await)?
         }
 
         /// As [`command`](Self::command), and reports progress.
@@ -24,7 +24,7 @@ macro_rules! verbs {
             progress: impl FnMut(Progress),
         ) -> Result<Accepted, Error> {
             let mut sending = self.session.command(command)?;
-            self.run(&mut sending, progress) $($wait)*
+            self.run(&mut sending, progress)$(.$await)?
         }
 
         /// As [`command`](Self::command), and asks the vehicle to stop when `go_on` returns `false` for a report of progress.
@@ -39,7 +39,7 @@ macro_rules! verbs {
             go_on: impl FnMut(Progress) -> bool,
         ) -> Result<Accepted, Error> {
             let mut sending = While::new(self.session.command(command)?, go_on);
-            self.run(&mut sending, |_| {}) $($wait)*
+            self.run(&mut sending, |_| {})$(.$await)?
         }
 
         /// Arms the motors.
@@ -48,7 +48,7 @@ macro_rules! verbs {
         ///
         /// As [`command`](Self::command); the vehicle says why it does not arm.
         pub $($async)? fn arm(&mut self) -> Result<Accepted, Error> {
-            self.command(&arming(true)) $($wait)*
+            self.command(&arming(true))$(.$await)?
         }
 
         /// Disarms the motors.
@@ -57,7 +57,7 @@ macro_rules! verbs {
         ///
         /// As [`command`](Self::command); vehicles in flight refuse.
         pub $($async)? fn disarm(&mut self) -> Result<Accepted, Error> {
-            self.command(&arming(false)) $($wait)*
+            self.command(&arming(false))$(.$await)?
         }
 
         /// Requests one message, which may be of your dialect, and waits for it. `argument` is an index for some messages, else 0.
@@ -69,7 +69,7 @@ macro_rules! verbs {
         /// The vehicle does not send it.
         pub $($async)? fn fetch<M: Message>(&mut self, argument: f32) -> Result<M, Error> {
             let mut fetching = self.session.fetch(argument);
-            self.run(&mut fetching, |()| {}) $($wait)*
+            self.run(&mut fetching, |()| {})$(.$await)?
         }
 
         /// Requests the version and the capabilities of the vehicle; from old autopilots with the old command.
@@ -78,7 +78,7 @@ macro_rules! verbs {
         ///
         /// The vehicle does not say.
         pub $($async)? fn version(&mut self) -> Result<AutopilotVersion, Error> {
-            let refused = match self.fetch(0.0) $($wait)* {
+            let refused = match self.fetch(0.0)$(.$await)? {
                 Err(error @ Error::Command { failure: command::Failure::Refused { .. }, .. }) => error,
                 other => return other,
             };
@@ -86,7 +86,7 @@ macro_rules! verbs {
             let Ok(mut fetching) = Fetch::with_command(own, peer, retry, &OLD_VERSION, self.session.now()) else {
                 return Err(refused);
             };
-            self.run(&mut fetching, |()| {}) $($wait)*
+            self.run(&mut fetching, |()| {})$(.$await)?
         }
 
         /// Requests the vehicle's capabilities once, to know how it encodes parameters and which mission items it takes. If the
@@ -99,7 +99,7 @@ macro_rules! verbs {
             if self.session.encoding.is_some() {
                 return Ok(());
             }
-            let capabilities = match self.version() $($wait)* {
+            let capabilities = match self.version()$(.$await)? {
                 Ok(version) => Some(version.capabilities),
                 Err(Error::Command { .. }) => None,
                 Err(error) => return Err(error),
@@ -115,10 +115,10 @@ macro_rules! verbs {
         /// The vehicle has no parameter of this name, or does not answer.
         pub $($async)? fn param(&mut self, name: &str) -> Result<ParamValue, Error> {
             let name = Name::try_from(name)?;
-            self.learn() $($wait)*?;
+            self.learn()$(.$await)??;
             let access = self.session.params();
             let mut reading = Read::new(access, Which::Name(name), self.session.now());
-            Ok(self.run(&mut reading, |_| {}) $($wait)*?.value)
+            Ok(self.run(&mut reading, |_| {})$(.$await)??.value)
         }
 
         /// Sets a parameter, converting the value to the parameter's type, and returns the new value.
@@ -128,10 +128,10 @@ macro_rules! verbs {
         /// The vehicle has no parameter of this name, the type cannot hold the value, or the vehicle keeps another value.
         pub $($async)? fn set_param(&mut self, name: &str, value: impl Into<ParamValue>) -> Result<ParamValue, Error> {
             let name = Name::try_from(name)?;
-            self.learn() $($wait)*?;
+            self.learn()$(.$await)??;
             let access = self.session.params();
             let mut writing = Write::new(access, name, value, self.session.now());
-            Ok(self.run(&mut writing, |_| {}) $($wait)*?.value)
+            Ok(self.run(&mut writing, |_| {})$(.$await)??.value)
         }
 
         /// Lists all parameters in the order of their indices. Reports how many were received, and how many there are.
@@ -140,7 +140,7 @@ macro_rules! verbs {
         ///
         /// Some parameters do not arrive, even after all retries.
         pub $($async)? fn params(&mut self, mut progress: impl FnMut(u16, u16)) -> Result<Vec<Listed>, Error> {
-            self.learn() $($wait)*?;
+            self.learn()$(.$await)??;
             let access = self.session.params();
             let mut listing = List::new(access, vec![0; 4096], self.session.now());
             let mut listed = BTreeMap::new();
@@ -153,7 +153,7 @@ macro_rules! verbs {
                 }
                 ListProgress::Restarted => listed.clear(),
                 _ => {}
-            }) $($wait)*?;
+            })$(.$await)??;
             Ok(listed.into_values().collect())
         }
 
@@ -163,7 +163,7 @@ macro_rules! verbs {
         ///
         /// The vehicle refuses an item, or does not answer. It keeps its old mission.
         pub $($async)? fn upload(&mut self, items: &[MissionItem]) -> Result<Uploaded, Error> {
-            self.upload_plan(MavMissionType::MISSION, items, |_| {}) $($wait)*
+            self.upload_plan(MavMissionType::MISSION, items, |_| {})$(.$await)?
         }
 
         /// Replaces the mission, the fence or the rally points, and reports progress.
@@ -177,10 +177,10 @@ macro_rules! verbs {
             items: &[MissionItem],
             progress: impl FnMut(Sent),
         ) -> Result<Uploaded, Error> {
-            self.learn() $($wait)*?;
+            self.learn()$(.$await)??;
             let access = self.session.plan(plan);
             let mut uploading = Upload::new(access, items, self.session.now());
-            self.run(&mut uploading, progress) $($wait)*
+            self.run(&mut uploading, progress)$(.$await)?
         }
 
         /// Downloads the vehicle's mission.
@@ -189,7 +189,7 @@ macro_rules! verbs {
         ///
         /// The vehicle refuses, or does not send all items.
         pub $($async)? fn download(&mut self) -> Result<Vec<MissionItem>, Error> {
-            self.download_plan(MavMissionType::MISSION, |_, _| {}) $($wait)*
+            self.download_plan(MavMissionType::MISSION, |_, _| {})$(.$await)?
         }
 
         /// Downloads the mission, the fence or the rally points. Reports how many items were received, and how many there are.
@@ -202,14 +202,14 @@ macro_rules! verbs {
             plan: MavMissionType,
             mut progress: impl FnMut(u16, u16),
         ) -> Result<Vec<MissionItem>, Error> {
-            self.learn() $($wait)*?;
+            self.learn()$(.$await)??;
             let access = self.session.plan(plan);
             let mut downloading = Download::new(access, self.session.now());
             let mut items = Vec::new();
             self.run(&mut downloading, |told| {
                 items.push(told.item);
                 progress(told.seq.saturating_add(1), told.count);
-            }) $($wait)*?;
+            })$(.$await)??;
             Ok(items)
         }
 
@@ -221,7 +221,7 @@ macro_rules! verbs {
         pub $($async)? fn clear(&mut self, plan: MavMissionType) -> Result<(), Error> {
             let access = self.session.plan(plan);
             let mut clearing = Clear::new(access, self.session.now());
-            self.run(&mut clearing, |_| {}) $($wait)*?;
+            self.run(&mut clearing, |_| {})$(.$await)??;
             Ok(())
         }
 
@@ -231,13 +231,13 @@ macro_rules! verbs {
         ///
         /// The mission has no such item, or the vehicle does not answer.
         pub $($async)? fn set_current(&mut self, seq: u16) -> Result<(), Error> {
-            match self.command(&making_current(seq)) $($wait)* {
+            match self.command(&making_current(seq))$(.$await)? {
                 Err(Error::Command { failure: command::Failure::Refused { result: MavResult::UNSUPPORTED, .. }, .. }) => {}
                 other => return other.map(|_| ()),
             }
             let access = self.session.plan(MavMissionType::MISSION);
             let mut setting = SetCurrent::new(access, seq, self.session.now());
-            self.run(&mut setting, |_| {}) $($wait)*?;
+            self.run(&mut setting, |_| {})$(.$await)??;
             Ok(())
         }
 
@@ -249,7 +249,7 @@ macro_rules! verbs {
         pub $($async)? fn set_interval(&mut self, message_id: u32, interval: Interval) -> Result<Accepted, Error> {
             let (own, peer, options) = (self.session.own(), self.session.peer(), self.session.patience.command);
             let mut setting = interval::set(own, peer, options, (message_id, interval), self.session.now());
-            self.run(&mut setting, |_| {}) $($wait)*
+            self.run(&mut setting, |_| {})$(.$await)?
         }
 
         /// Asks how often the vehicle sends a message.
@@ -260,7 +260,7 @@ macro_rules! verbs {
         pub $($async)? fn interval(&mut self, message_id: u16) -> Result<Interval, Error> {
             let (own, peer, retry) = (self.session.own(), self.session.peer(), self.session.patience.retry);
             let mut getting = interval::Get::new(own, peer, retry, message_id, self.session.now());
-            self.run(&mut getting, |()| {}) $($wait)*
+            self.run(&mut getting, |()| {})$(.$await)?
         }
 
         /// Measures how far the vehicle's clock is ahead of this station's [`now`](Self::now).
@@ -271,7 +271,7 @@ macro_rules! verbs {
         pub $($async)? fn measure_time(&mut self) -> Result<Offset, Error> {
             let (own, peer, options) = (self.session.own(), self.session.peer(), self.session.patience.time);
             let mut measuring = Measure::new(own, peer, options, self.session.now());
-            self.run(&mut measuring, |_| {}) $($wait)*
+            self.run(&mut measuring, |_| {})$(.$await)?
         }
 
         /// The vehicle: the first one that was heard, or the one of [`set_vehicle`](Self::set_vehicle).
@@ -334,4 +334,4 @@ macro_rules! verbs {
     };
 }
 
-pub(super) use verbs;
+pub(crate) use verbs;
