@@ -75,6 +75,15 @@ impl Diagnostic {
         self
     }
 
+    /// Asks whether the name that is nearest to the wrong one was meant, if there is one.
+    #[must_use]
+    pub(crate) fn meant(self, nearest: Option<&str>) -> Self {
+        match nearest {
+            Some(name) => self.help(format!("did you mean `{name}`?")),
+            None => self,
+        }
+    }
+
     /// Whether it is an error or a warning.
     pub fn severity(&self) -> Severity {
         self.code.severity()

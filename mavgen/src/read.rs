@@ -14,7 +14,6 @@ mod include;
 mod message;
 mod overlay;
 mod prose;
-mod range;
 mod schema;
 mod tag;
 #[cfg(feature = "uorb")]
@@ -29,10 +28,9 @@ pub use uorb_overlay::read as read_uorb_overlay;
 pub(crate) use xml::MAX_DEPTH;
 
 use crate::diag::Diagnostics;
-use crate::source::{FileId, Sources, Span, Spanned};
-use crate::syntax::{File, Version};
+use crate::source::{FileId, Part, Sources, Spanned};
+use crate::syntax::{File, Tag, Text, Version};
 use elements::{Broken, Elements};
-use tag::Tag;
 
 /// Adds the text of a file that was asked for by name to the sources; what is wrong with it goes to `diagnostics`.
 #[cfg(any(feature = "vendor", feature = "uorb"))]
@@ -64,76 +62,62 @@ pub(crate) fn open_bytes(
 pub fn read(id: FileId, sources: &Sources, diagnostics: &mut Diagnostics) -> File {
     let mut file =
         File { id, includes: Vec::new(), version: None, dialect: None, enums: Vec::new(), messages: Vec::new() };
-    if let Some(source) = sources.get(id) {
-        let mut elements = Elements::new(id, source.text(), diagnostics);
-        match document(&mut elements, &mut file) {
-            Ok(()) | Err(Broken) => {}
-        }
-    }
+    document(id, sources, diagnostics, &grammar::MAVLINK, |elements, tag| read_child(elements, tag, &mut file));
     file
 }
 
-/// The root element, and nothing after it.
-fn document(elements: &mut Elements<'_, '_>, file: &mut File) -> Result<(), Broken> {
-    let root = elements.root(&grammar::MAVLINK)?;
-    elements.close_tag(root);
-    let mut once = Once::default();
-    while let Some(tag) = elements.next_child(&grammar::MAVLINK)? {
-        match tag.name {
-            "enums" => read_enums(elements, tag, file)?,
-            "messages" => read_messages(elements, tag, file)?,
-            "include" => read_include(elements, tag, file)?,
-            _ => once.read(elements, tag, file)?,
+/// Reads the root element of a file, its children by `child`, and nothing after it. Returns what the root of an overlay says: the
+/// version of its grammar, and what it is for.
+fn document(
+    id: FileId,
+    sources: &Sources,
+    diagnostics: &mut Diagnostics,
+    root: &'static grammar::Element,
+    mut child: impl for<'t, 'd> FnMut(&mut Elements<'t, 'd>, Tag<'t>) -> Result<(), Broken>,
+) -> (Option<Text>, Option<Text>) {
+    let Some(source) = sources.get(id) else { return (None, None) };
+    let is_dialect = std::ptr::eq(root, &grammar::MAVLINK);
+    let mut elements = Elements::new(Part::whole(id, source.text()), is_dialect, diagnostics);
+    let mut attributes = (None, None);
+    let mut document = || {
+        let mut tag = elements.root(root)?;
+        let said = (!is_dialect).then(|| (tag.require("version"), tag.require("for")));
+        if elements.close_tag(tag) {
+            attributes = said.unzip();
         }
+        while let Some(tag) = elements.next_child()? {
+            child(&mut elements, tag)?;
+        }
+        elements.end()
+    };
+    match document() {
+        Ok(()) | Err(Broken) => attributes,
     }
-    elements.end()
 }
 
-/// `<version>` and `<dialect>`, of which the last counts.
-#[derive(Default)]
-struct Once<'t> {
-    seen: Vec<(&'t str, Span)>,
-}
-
-impl<'t> Once<'t> {
-    fn read(&mut self, elements: &mut Elements<'t, '_>, tag: Tag<'t>, file: &mut File) -> Result<(), Broken> {
-        let (name, span) = (tag.name, tag.span);
-        match self.seen.iter().find(|(seen, _)| *seen == name) {
-            Some(&(_, first)) => elements.repeated(&tag, first),
-            None => self.seen.push((name, span)),
+/// Reads an element of a dialect file. Of `<version>` and `<dialect>`, the last counts.
+fn read_child<'t>(elements: &mut Elements<'t, '_>, tag: Tag<'t>, file: &mut File) -> Result<(), Broken> {
+    let (name, span) = (tag.name, tag.span);
+    if matches!(name, "version" | "dialect") {
+        elements.check_repeated(&tag, &[name]);
+    }
+    elements.close_tag(tag);
+    match name {
+        "enums" => return enums::read(elements, &mut file.enums),
+        "messages" => {
+            while let Some(tag) = elements.next_child()? {
+                file.messages.extend(message::read(elements, tag)?);
+            }
         }
-        elements.close_tag(tag);
-        if name == "dialect" {
-            file.dialect = elements.trimmed_text(&grammar::DIALECT)?;
-        } else {
-            let text = elements.trimmed_text(&grammar::VERSION)?;
+        "include" => {
+            let path = elements.text()?;
+            file.includes.push(path.unwrap_or_else(|| Spanned::new(String::new(), span)));
+        }
+        "dialect" => file.dialect = elements.text()?,
+        _ => {
             let messages_before = file.messages.len();
-            file.version = text.map(|text| Version { text, messages_before });
+            file.version = elements.text()?.map(|text| Version { text, messages_before });
         }
-        Ok(())
-    }
-}
-
-fn read_include<'t>(elements: &mut Elements<'t, '_>, tag: Tag<'t>, file: &mut File) -> Result<(), Broken> {
-    let span = tag.span;
-    elements.close_tag(tag);
-    let path = elements.trimmed_text(&grammar::INCLUDE)?;
-    file.includes.push(path.unwrap_or_else(|| Spanned::new(String::new(), span)));
-    Ok(())
-}
-
-fn read_enums<'t>(elements: &mut Elements<'t, '_>, tag: Tag<'t>, file: &mut File) -> Result<(), Broken> {
-    elements.close_tag(tag);
-    while let Some(tag) = elements.next_child(&grammar::ENUMS)? {
-        file.enums.extend(enums::read(elements, tag)?);
-    }
-    Ok(())
-}
-
-fn read_messages<'t>(elements: &mut Elements<'t, '_>, tag: Tag<'t>, file: &mut File) -> Result<(), Broken> {
-    elements.close_tag(tag);
-    while let Some(tag) = elements.next_child(&grammar::MESSAGES)? {
-        file.messages.extend(message::read(elements, tag)?);
     }
     Ok(())
 }

@@ -2,6 +2,10 @@
 //!
 //! Knows nothing of XML: it keeps texts, and turns a byte range into file, line and column.
 
+mod part;
+
+pub(crate) use part::Part;
+
 use crate::collect::CollectVec as _;
 use std::collections::HashSet;
 use std::ffi::OsString;

@@ -1,22 +1,25 @@
 //! The spanned syntax: what a file says, spelled as it is spelled.
 //!
-//! One type per element of `mavlink.xsd`; those of overlays are in [`overlay`] and `uorb_overlay`. Nothing is defaulted, converted or
-//! checked beyond what XML and the presence of
-//! required attributes demand; that is the work of [`crate::resolve`].
+//! One type per element of `mavlink.xsd`; those of overlays are in [`overlay`] and `uorb_overlay`. Nothing is defaulted,
+//! converted or checked beyond what XML and the presence of required attributes demand; that is the work of
+//! [`crate::resolve`].
 
+mod element;
 pub mod overlay;
 #[cfg(feature = "uorb")]
 pub mod uorb_overlay;
 
+pub(crate) use element::{Attribute, Element, Tag, Type, Written};
 pub use overlay::Overlay;
 
 use crate::source::{FileId, Span, Spanned};
+use element::{Member, element};
 
 /// Character data, with entities expanded, or an attribute value.
 pub type Text = Spanned<String>;
 
 /// One dialect file: the `<mavlink>` element.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct File {
     /// The source.
     pub id: FileId,
@@ -33,7 +36,7 @@ pub struct File {
 }
 
 /// `<version>`.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct Version {
     /// The number as it is written, trimmed.
     pub text: Text,
@@ -41,129 +44,111 @@ pub struct Version {
     pub messages_before: usize,
 }
 
-/// `<enum>`.
-#[derive(Clone, Debug)]
-pub struct Enum {
-    /// `name`.
-    pub name: Text,
-    /// `bitmask`.
-    pub bitmask: Option<Text>,
-    /// `<wip>`, `<superseded>` or `<deprecated>`.
-    pub lifecycle: Option<Lifecycle>,
-    /// `<description>`.
-    pub description: Option<Text>,
-    /// The entries, in document order.
-    pub entries: Vec<Entry>,
-    /// The start tag.
-    pub span: Span,
+element! {
+    /// `<enum>`.
+    Enum {
+        name: Text = "name",
+        bitmask: Option<Text> = "bitmask" as Boolean,
+        ;
+        /// `<wip>`, `<superseded>` or `<deprecated>`.
+        lifecycle: Option<Lifecycle>,
+        /// `<description>`.
+        description: Option<Text>,
+        /// The entries, in document order.
+        entries: Vec<Entry>,
+    }
 }
 
-/// `<entry>`.
-#[derive(Clone, Debug)]
-pub struct Entry {
-    /// `name`.
-    pub name: Text,
-    /// `value`; without one the entry gets its value automatically.
-    pub value: Option<Text>,
-    /// `hasLocation`.
-    pub has_location: Option<Text>,
-    /// `isDestination`.
-    pub is_destination: Option<Text>,
-    /// `missionOnly`.
-    pub mission_only: Option<Text>,
-    /// `<wip>`, `<superseded>` or `<deprecated>`.
-    pub lifecycle: Option<Lifecycle>,
-    /// `<description>`.
-    pub description: Option<Text>,
-    /// The params, in document order.
-    pub params: Vec<Param>,
-    /// The start tag.
-    pub span: Span,
+element! {
+    /// `<entry>`.
+    Entry {
+        /// Without one the entry gets its value automatically.
+        value: Option<Text> = "value" as Number,
+        name: Text = "name",
+        has_location: Option<Text> = "hasLocation" as Boolean,
+        is_destination: Option<Text> = "isDestination" as Boolean,
+        mission_only: Option<Text> = "missionOnly" as Boolean,
+        ;
+        /// `<wip>`, `<superseded>` or `<deprecated>`.
+        lifecycle: Option<Lifecycle>,
+        /// `<description>`.
+        description: Option<Text>,
+        /// The params, in document order.
+        params: Vec<Param>,
+        ;
+        unread
+        "hasAltitudeOnly" as Boolean,
+        "mission" as Boolean,
+        "fence" as Boolean,
+        "rally" as Boolean,
+        "command" as Boolean,
+    }
 }
 
-/// `<param>` of a command.
-#[derive(Clone, Debug)]
-pub struct Param {
-    /// `index`.
-    pub index: Text,
-    /// `label`.
-    pub label: Option<Text>,
-    /// `units`.
-    pub units: Option<Text>,
-    /// `enum`.
-    pub enum_: Option<Text>,
-    /// `increment`.
-    pub increment: Option<Text>,
-    /// `minValue`.
-    pub min: Option<Text>,
-    /// `maxValue`.
-    pub max: Option<Text>,
-    /// `reserved`.
-    pub reserved: Option<Text>,
-    /// `default`.
-    pub default: Option<Text>,
-    /// The text.
-    pub description: Option<Text>,
-    /// The start tag.
-    pub span: Span,
+element! {
+    /// `<param>` of a command.
+    Param {
+        index: Text = "index" as Byte,
+        label: Option<Text> = "label",
+        units: Option<Text> = "units",
+        enum_: Option<Text> = "enum",
+        increment: Option<Text> = "increment" as Float,
+        min: Option<Text> = "minValue" as Float,
+        max: Option<Text> = "maxValue" as Float,
+        reserved: Option<Text> = "reserved" as Boolean,
+        default: Option<Text> = "default" as Default,
+        ;
+        /// The text.
+        description: Option<Text>,
+        ;
+        unread
+        "multiplier" as Multiplier,
+        "instance" as Boolean,
+        "decimalPlaces" as Byte,
+    }
 }
 
-/// `<message>`.
-#[derive(Clone, Debug)]
-pub struct Message {
-    /// `id`.
-    pub id: Text,
-    /// `name`.
-    pub name: Text,
-    /// `<wip>`, `<superseded>` or `<deprecated>`.
-    pub lifecycle: Option<Lifecycle>,
-    /// `<description>`.
-    pub description: Option<Text>,
-    /// The fields, in document order.
-    pub fields: Vec<Field>,
-    /// Every `<extensions/>`, and how many fields stand before it.
-    pub extensions: Vec<Spanned<usize>>,
-    /// The start tag.
-    pub span: Span,
+element! {
+    /// `<message>`.
+    Message {
+        id: Text = "id",
+        name: Text = "name",
+        ;
+        /// `<wip>`, `<superseded>` or `<deprecated>`.
+        lifecycle: Option<Lifecycle>,
+        /// `<description>`.
+        description: Option<Text>,
+        /// The fields, in document order.
+        fields: Vec<Field>,
+        /// Every `<extensions/>`, and how many fields stand before it.
+        extensions: Vec<Spanned<usize>>,
+    }
 }
 
-/// `<field>`.
-#[derive(Clone, Debug)]
-pub struct Field {
-    /// `type`.
-    pub ty: Text,
-    /// `name`.
-    pub name: Text,
-    /// `enum`.
-    pub enum_: Option<Text>,
-    /// `display`.
-    pub display: Option<Text>,
-    /// `units`.
-    pub units: Option<Text>,
-    /// `print_format`.
-    pub print_format: Option<Text>,
-    /// `default`.
-    pub default: Option<Text>,
-    /// `minValue`.
-    pub min: Option<Text>,
-    /// `maxValue`.
-    pub max: Option<Text>,
-    /// `increment`.
-    pub increment: Option<Text>,
-    /// `multiplier`.
-    pub multiplier: Option<Text>,
-    /// `invalid`.
-    pub invalid: Option<Text>,
-    /// `instance`.
-    pub instance: Option<Text>,
-    /// The text.
-    pub description: Option<Text>,
-    /// The start tag.
-    pub span: Span,
+element! {
+    /// `<field>`.
+    Field {
+        ty: Text = "type" as OfField,
+        name: Text = "name",
+        print_format: Option<Text> = "print_format",
+        enum_: Option<Text> = "enum",
+        display: Option<Text> = "display",
+        units: Option<Text> = "units",
+        increment: Option<Text> = "increment" as Float,
+        min: Option<Text> = "minValue" as Float,
+        max: Option<Text> = "maxValue" as Float,
+        multiplier: Option<Text> = "multiplier" as Multiplier,
+        default: Option<Text> = "default" as Default,
+        instance: Option<Text> = "instance" as Boolean,
+        invalid: Option<Text> = "invalid",
+        ;
+        /// The text.
+        description: Option<Text>,
+    }
 }
 
 /// `<wip>`, `<superseded>` or `<deprecated>`.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct Lifecycle {
     /// Which of the three.
     pub stage: Stage,

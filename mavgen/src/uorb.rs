@@ -5,7 +5,6 @@
 //! takes by accident is an error.
 
 mod comment;
-mod constant;
 mod enums;
 mod folder;
 mod hash;

@@ -45,7 +45,7 @@ fn problems(definition: &str, overlay: Option<&str>) -> Vec<String> {
         Loaded { name: "base".to_owned(), files: vec![file.into()], includes: vec![Vec::new()], ..Loaded::default() };
     if let Some(text) = overlay {
         let overlay = read_overlay(sources.add("base.overlay.xml", text), &sources, &mut diagnostics);
-        loaded.overlays.push(overlay);
+        loaded.overlays.push(overlay.into());
     }
     let (sources, diagnostics) = match Resolved::of(loaded, sources, diagnostics) {
         Ok(Resolved { sources, diagnostics, .. }) => (sources, diagnostics),

@@ -51,7 +51,7 @@ fn fate(dialect: &str, overlay: Option<&str>) -> Result<Fate, TestCaseError> {
     loaded.includes.push(Vec::new());
     if let Some(overlay) = overlay {
         let id = sources.add("autoquad.overlay.xml", overlay);
-        loaded.overlays.push(read_overlay(id, &sources, &mut diagnostics));
+        loaded.overlays.push(read_overlay(id, &sources, &mut diagnostics).into());
     }
     let outcome = Resolved::of(loaded, sources, diagnostics);
     let (diagnostics, sources) = match &outcome {

@@ -24,7 +24,7 @@ fn dialect(files: &[(&str, &str)], overlay: Option<&str>) -> Dialect {
     }
     if let Some(overlay) = overlay {
         let id = sources.add("overlay.xml", overlay);
-        loaded.overlays.push(read_overlay(id, &sources, &mut diagnostics));
+        loaded.overlays.push(read_overlay(id, &sources, &mut diagnostics).into());
     }
     loaded.includes = vec![Vec::new(); files.len()];
     loaded.includes[0] = (1..files.len()).map(FileIndex).collect();

@@ -5,8 +5,9 @@ use std::ops::Range;
 
 use quick_xml::escape::{EscapeError, unescape};
 
+use super::fault::{Fault, not_well_formed};
 use crate::diag::{Code, Diagnostic};
-use crate::source::Span;
+use crate::source::Part;
 
 /// The blanks of XML; Unicode has more.
 pub(super) const BLANKS: [char; 4] = [' ', '\t', '\r', '\n'];
@@ -36,23 +37,18 @@ pub(super) fn is_name(text: &str) -> bool {
 }
 
 /// What a reference stands for: `reference` is all of it, from `&` to `;`.
-pub(super) fn expand(reference: &str, span: Span) -> Result<Cow<'_, str>, Box<Diagnostic>> {
-    let wrong = |code, message: String| Diagnostic::new(code, span, message);
-    let plain = "write `&amp;` for a plain `&`";
+pub(super) fn expand(reference: Part<'_>) -> Result<Cow<'_, str>, Fault> {
+    let (span, reference) = (reference.span(), reference.text);
     match unescape(reference) {
         Ok(text) if illegal(&text).is_none() => Ok(text),
         Ok(_) | Err(EscapeError::InvalidCharRef(_)) => {
-            let message = format!("`{reference}` is not a character that XML allows");
-            Err(wrong(Code::NotWellFormed, message).into())
+            Err(not_well_formed(span, format!("`{reference}` is not a character that XML allows")).into())
         }
         Err(EscapeError::UnrecognizedEntity(_, name)) if is_name(&name) => {
             let help = "XML knows `&amp;`, `&lt;`, `&gt;`, `&quot;` and `&apos;`; write any other character itself, or by its number as in `&#176;`";
-            Err(wrong(Code::UnknownEntity, format!("unknown entity `{reference}`")).help(help).into())
+            Err(Diagnostic::new(Code::UnknownEntity, span, format!("unknown entity `{reference}`")).help(help).into())
         }
-        Err(_) => {
-            let message = "`&` starts no reference";
-            Err(wrong(Code::NotWellFormed, message.to_owned()).help(plain).into())
-        }
+        Err(_) => Err(not_well_formed(span, "`&` starts no reference").help("write `&amp;` for a plain `&`").into()),
     }
 }
 
@@ -63,8 +59,8 @@ mod tests {
 
     #[test]
     fn references() {
-        let span = Span::new(Sources::default().add("a.xml", ""), 0..0);
-        let code = |reference: &'static str| expand(reference, span).map_err(|diagnostic| diagnostic.code);
+        let id = Sources::default().add("a.xml", "");
+        let code = |reference: &'static str| expand(Part::whole(id, reference)).map_err(|diagnostic| diagnostic.code);
         for (reference, expected) in [
             ("&amp;", Ok("&")),
             ("&lt;", Ok("<")),

@@ -2,14 +2,14 @@
 
 use super::characters::illegal;
 use super::encoding;
-use super::grammar::{self, Child, Element, TextKind, Times};
-use super::range::{first_line, trimmed};
+use super::fault::not_well_formed;
+use super::grammar::{Child, Element, TextKind, Times};
 use super::schema;
-use super::tag::{self, Tag};
+use super::tag;
 use super::xml::{Content, Token, Xml};
 use crate::diag::{Code, Diagnostic, Diagnostics, nearest};
-use crate::source::{FileId, Span};
-use crate::syntax::Text;
+use crate::source::{Part, Span};
+use crate::syntax::{self, Tag, Text, Type, Written};
 
 /// The text is no XML: it was said, and nothing more can be read.
 #[derive(Debug)]
@@ -17,27 +17,29 @@ pub(super) struct Broken;
 
 /// The elements of one text.
 pub(super) struct Elements<'t, 'd> {
-    file: FileId,
     xml: Xml<'t>,
     diagnostics: &'d mut Diagnostics,
     /// What stood in the element that was closed last.
     closed: Content,
     /// Whether pymavlink reads the file, so that what it refuses is worth a word.
     is_dialect: bool,
-    /// For each element that is open, from the root: what has stood in it so far.
-    inside: Vec<Progress>,
-    /// That of the element that was closed last.
-    left: Option<Progress>,
+    /// The elements that are open, from the root.
+    open: Vec<Open>,
 }
 
-/// What has stood in an element so far.
-struct Progress {
-    /// The start tag of the element.
+/// An element of the grammar that is open.
+struct Open {
+    element: &'static Element,
+    /// Its start tag.
     tag: Span,
-    /// The child of the highest place: none of a lower one may follow.
-    furthest: Option<&'static Child>,
-    /// The children that were there.
-    seen: Vec<&'static str>,
+    /// The first one of each kind of child that has stood in it.
+    seen: Vec<(&'static Child, Span)>,
+}
+
+impl Open {
+    fn first(&self, name: &str) -> Option<Span> {
+        self.seen.iter().find(|(child, _)| child.element.name == name).map(|(_, first)| *first)
+    }
 }
 
 /// A token with its attributes read.
@@ -48,36 +50,31 @@ enum Step<'t> {
 }
 
 impl<'t, 'd> Elements<'t, 'd> {
-    pub(super) fn new(file: FileId, text: &'t str, diagnostics: &'d mut Diagnostics) -> Self {
-        let (closed, inside) = (Content::default(), Vec::new());
-        Self { file, xml: Xml::new(file, text), diagnostics, closed, is_dialect: false, inside, left: None }
+    pub(super) fn new(source: Part<'t>, is_dialect: bool, diagnostics: &'d mut Diagnostics) -> Self {
+        Self { xml: Xml::new(source), diagnostics, closed: Content::default(), is_dialect, open: Vec::new() }
     }
 
     /// The start tag of the root element.
     pub(super) fn root(&mut self, element: &'static Element) -> Result<Tag<'t>, Broken> {
-        let name = element.name;
-        if let Some((range, character)) = illegal(self.xml.text()) {
-            let code = u32::from(character);
-            let message = format!("the character U+{code:04X} is not allowed in XML");
-            let fault = Diagnostic::new(Code::NotWellFormed, self.xml.span(range), message);
-            return Err(self.broken(fault));
+        let (name, source) = (element.name, self.xml.source);
+        if let Some((range, character)) = illegal(source.text) {
+            let message = format!("the character U+{:04X} is not allowed in XML", u32::from(character));
+            return Err(self.broken(not_well_formed(source.span_of(range), message)));
         }
-        self.diagnostics.extend(encoding::check(self.file, self.xml.text()));
+        self.diagnostics.extend(encoding::check(source));
         match self.step()? {
             Step::Child(tag) if tag.name == name => {
-                self.is_dialect = std::ptr::eq(element, &grammar::MAVLINK);
-                Ok(self.known(tag, element))
+                self.enter(element, &tag);
+                Ok(tag)
             }
             Step::Child(tag) => {
                 let message = format!("the root element is `<{}>`", tag.name);
                 let label = format!("`<{name}>` is expected");
-                let fault = Diagnostic::new(Code::WrongRoot, tag.span, message).label(label);
-                Err(self.broken(fault))
+                Err(self.broken(Diagnostic::new(Code::WrongRoot, tag.span, message).label(label)))
             }
             Step::Close | Step::End => {
                 let message = format!("the file has no `<{name}>` element");
-                let fault = Diagnostic::new(Code::WrongRoot, self.xml.span(0..0), message);
-                Err(self.broken(fault))
+                Err(self.broken(Diagnostic::new(Code::WrongRoot, source.span_of(0..0), message)))
             }
         }
     }
@@ -87,80 +84,97 @@ impl<'t, 'd> Elements<'t, 'd> {
         self.step().map(|_| ())
     }
 
-    /// Reports the attributes that were not asked for and those that are missing; whether none is missing.
-    pub(super) fn close_tag(&mut self, tag: Tag<'t>) -> bool {
-        if self.is_dialect {
-            self.diagnostics.extend(tag.refused_names());
+    /// Reads an element that has others, each by `child`; `None` if a required attribute is missing.
+    pub(super) fn element<E: syntax::Element>(
+        &mut self,
+        mut tag: Tag<'t>,
+        mut child: impl FnMut(&mut E, &mut Self, Tag<'t>) -> Result<(), Broken>,
+    ) -> Result<Option<E>, Broken> {
+        let mut element = E::of(&mut tag);
+        let is_complete = self.close_tag(tag);
+        while let Some(tag) = self.next_child()? {
+            child(&mut element, self, tag)?;
         }
-        tag.report(self.is_dialect, self.diagnostics)
+        Ok(is_complete.then_some(element))
     }
 
-    /// The next element in the one that is open, an `element`, if the grammar has it; `None` once that is closed.
+    /// Reads an element that has only text, which `text` puts into it; `None` if a required attribute is missing.
+    pub(super) fn leaf<E: syntax::Element>(
+        &mut self,
+        mut tag: Tag<'t>,
+        text: impl FnOnce(&mut E, Option<Text>),
+    ) -> Result<Option<E>, Broken> {
+        let mut element = E::of(&mut tag);
+        let is_complete = self.close_tag(tag);
+        text(&mut element, self.text()?);
+        Ok(is_complete.then_some(element))
+    }
+
+    /// The next element in the one that is open, if the grammar has it; `None` once that is closed.
     ///
     /// The caller reads the child to its end.
-    pub(super) fn next_child(&mut self, element: &'static Element) -> Result<Option<Tag<'t>>, Broken> {
+    pub(super) fn next_child(&mut self) -> Result<Option<Tag<'t>>, Broken> {
         loop {
             match self.step()? {
-                Step::Child(tag) => match element.child(tag.name) {
+                Step::Child(tag) => match self.open.last().and_then(|around| around.element.child(tag.name)) {
                     Some(child) => {
-                        self.check_place(&tag, element, child);
-                        return Ok(Some(self.known(tag, child.element)));
+                        self.check_place(&tag, child);
+                        self.enter(child.element, &tag);
+                        return Ok(Some(tag));
                     }
                     None => {
-                        self.unknown(&tag, element);
+                        self.unknown(&tag);
                         self.skip()?;
                     }
                 },
                 Step::Close | Step::End => {
-                    self.stray(element);
-                    self.check_complete(element);
+                    self.leave();
                     return Ok(None);
                 }
             }
         }
     }
 
-    /// The tag as that of an `element` of the grammar. Says what pymavlink's schema refuses of its attributes.
-    fn known(&mut self, tag: Tag<'t>, element: &'static Element) -> Tag<'t> {
-        let tag = tag.of(element);
+    fn enter(&mut self, element: &'static Element, tag: &Tag<'t>) {
         if self.is_dialect {
-            self.diagnostics.extend(tag.refused_values());
+            self.diagnostics.extend(tag.attributes.iter().filter_map(|written| refused_value(element, written)));
         }
-        tag
+        self.open.push(Open { element, tag: tag.span, seen: Vec::new() });
     }
 
-    /// Reads to the end of an `element` that has only text, and elements that do not matter.
-    pub(super) fn text(&mut self, element: &'static Element) -> Result<Option<Text>, Broken> {
-        while self.next_child(element)?.is_some() {
-            self.skip()?;
+    /// Checks what stood in the element that was closed.
+    fn leave(&mut self) {
+        if let Some(left) = self.open.pop() {
+            self.check_text(&left);
+            self.check_complete(&left);
         }
-        let text = self.closed.text.take();
-        if let TextKind::Fact(ty) = element.text {
-            let (said, tag) = (text.as_ref(), self.left.as_ref().map(|left| left.tag));
-            let place = said.map(|text| self.xml.span(trimmed(self.xml.text(), text.span.range()))).or(tag);
-            let said = said.map_or("", |text| text.value.as_str());
-            if let Some(place) = place.filter(|_| self.is_dialect && !ty.allows(said)) {
-                self.diagnostics.push(schema::refused(&format!("`<{}>` is", element.name), ty, said, place));
-            }
-        }
-        Ok(text)
     }
 
-    /// Like [`Self::text`], without blanks at both ends; blanks alone are no text.
-    pub(super) fn trimmed_text(&mut self, element: &'static Element) -> Result<Option<Text>, Broken> {
-        self.closed.text = self.text(element)?;
-        Ok(self.trimmed_content())
+    /// Reads to the end of an element that has only text, and elements that do not matter.
+    pub(super) fn text(&mut self) -> Result<Option<Text>, Broken> {
+        let kind = self.open.last().map(|open| open.element.text);
+        while self.next_child()?.is_some() {
+            self.pass_over()?;
+        }
+        Ok(if kind == Some(TextKind::Prose) { self.closed.text.take() } else { self.trimmed_content() })
     }
 
     /// The text that stood in the element that was closed last, without blanks at both ends; blanks alone are no text.
     pub(super) fn trimmed_content(&mut self) -> Option<Text> {
-        let text = self.closed.text.take().filter(|text| !text.value.trim().is_empty())?;
-        let range = trimmed(self.xml.text(), text.span.range());
-        Some(Text::new(text.value.trim().to_owned(), self.xml.span(range)))
+        let text = self.closed.text.take()?;
+        let value = text.value.trim();
+        let place = self.xml.source.get(text.span.range()).trimmed();
+        (!value.is_empty()).then(|| Text::new(value.to_owned(), place.span()))
     }
 
-    /// Reads to the end of the element that is open.
-    pub(super) fn skip(&mut self) -> Result<(), Broken> {
+    /// Reads to the end of the child that came last, whatever is in it.
+    pub(super) fn pass_over(&mut self) -> Result<(), Broken> {
+        self.open.pop();
+        self.skip()
+    }
+
+    /// Reads to the end of the element whose start tag came last.
+    fn skip(&mut self) -> Result<(), Broken> {
         let mut depth = 1_usize;
         while depth > 0 {
             match self.step()? {
@@ -177,25 +191,25 @@ impl<'t, 'd> Elements<'t, 'd> {
         self.diagnostics.push(problem);
     }
 
-    /// Reports an element that may stand once and stood at `first` already.
-    pub(super) fn repeated(&mut self, tag: &Tag<'t>, first: Span) {
-        let essential = tag.element.is_some_and(|element| element.essential);
-        let code = if essential { Code::DuplicateElement } else { Code::RepeatedElement };
+    /// Reports the child that came last if one of these names, of which an element has at most one, came before.
+    pub(super) fn check_repeated(&mut self, tag: &Tag<'t>, names: &[&str]) {
+        let [.., around, child] = &self.open[..] else { return };
+        let Some(first) = names.iter().filter_map(|name| around.first(name)).min().filter(|first| *first != tag.span)
+        else {
+            return;
+        };
+        let code = if child.element.essential { Code::DuplicateElement } else { Code::RepeatedElement };
         let problem = Diagnostic::new(code, tag.span, format!("a second `<{}>`", tag.name)).label("again here");
         self.diagnostics.push(problem.related(first, "first here"));
     }
 
     fn step(&mut self) -> Result<Step<'t>, Broken> {
         match self.xml.next() {
-            Ok(Token::Open(name, range)) => {
-                let source = (self.file, self.xml.text());
-                let tag = tag::read(source, name, range, self.diagnostics).map_err(|fault| self.broken(*fault))?;
-                self.inside.push(Progress { tag: tag.span, furthest: None, seen: Vec::new() });
-                Ok(Step::Child(tag))
+            Ok(Token::Open(name, part)) => {
+                tag::read(name, part, self.diagnostics).map(Step::Child).map_err(|fault| self.broken(*fault))
             }
             Ok(Token::Close(content)) => {
                 self.closed = content;
-                self.left = self.inside.pop();
                 Ok(Step::Close)
             }
             Ok(Token::End) => Ok(Step::End),
@@ -217,63 +231,99 @@ impl<'t, 'd> Elements<'t, 'd> {
         Broken
     }
 
-    /// Says where pymavlink's schema wants another order. What is about to be read stands on top of what is open.
-    fn check_place(&mut self, tag: &Tag<'t>, element: &Element, child: &'static Child) {
-        let Some(around) = self.inside.iter_mut().nth_back(1).filter(|_| self.is_dialect) else { return };
-        let first = around.furthest.filter(|first| first.place > child.place);
-        let again = child.times != Times::Any && around.seen.contains(&tag.name);
-        around.seen.push(child.element.name);
-        if around.furthest.is_none_or(|first| first.place < child.place) {
-            around.furthest = Some(child);
-        }
-        let (name, place) = (tag.name, self.xml.span(first_line(self.xml.text(), tag.span.range())));
-        let problem = if let Some(first) = first {
-            let first = first.element.name;
-            schema::misplaced(
-                &format!("`<{name}>` stands after `<{first}>`"),
-                place,
-                format!("move it before the first `<{first}>`"),
-            )
-        } else if again {
-            schema::misplaced(
-                &format!("`<{name}>` stands twice in `<{}>`", element.name),
-                place,
-                "join the two".to_owned(),
-            )
-        } else {
-            return;
-        };
-        self.diagnostics.push(problem);
+    /// The first line of what stands at a place.
+    fn first_line(&self, place: Span) -> Span {
+        self.xml.source.get(place.range()).first_line().span()
     }
 
-    /// Says what pymavlink's schema misses in the element that was closed last.
-    fn check_complete(&mut self, element: &Element) {
-        let Some(left) = self.left.as_ref().filter(|_| self.is_dialect) else { return };
-        let mut required = element.children.iter().filter(|child| child.times == Times::Once);
-        let Some(missing) = required.find(|child| !left.seen.contains(&child.element.name)) else { return };
-        let missing = missing.element.name;
-        let place = self.xml.span(first_line(self.xml.text(), left.tag.range()));
+    /// Reports the attributes that nobody took, those that are missing, and those that pymavlink's schema refuses; whether none
+    /// is missing.
+    pub(super) fn close_tag(&mut self, tag: Tag<'t>) -> bool {
+        let Some(Open { element, .. }) = self.open.last() else { return false };
+        if self.is_dialect {
+            self.diagnostics.extend(tag.attributes.iter().filter_map(foreign));
+        }
+        if !tag.missing.is_empty() {
+            let message = format!("`<{}>` lacks its `{}`", tag.name, tag.missing.join("` and `"));
+            let label = format!("`{}=\"…\"` is required here", tag.missing.join("=\"…\" "));
+            self.diagnostics.push(Diagnostic::new(Code::MissingAttribute, tag.span, message).label(label));
+        }
+        let is_known = |name: &str| is_foreign(name) || element.attribute(name).is_some();
+        let unknown = tag.attributes.iter().filter(|attribute| !is_known(attribute.name));
+        self.diagnostics.extend(unknown.map(|attribute| unknown_attribute(element, attribute, self.is_dialect)));
+        tag.missing.is_empty()
+    }
+
+    /// Notes a child, and says where pymavlink's schema wants another order.
+    fn check_place(&mut self, tag: &Tag<'t>, child: &'static Child) {
+        let Some(around) = self.open.last_mut() else { return };
+        let is_again = around.first(tag.name).is_some();
+        // Of several in the highest place, the first.
+        let furthest = around.seen.iter().rev().max_by_key(|(seen, _)| seen.place).map(|(seen, _)| *seen);
+        if !is_again {
+            around.seen.push((child, tag.span));
+        }
+        let (name, element) = (tag.name, around.element.name);
+        let (message, help) = match furthest.filter(|furthest| furthest.place > child.place) {
+            Some(Child { element: Element { name: first, .. }, .. }) => {
+                (format!("`<{name}>` stands after `<{first}>`"), format!("move it before the first `<{first}>`"))
+            }
+            None if is_again && child.times != Times::Any => {
+                (format!("`<{name}>` stands twice in `<{element}>`"), "join the two".to_owned())
+            }
+            None => return,
+        };
+        self.misplaced(&message, tag.span, help);
+    }
+
+    /// Says what pymavlink's schema misses in an element.
+    fn check_complete(&mut self, left: &Open) {
+        let mut required = left.element.children.iter().filter(|child| child.times == Times::Once);
+        let Some(missing) = required.find(|child| left.first(child.element.name).is_none()) else { return };
+        let (name, missing) = (left.element.name, missing.element.name);
         let help = format!("add `<{missing}>…</{missing}>`, or an empty `<{missing}/>`");
-        self.diagnostics.push(schema::misplaced(&format!("`<{}>` has no `<{missing}>`", element.name), place, help));
+        self.misplaced(&format!("`<{name}>` has no `<{missing}>`"), left.tag, help);
+    }
+
+    fn misplaced(&mut self, message: &str, element: Span, help: String) {
+        if self.is_dialect {
+            self.diagnostics.push(schema::misplaced(message, self.first_line(element), help));
+        }
+    }
+
+    /// Reports text that pymavlink's schema refuses in the element that was closed, and any text if it is no place for text.
+    fn check_text(&mut self, left: &Open) {
+        let (name, source) = (left.element.name, self.xml.source);
+        match (left.element.text, self.closed.first) {
+            (TextKind::None, Some(first)) => {
+                let place = source.get(first.range()).trimmed().first_line().span();
+                let label = if self.is_dialect { "ignored; pymavlink refuses it" } else { "ignored" };
+                let problem = Diagnostic::new(Code::StrayText, place, format!("text in `<{name}>`"));
+                self.diagnostics.push(problem.label(label));
+            }
+            (TextKind::Trimmed(ty), _) if self.is_dialect => {
+                let text = self.closed.text.as_ref();
+                let place = text.map_or(left.tag, |text| source.get(text.span.range()).trimmed().span());
+                let text = text.map_or("", |text| text.value.as_str());
+                self.diagnostics.extend(schema::refused(&format!("`<{name}>` is"), ty, text, place));
+            }
+            _ => {}
+        }
     }
 
     /// Reports an element that the grammar does not have. One that is nearly another of which the wire, or a name, depends
     /// would be lost from there in silence.
-    fn unknown(&mut self, tag: &Tag<'t>, element: &Element) {
-        let message = format!("`<{}>` has no element `<{}>`", element.name, tag.name);
-        let place = self.xml.span(first_line(self.xml.text(), tag.span.range()));
+    fn unknown(&mut self, tag: &Tag<'t>) {
+        let Some(Open { element, .. }) = self.open.last() else { return };
         let meant = nearest(tag.name, element.children.iter().map(|child| child.element.name));
         let meant = meant.and_then(|name| element.child(name)).map(|child| child.element);
-        let code = match meant {
-            Some(meant) if meant.essential => Code::Misspelt,
-            _ => Code::UnknownElement,
+        let (code, label) = match meant {
+            Some(meant) if meant.essential => (Code::Misspelt, "all that is in it would be lost"),
+            _ if self.is_dialect => (Code::UnknownElement, "ignored, with all that is in it; pymavlink refuses it"),
+            _ => (Code::UnknownElement, "ignored, with all that is in it"),
         };
-        let problem = Diagnostic::new(code, place, message);
-        let problem = match code {
-            Code::Misspelt => problem.label("all that is in it would be lost"),
-            _ if self.is_dialect => problem.label("ignored, with all that is in it; pymavlink refuses it"),
-            _ => problem.label("ignored, with all that is in it"),
-        };
+        let message = format!("`<{}>` has no element `<{}>`", element.name, tag.name);
+        let problem = Diagnostic::new(code, self.first_line(tag.span), message).label(label);
         self.diagnostics.push(match meant {
             Some(meant) => problem.help(format!("did you mean `<{}>`?", meant.name)),
             None if element.name == "extensions" => {
@@ -282,14 +332,35 @@ impl<'t, 'd> Elements<'t, 'd> {
             None => problem,
         });
     }
+}
 
-    /// Reports text in the element that was closed last, if it is no place for text.
-    fn stray(&mut self, element: &Element) {
-        let Some(first) = self.closed.first.filter(|_| element.text == TextKind::None) else { return };
-        let text = self.xml.text();
-        let place = self.xml.span(first_line(text, trimmed(text, first.range())));
-        let message = format!("text in `<{}>`", element.name);
-        let label = if self.is_dialect { "ignored; pymavlink refuses it" } else { "ignored" };
-        self.diagnostics.push(Diagnostic::new(Code::StrayText, place, message).label(label));
-    }
+/// Whether an attribute belongs to another grammar, or to XML itself.
+fn is_foreign(name: &str) -> bool {
+    name == "xmlns" || name.contains(':')
+}
+
+/// An attribute of another namespace, of which pymavlink's schema has none.
+fn foreign(attribute: &Written<'_>) -> Option<Diagnostic> {
+    let name = attribute.name;
+    let is_known = !is_foreign(name) || name.starts_with("xmlns:") || name.starts_with("xsi:");
+    let help = "its schema has no namespaces".to_owned();
+    (!is_known).then(|| schema::misplaced(&format!("the attribute `{name}`"), attribute.name_span, help))
+}
+
+/// What pymavlink's schema refuses of the value of an attribute.
+fn refused_value(element: &Element, Written { name, value, .. }: &Written<'_>) -> Option<Diagnostic> {
+    schema::refused(&format!("`{name}` is"), element.attribute(name)?.ty, &value.value, value.span)
+}
+
+/// What is said of an attribute that the grammar does not have.
+fn unknown_attribute(element: &Element, attribute: &Written<'_>, is_dialect: bool) -> Diagnostic {
+    let meant = nearest(attribute.name, element.attributes.iter().map(|known| known.name));
+    let is_essential = meant.and_then(|name| element.attribute(name)).is_some_and(|known| known.ty == Type::Number);
+    let (code, label) = match is_essential {
+        true => (Code::Misspelt, "would be lost"),
+        false if is_dialect => (Code::UnknownAttribute, "ignored; pymavlink refuses it"),
+        false => (Code::UnknownAttribute, "ignored"),
+    };
+    let message = format!("`<{}>` has no attribute `{}`", element.name, attribute.name);
+    Diagnostic::new(code, attribute.name_span, message).label(label).meant(meant)
 }

@@ -2,13 +2,14 @@
 
 use super::characters::BLANKS;
 use crate::diag::{Code, Diagnostic};
-use crate::source::{FileId, Span};
+use crate::source::Part;
 
 /// Looks at the declaration at the start of a text, which was read as UTF-8 whatever it says.
 ///
 /// Other parsers believe it (expat does, and so pymavlink). A text of plain ASCII is the same in all encodings but the wide
 /// ones.
-pub(super) fn check(file: FileId, text: &str) -> Option<Diagnostic> {
+pub(super) fn check(source: Part<'_>) -> Option<Diagnostic> {
+    let text = source.text;
     let declaration = text.strip_prefix("<?xml")?;
     let declaration = declaration.get(..declaration.find("?>")?)?;
     let at = declaration.find("encoding")? + "encoding".len();
@@ -20,9 +21,8 @@ pub(super) fn check(file: FileId, text: &str) -> Option<Diagnostic> {
     if lower == "utf-8" || !wide && text.is_ascii() {
         return None;
     }
-    let start = "<?xml".len() + declaration.len() - value.len() + 1;
     let message = format!("the file is UTF-8, but declares to be `{name}`");
-    let problem = Diagnostic::new(Code::DeclaredEncoding, Span::new(file, start..start + name.len()), message);
+    let problem = Diagnostic::new(Code::DeclaredEncoding, source.with(name).span(), message);
     Some(problem.label("other parsers believe this").help("write `encoding=\"UTF-8\"`"))
 }
 
@@ -46,7 +46,7 @@ mod tests {
             ("<?xml version='1.0'", None),
             ("°", None),
         ] {
-            let problem = check(Sources::default().add("a.xml", text), text);
+            let problem = check(Part::whole(Sources::default().add("a.xml", text), text));
             let place = problem.map(|problem| text.get(problem.span.unwrap().range()).unwrap().to_owned());
             assert_eq!(place.as_deref(), found, "{text}");
         }

@@ -1,67 +1,29 @@
-//! `<enum>`, its entries and their params.
+//! `<enums>`: enums, their entries and the params of these.
 
 use super::elements::{Broken, Elements};
-use super::grammar;
-use super::prose::Prose;
-use super::tag::Tag;
-use crate::syntax::{Entry, Enum, Param};
+use super::prose;
+use crate::syntax::{Entry, Enum, Param, Tag};
 
-/// Reads an enum; `None` if it has no name.
-pub(super) fn read<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>) -> Result<Option<Enum>, Broken> {
-    let span = tag.span;
-    let (name, bitmask) = (tag.require("name"), tag.take("bitmask"));
-    let complete = elements.close_tag(tag);
-    let mut prose = Prose::default();
-    let mut entries = Vec::new();
-    while let Some(tag) = elements.next_child(&grammar::ENUM)? {
-        match tag.name {
-            "entry" => entries.extend(read_entry(elements, tag)?),
-            _ => prose.read(elements, tag)?,
-        }
+/// Reads the enums in an element.
+pub(super) fn read(elements: &mut Elements<'_, '_>, enums: &mut Vec<Enum>) -> Result<(), Broken> {
+    while let Some(tag) = elements.next_child()? {
+        enums.extend(elements.element(tag, |one: &mut Enum, elements, tag| {
+            if tag.name == "entry" {
+                one.entries.extend(read_entry(elements, tag)?);
+                return Ok(());
+            }
+            prose::read(elements, tag, &mut one.description, &mut one.lifecycle)
+        })?);
     }
-    let Prose { description, lifecycle, .. } = prose;
-    Ok(complete.then_some(Enum { name, bitmask, lifecycle, description, entries, span }))
+    Ok(())
 }
 
-fn read_entry<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>) -> Result<Option<Entry>, Broken> {
-    let mut entry = Entry {
-        name: tag.require("name"),
-        value: tag.take("value"),
-        has_location: tag.take("hasLocation"),
-        is_destination: tag.take("isDestination"),
-        mission_only: tag.take("missionOnly"),
-        lifecycle: None,
-        description: None,
-        params: Vec::new(),
-        span: tag.span,
-    };
-    let complete = elements.close_tag(tag);
-    let mut prose = Prose::default();
-    while let Some(tag) = elements.next_child(&grammar::ENTRY)? {
-        match tag.name {
-            "param" => entry.params.extend(read_param(elements, tag)?),
-            _ => prose.read(elements, tag)?,
+fn read_entry<'t>(elements: &mut Elements<'t, '_>, tag: Tag<'t>) -> Result<Option<Entry>, Broken> {
+    elements.element(tag, |entry: &mut Entry, elements, tag| {
+        if tag.name == "param" {
+            entry.params.extend(elements.leaf(tag, |param: &mut Param, text| param.description = text)?);
+            return Ok(());
         }
-    }
-    (entry.description, entry.lifecycle) = (prose.description, prose.lifecycle);
-    Ok(complete.then_some(entry))
-}
-
-fn read_param<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>) -> Result<Option<Param>, Broken> {
-    let mut param = Param {
-        index: tag.require("index"),
-        label: tag.take("label"),
-        units: tag.take("units"),
-        enum_: tag.take("enum"),
-        increment: tag.take("increment"),
-        min: tag.take("minValue"),
-        max: tag.take("maxValue"),
-        reserved: tag.take("reserved"),
-        default: tag.take("default"),
-        description: None,
-        span: tag.span,
-    };
-    let complete = elements.close_tag(tag);
-    param.description = elements.text(&grammar::PARAM)?;
-    Ok(complete.then_some(param))
+        prose::read(elements, tag, &mut entry.description, &mut entry.lifecycle)
+    })
 }

@@ -1,9 +1,15 @@
-//! The grammar: which elements and attributes dialect files and overlays have, in one table for all who ask.
+//! The grammar: which elements dialect files and overlays have, in one table for all who ask. Which attributes they have is said
+//! where their types are, in [`crate::syntax`].
 //!
 //! That of dialect files is `mavschema.xsd` of pymavlink, with its order and its types, though the reader is more lenient: it
 //! takes elements in any order. That of overlays is ours.
 
-use super::schema::Type;
+use crate::syntax::overlay::{
+    Additions, Bind, Bits, Command, Invalid, Key, NamedParam, Note, Refinement, Reserved, Switch, View,
+};
+#[cfg(feature = "uorb")]
+use crate::syntax::uorb_overlay;
+use crate::syntax::{Attribute, Entry, Enum, Field, Message, Param, Type};
 
 /// An element.
 pub(crate) struct Element {
@@ -34,18 +40,10 @@ pub(crate) enum Filling {
 pub(crate) enum TextKind {
     /// There is none.
     None,
-    /// A fact: the path of an include, a number.
-    Fact(Type),
-    /// For people.
+    /// Blanks at both ends do not count, as in the path of an include or a number.
+    Trimmed(Type),
+    /// Prose, as it is written.
     Prose,
-}
-
-/// An attribute of an element.
-pub(crate) struct Attribute {
-    pub(crate) name: &'static str,
-    pub(crate) ty: Type,
-    /// As of [`Element::essential`].
-    pub(crate) essential: bool,
 }
 
 /// An element in another.
@@ -92,18 +90,9 @@ pub(crate) fn filling(name: &str) -> Filling {
     match Element::named(name).map(|element| (element.text, element.children)) {
         None | Some((TextKind::None, [])) => Filling::Nothing,
         Some((TextKind::None, _)) => Filling::Elements,
-        Some((TextKind::Fact(_), _)) => Filling::Fact,
+        Some((TextKind::Trimmed(_), _)) => Filling::Fact,
         Some((TextKind::Prose, _)) => Filling::Prose,
     }
-}
-
-/// An attribute of any text.
-const fn text(name: &'static str) -> Attribute {
-    typed(name, Type::Text)
-}
-
-const fn typed(name: &'static str, ty: Type) -> Attribute {
-    Attribute { name, ty, essential: false }
 }
 
 const fn optional(place: u8, element: &'static Element) -> Child {
@@ -114,28 +103,27 @@ const fn any(place: u8, element: &'static Element) -> Child {
     Child { element, place, times: Times::Any }
 }
 
-/// An element that holds others.
-const fn container(
-    name: &'static str,
-    attributes: &'static [Attribute],
-    children: &'static [Child],
-    essential: bool,
-) -> Element {
-    Element { name, attributes, children, text: TextKind::None, essential }
+/// An element with these attributes, that holds these others; it has no text and is not essential.
+const fn element(name: &'static str, attributes: &'static [Attribute], children: &'static [Child]) -> Element {
+    Element { name, attributes, children, text: TextKind::None, essential: false }
 }
 
-/// An element that holds prose.
-const fn prose(name: &'static str, attributes: &'static [Attribute], children: &'static [Child]) -> Element {
-    Element { name, attributes, children, text: TextKind::Prose, essential: false }
+impl Element {
+    const fn essential(self) -> Self {
+        Self { essential: true, ..self }
+    }
+
+    const fn text(self, text: TextKind) -> Self {
+        Self { text, ..self }
+    }
 }
 
-const fn fact(name: &'static str, ty: Type, essential: bool) -> Element {
-    Element { name, attributes: &[], children: &[], text: TextKind::Fact(ty), essential }
-}
+/// A text without blanks at both ends.
+const TRIMMED: TextKind = TextKind::Trimmed(Type::Text);
 
-pub(crate) static MAVLINK: Element = container(
+pub(crate) static MAVLINK: Element = element(
     "mavlink",
-    &[text("file")],
+    &[Attribute::new("file")],
     &[
         any(0, &INCLUDE),
         optional(1, &VERSION),
@@ -143,67 +131,40 @@ pub(crate) static MAVLINK: Element = container(
         optional(3, &ENUMS),
         Child { element: &MESSAGES, place: 4, times: Times::Once },
     ],
-    true,
-);
-pub(super) static INCLUDE: Element = fact("include", Type::Path, true);
-pub(super) static VERSION: Element = fact("version", Type::Byte, true);
-pub(super) static DIALECT: Element = fact("dialect", Type::Byte, false);
-pub(super) static ENUMS: Element = container("enums", &[], &[any(0, &ENUM)], true);
-pub(super) static MESSAGES: Element = container("messages", &[], &[any(0, &MESSAGE)], true);
+)
+.essential();
+static INCLUDE: Element = element("include", &[], &[]).text(TextKind::Trimmed(Type::Path)).essential();
+static VERSION: Element = element("version", &[], &[]).text(TextKind::Trimmed(Type::Byte)).essential();
+static DIALECT: Element = element("dialect", &[], &[]).text(TextKind::Trimmed(Type::Byte));
+static ENUMS: Element = element("enums", &[], &[any(0, &ENUM)]).essential();
+static MESSAGES: Element = element("messages", &[], &[any(0, &MESSAGE)]).essential();
 
-pub(super) static DESCRIPTION: Element = prose("description", &[], &[]);
+static DESCRIPTION: Element = element("description", &[], &[]).text(TextKind::Prose);
 /// The schema allows a description inside, and pymavlink drops it.
 const NESTED: &[Child] = &[optional(0, &DESCRIPTION)];
-pub(super) static WIP: Element = prose("wip", &[typed("since", Type::Date)], NESTED);
-pub(super) static SUPERSEDED: Element = prose("superseded", &[typed("since", Type::Date), text("replaced_by")], NESTED);
-pub(super) static DEPRECATED: Element =
-    prose("deprecated", &[typed("since", Type::Date), text("remove_on_date"), text("replaced_by")], NESTED);
+const SINCE: Attribute = Attribute::new("since").typed(Type::Date);
+const REPLACED_BY: Attribute = Attribute::new("replaced_by");
+static WIP: Element = element("wip", &[SINCE], NESTED).text(TextKind::Prose);
+static SUPERSEDED: Element = element("superseded", &[SINCE, REPLACED_BY], NESTED).text(TextKind::Prose);
+static DEPRECATED: Element =
+    element("deprecated", &[SINCE, Attribute::new("remove_on_date"), REPLACED_BY], NESTED).text(TextKind::Prose);
 
-pub(super) static ENUM: Element = container(
+static ENUM: Element = element(
     "enum",
-    &[text("name"), typed("bitmask", Type::Boolean)],
+    Enum::ATTRIBUTES,
     &[optional(0, &WIP), optional(0, &SUPERSEDED), optional(0, &DEPRECATED), optional(1, &DESCRIPTION), any(2, &ENTRY)],
-    true,
-);
-pub(super) static ENTRY: Element = container(
+)
+.essential();
+static ENTRY: Element = element(
     "entry",
-    &[
-        Attribute { name: "value", ty: Type::Number, essential: true },
-        text("name"),
-        typed("hasLocation", Type::Boolean),
-        typed("hasAltitudeOnly", Type::Boolean),
-        typed("isDestination", Type::Boolean),
-        typed("missionOnly", Type::Boolean),
-        typed("mission", Type::Boolean),
-        typed("fence", Type::Boolean),
-        typed("rally", Type::Boolean),
-        typed("command", Type::Boolean),
-    ],
+    Entry::ATTRIBUTES,
     &[optional(0, &WIP), optional(0, &SUPERSEDED), optional(0, &DEPRECATED), optional(1, &DESCRIPTION), any(2, &PARAM)],
-    true,
-);
-pub(super) static PARAM: Element = prose(
-    "param",
-    &[
-        typed("index", Type::Byte),
-        text("label"),
-        text("units"),
-        typed("multiplier", Type::Multiplier),
-        typed("instance", Type::Boolean),
-        text("enum"),
-        typed("decimalPlaces", Type::Byte),
-        typed("increment", Type::Float),
-        typed("minValue", Type::Float),
-        typed("maxValue", Type::Float),
-        typed("reserved", Type::Boolean),
-        typed("default", Type::Default),
-    ],
-    &[],
-);
-
-pub(super) static MESSAGE: Element = container(
+)
+.essential();
+static PARAM: Element = element("param", Param::ATTRIBUTES, &[]).text(TextKind::Prose);
+static MESSAGE: Element = element(
     "message",
-    &[text("id"), text("name")],
+    Message::ATTRIBUTES,
     &[
         optional(0, &WIP),
         optional(0, &SUPERSEDED),
@@ -212,53 +173,29 @@ pub(super) static MESSAGE: Element = container(
         any(2, &FIELD),
         optional(2, &EXTENSIONS),
     ],
-    true,
-);
-pub(super) static FIELD: Element = Element {
-    essential: true,
-    ..prose(
-        "field",
-        &[
-            typed("type", Type::OfField),
-            text("name"),
-            text("print_format"),
-            text("enum"),
-            text("display"),
-            text("units"),
-            typed("increment", Type::Float),
-            typed("minValue", Type::Float),
-            typed("maxValue", Type::Float),
-            typed("multiplier", Type::Multiplier),
-            typed("default", Type::Default),
-            typed("instance", Type::Boolean),
-            text("invalid"),
-        ],
-        NESTED,
-    )
-};
-pub(super) static EXTENSIONS: Element = container("extensions", &[], &[], true);
+)
+.essential();
+static FIELD: Element = element("field", Field::ATTRIBUTES, NESTED).text(TextKind::Prose).essential();
+static EXTENSIONS: Element = element("extensions", &[], &[]).essential();
 
-pub(super) static OVERLAY: Element = container(
+/// What the root of an overlay of any kind has.
+const ROOT: &[Attribute] = &[Attribute::new("version"), Attribute::new("for")];
+pub(super) static OVERLAY: Element = element(
     "mavlink-overlay",
-    &[text("version"), text("for")],
+    ROOT,
     &[any(0, &ENUMS), any(0, &REFINE), any(0, &NOTE), any(0, &COMMAND), any(0, &ADDITIONS)],
-    false,
 );
-pub(super) static REFINE: Element =
-    container("refine", &[text("enum"), text("bitmask"), text("deprecated")], &[], false);
-pub(super) static NOTE: Element = prose("note", &[text("message"), text("field"), text("enum"), text("entry")], &[]);
-pub(super) static COMMAND: Element =
-    container("command", &[text("name"), text("hasLocation"), text("isDestination")], &[any(0, &NAMED_PARAM)], false);
-pub(super) static NAMED_PARAM: Element =
-    container("param", &[text("index"), text("label"), text("units"), text("enum")], &[], false);
-pub(super) static ADDITIONS: Element = container("message", &[text("name")], &[any(0, &BIND), any(0, &VIEW)], false);
-pub(super) static BIND: Element =
-    prose("bind", &[text("name"), text("field"), text("enum"), text("if"), text("is")], &[]);
-pub(super) static VIEW: Element = prose(
+static REFINE: Element = element("refine", Refinement::ATTRIBUTES, &[]);
+static NOTE: Element = element("note", Note::ATTRIBUTES, &[]).text(TRIMMED);
+static COMMAND: Element = element("command", Command::ATTRIBUTES, &[any(0, &NAMED_PARAM)]);
+static NAMED_PARAM: Element = element("param", NamedParam::ATTRIBUTES, &[]);
+static ADDITIONS: Element = element("message", Additions::ATTRIBUTES, &[any(0, &BIND), any(0, &VIEW)]);
+static BIND: Element = element("bind", Bind::ATTRIBUTES, &[]).text(TRIMMED);
+static VIEW: Element = element(
     "view",
-    &[text("name"), text("words"), text("item"), text("items"), text("count"), text("partial"), text("if"), text("is")],
+    View::ATTRIBUTES,
     &[
-        optional(0, &DESCRIPTION),
+        optional(0, &VIEW_DESCRIPTION),
         any(0, &KEY),
         any(0, &INVALID),
         any(0, &BITS),
@@ -266,97 +203,24 @@ pub(super) static VIEW: Element = prose(
         any(0, &SWITCH),
         any(0, &VALUE),
     ],
-);
-pub(super) static KEY: Element = prose("key", &[text("name"), text("field"), text("units"), text("invalid")], &[]);
-pub(super) static VALUE: Element = prose("value", KEY.attributes, &[]);
-pub(super) static INVALID: Element = container("invalid", &[text("field"), text("value")], &[], false);
-pub(super) static BITS: Element = prose(
-    "bits",
-    &[
-        text("name"),
-        text("at"),
-        text("width"),
-        text("enum"),
-        text("signed"),
-        text("scale"),
-        text("bias"),
-        text("units"),
-        text("exact"),
-        text("repeat"),
-        text("stride"),
-    ],
-    &[],
-);
-pub(super) static RESERVED: Element = prose("reserved", &[text("at"), text("width")], &[]);
-pub(super) static SWITCH: Element =
-    container("switch", &[text("field"), text("bits")], &[any(0, &CASE), any(0, &DEFAULT)], false);
+)
+.text(TRIMMED);
+static VIEW_DESCRIPTION: Element = element("description", &[], &[]).text(TRIMMED);
+static KEY: Element = element("key", Key::ATTRIBUTES, &[]).text(TRIMMED);
+static VALUE: Element = element("value", Key::ATTRIBUTES, &[]).text(TRIMMED);
+static INVALID: Element = element("invalid", Invalid::ATTRIBUTES, &[]);
+static BITS: Element = element("bits", Bits::ATTRIBUTES, &[]).text(TRIMMED);
+static RESERVED: Element = element("reserved", Reserved::ATTRIBUTES, &[]).text(TRIMMED);
+static SWITCH: Element = element("switch", Switch::ATTRIBUTES, &[any(0, &CASE), any(0, &DEFAULT)]);
 /// A switch is known in a case only to be refused with a better text than that of an unknown element.
 const CASES: &[Child] = &[any(0, &BITS), any(0, &RESERVED), any(0, &NESTED_SWITCH)];
-pub(super) static CASE: Element = container("case", &[text("value")], CASES, false);
-pub(super) static DEFAULT: Element = container("default", &[], CASES, false);
-static NESTED_SWITCH: Element = container("switch", &[text("field"), text("bits")], &[], false);
+static CASE: Element = element("case", &[Attribute::new("value")], CASES);
+static DEFAULT: Element = element("default", &[], CASES);
+static NESTED_SWITCH: Element = element("switch", Switch::ATTRIBUTES, &[]);
 
 #[cfg(feature = "uorb")]
-pub(super) static UORB_OVERLAY: Element =
-    container("uorb-overlay", &[text("version"), text("for")], &[any(0, &UORB_MESSAGE)], false);
+pub(super) static UORB_OVERLAY: Element = element("uorb-overlay", ROOT, &[any(0, &UORB_MESSAGE)]);
 #[cfg(feature = "uorb")]
-pub(super) static UORB_MESSAGE: Element = container("message", &[text("name")], &[any(0, &UORB_FIELD)], false);
+static UORB_MESSAGE: Element = element("message", uorb_overlay::Message::ATTRIBUTES, &[any(0, &UORB_FIELD)]);
 #[cfg(feature = "uorb")]
-pub(super) static UORB_FIELD: Element = container(
-    "field",
-    &[
-        text("name"),
-        text("enum"),
-        text("flags"),
-        text("constants"),
-        text("bits"),
-        text("except"),
-        text("units"),
-        text("invalid"),
-        text("was"),
-    ],
-    &[],
-    false,
-);
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::diag::{Code, Diagnostics};
-    use crate::read::{read, read_overlay};
-    use crate::source::Sources;
-
-    /// An element with every attribute and, in it, every element that the table lists.
-    fn complete(element: &Element) -> String {
-        let attributes: String = element.attributes.iter().map(|one| format!(" {}='1'", one.name)).collect();
-        let children: String = element.children.iter().map(|child| complete(child.element)).collect();
-        let text = if element.text == TextKind::None { "" } else { "1" };
-        format!("<{0}{attributes}>{text}{children}</{0}>", element.name)
-    }
-
-    fn problems(text: String, read: impl FnOnce(crate::source::FileId, &Sources, &mut Diagnostics)) -> Vec<String> {
-        let (mut sources, mut diagnostics) = (Sources::default(), Diagnostics::default());
-        let id = sources.add("all.xml", text);
-        read(id, &sources, &mut diagnostics);
-        let grammar = [Code::UnknownElement, Code::UnknownAttribute, Code::Misspelt, Code::StrayText];
-        let found = diagnostics.iter().filter(|problem| grammar.contains(&problem.code));
-        found.map(|problem| problem.message.clone()).collect()
-    }
-
-    #[test]
-    fn the_reader_knows_all_of_it() {
-        let dialect = problems(complete(&MAVLINK), |id, sources, diagnostics| drop(read(id, sources, diagnostics)));
-        let overlay =
-            problems(complete(&OVERLAY), |id, sources, diagnostics| drop(read_overlay(id, sources, diagnostics)));
-        assert_eq!((dialect, overlay), (Vec::new(), Vec::new()));
-    }
-
-    #[cfg(feature = "uorb")]
-    #[test]
-    fn the_reader_of_uorb_overlays_knows_all_of_it() {
-        let read = |id, sources: &Sources, diagnostics: &mut Diagnostics| {
-            drop(crate::read::read_uorb_overlay(id, sources, diagnostics));
-        };
-        assert_eq!(problems(complete(&UORB_OVERLAY), read), Vec::<String>::new());
-    }
-}
+static UORB_FIELD: Element = element("field", uorb_overlay::Field::ATTRIBUTES, &[]);

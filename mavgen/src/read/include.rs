@@ -30,7 +30,7 @@ pub struct Loaded {
     /// For each file, those that it includes, in the order of its `<include>` elements.
     pub includes: Vec<Vec<FileIndex>>,
     /// The overlays, in the order in which they were given.
-    pub overlays: Vec<Overlay>,
+    pub overlays: Vec<Arc<Overlay>>,
     /// Every path that was read, and every place where a missing include was looked for.
     pub watched: Vec<PathBuf>,
 }
@@ -50,7 +50,7 @@ impl Loaded {
 
     /// The overlays, which are numbered after the files.
     pub(crate) fn numbered_overlays(&self) -> impl Iterator<Item = (FileIndex, &Overlay)> {
-        (self.files.len()..).map(FileIndex).zip(&self.overlays)
+        (self.files.len()..).map(FileIndex).zip(self.overlays.iter().map(Arc::as_ref))
     }
 
     /// Whether a file of that name is included: if it is not among the files, it could not be read, which was said.

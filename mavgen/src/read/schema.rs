@@ -3,35 +3,11 @@
 use crate::decimal::{is_digits, is_year_and_month};
 use crate::diag::{Code, Diagnostic};
 use crate::source::Span;
-
-/// What an attribute or the text of an element can be.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Type {
-    /// Any text. What a name, an id or an `invalid` value may be is checked where it is understood.
-    Text,
-    /// `true`, `false`, `1` or `0`.
-    Boolean,
-    /// A number from 0 to 255.
-    Byte,
-    /// A decimal number with or without a fraction and an exponent.
-    Float,
-    /// A value of an enum.
-    Number,
-    /// A value of an enum, or `NaN`.
-    Default,
-    /// One of three.
-    Multiplier,
-    /// Year and month of this century.
-    Date,
-    /// A type of a field.
-    OfField,
-    /// A path: pymavlink looks for it with the blanks around it.
-    Path,
-}
+use crate::syntax::Type;
 
 impl Type {
     /// Whether pymavlink takes this text.
-    pub(super) fn allows(self, text: &str) -> bool {
+    fn allows(self, text: &str) -> bool {
         let collapsed = text.trim();
         match self {
             Self::Text => true,
@@ -88,11 +64,14 @@ fn is_float(text: &str) -> bool {
     if words { matches!(text, "INF" | "-INF" | "NaN") } else { text.parse::<f64>().is_ok() }
 }
 
-/// Says that pymavlink's schema refuses a text.
-pub(super) fn refused(what: &str, ty: Type, text: &str, span: Span) -> Diagnostic {
+/// Says that pymavlink's schema refuses a text, if it does.
+pub(super) fn refused(what: &str, ty: Type, text: &str, span: Span) -> Option<Diagnostic> {
+    if ty.allows(text) {
+        return None;
+    }
     let shown = if text.len() > 40 { "…" } else { text };
     let message = format!("pymavlink refuses this: {what} `{}`", shown.escape_debug());
-    Diagnostic::new(Code::PymavlinkRefuses, span, message).help(format!("it takes {}", ty.wanted()))
+    Some(Diagnostic::new(Code::PymavlinkRefuses, span, message).help(format!("it takes {}", ty.wanted())))
 }
 
 /// Says that pymavlink's schema refuses an order, or that something is missing or stands twice.

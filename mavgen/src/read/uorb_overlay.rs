@@ -1,48 +1,21 @@
 //! Overlays of uORB messages: `<uorb-overlay>` and what stands in it.
 
-use super::elements::{Broken, Elements};
-use super::grammar;
-use super::overlay::document;
-use super::tag::Tag;
+use super::{document, grammar};
 use crate::diag::Diagnostics;
 use crate::source::{FileId, Sources};
 use crate::syntax::uorb_overlay::{Field, Message, Overlay};
 
 /// Reads one overlay of uORB messages, as [`super::read_overlay`] reads one of a dialect.
 pub fn read(id: FileId, sources: &Sources, diagnostics: &mut Diagnostics) -> Overlay {
-    let mut overlay = Overlay { id, version: None, base: None, messages: Vec::new() };
-    (overlay.version, overlay.base) = document(id, sources, diagnostics, &grammar::UORB_OVERLAY, |elements, tag| {
-        overlay.messages.extend(read_message(elements, tag)?);
+    let mut messages = Vec::new();
+    let (version, base) = document(id, sources, diagnostics, &grammar::UORB_OVERLAY, |elements, tag| {
+        messages.extend(elements.element(tag, |message: &mut Message, elements, tag| {
+            message.fields.extend(elements.leaf(tag, |_: &mut Field, _| {})?);
+            Ok(())
+        })?);
         Ok(())
     });
-    overlay
-}
-
-fn read_message<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>) -> Result<Option<Message>, Broken> {
-    let mut message = Message { name: tag.require("name"), fields: Vec::new(), span: tag.span };
-    let complete = elements.close_tag(tag);
-    while let Some(tag) = elements.next_child(&grammar::UORB_MESSAGE)? {
-        message.fields.extend(read_field(elements, tag)?);
-    }
-    Ok(complete.then_some(message))
-}
-
-fn read_field<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>) -> Result<Option<Field>, Broken> {
-    let field = Field {
-        name: tag.require("name"),
-        enum_: tag.take("enum"),
-        flags: tag.take("flags"),
-        constants: tag.take("constants"),
-        bits: tag.take("bits"),
-        except: tag.take("except"),
-        units: tag.take("units"),
-        invalid: tag.take("invalid"),
-        was: tag.take("was"),
-        span: tag.span,
-    };
-    let complete = elements.close_tag(tag);
-    elements.text(&grammar::UORB_FIELD)?;
-    Ok(complete.then_some(field))
+    Overlay { id, version, base, messages }
 }
 
 #[cfg(test)]

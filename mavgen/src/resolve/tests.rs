@@ -57,7 +57,7 @@ fn overlaid(files: &[(&str, &str)], overlays: &[&str]) -> Outcome {
     for (index, content) in overlays.iter().enumerate() {
         let root = format!("<mavlink-overlay version='1' for='{}'>{content}</mavlink-overlay>", files[0].0);
         let id = sources.add(format!("{index}.overlay.xml"), root);
-        loaded.overlays.push(read_overlay(id, &sources, &mut diagnostics));
+        loaded.overlays.push(read_overlay(id, &sources, &mut diagnostics).into());
     }
     let position = |path: &str| files.iter().position(|(name, _)| *name == path).map(FileIndex);
     let includes = loaded.files.iter().map(|file| &file.includes);

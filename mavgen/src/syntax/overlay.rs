@@ -23,11 +23,12 @@
 //! </mavlink-overlay>
 //! ```
 
-use super::{Enum, Text};
+use super::element::{Member, element};
+use super::{Attribute, Element, Enum, Tag, Text};
 use crate::source::{FileId, Span};
 
 /// One overlay: the `<mavlink-overlay>` element.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct Overlay {
     /// The source.
     pub id: FileId,
@@ -47,94 +48,81 @@ pub struct Overlay {
     pub commands: Vec<Command>,
 }
 
-/// `<command>`: what the params of a command are.
-#[derive(Clone, Debug)]
-pub struct Command {
-    /// `name`: an entry of `MAV_CMD`.
-    pub name: Text,
-    /// `hasLocation`.
-    pub has_location: Option<Text>,
-    /// `isDestination`.
-    pub is_destination: Option<Text>,
-    /// `<param>`, in document order.
-    pub params: Vec<NamedParam>,
+element! {
+    /// `<command>`: what the params of a command are.
+    Command {
+        /// An entry of `MAV_CMD`.
+        name: Text = "name",
+        has_location: Option<Text> = "hasLocation",
+        is_destination: Option<Text> = "isDestination",
+        ;
+        /// `<param>`, in document order.
+        params: Vec<NamedParam>,
+    }
 }
 
-/// `<param>` of a command in an overlay.
-#[derive(Clone, Debug)]
-pub struct NamedParam {
-    /// `index`.
-    pub index: Text,
-    /// `label`.
-    pub label: Text,
-    /// `units`.
-    pub units: Option<Text>,
-    /// `enum`.
-    pub enum_: Option<Text>,
-    /// The start tag.
-    pub span: Span,
+element! {
+    /// `<param>` of a command in an overlay.
+    NamedParam {
+        index: Text = "index",
+        label: Text = "label",
+        units: Option<Text> = "units",
+        enum_: Option<Text> = "enum",
+    }
 }
 
-/// `<refine>`: what the definitions leave unsaid about an enum.
-#[derive(Clone, Debug)]
-pub struct Refinement {
-    /// `enum`.
-    pub enum_: Text,
-    /// `bitmask`.
-    pub bitmask: Option<Text>,
-    /// `deprecated`.
-    pub deprecated: Option<Text>,
-    /// The start tag.
-    pub span: Span,
+element! {
+    /// `<refine>`: what the definitions leave unsaid about an enum.
+    Refinement {
+        enum_: Text = "enum",
+        bitmask: Option<Text> = "bitmask",
+        deprecated: Option<Text> = "deprecated",
+    }
 }
 
-/// `<note>`: a paragraph for the documentation of something.
-#[derive(Clone, Debug)]
-pub struct Note {
-    /// `message`.
-    pub message: Option<Text>,
-    /// `field`, of the message.
-    pub field: Option<Text>,
-    /// `enum`.
-    pub enum_: Option<Text>,
-    /// `entry`, of the enum.
-    pub entry: Option<Text>,
-    /// The text, trimmed.
-    pub text: Option<Text>,
-    /// The start tag.
-    pub span: Span,
+element! {
+    /// `<note>`: a paragraph for the documentation of something.
+    Note {
+        message: Option<Text> = "message",
+        /// One of the message.
+        field: Option<Text> = "field",
+        enum_: Option<Text> = "enum",
+        /// One of the enum.
+        entry: Option<Text> = "entry",
+        ;
+        /// The text, trimmed.
+        text: Option<Text>,
+    }
 }
 
-/// `<message>` of an overlay: what it adds to a message.
-#[derive(Clone, Debug)]
-pub struct Additions {
-    /// `name`.
-    pub name: Text,
-    /// `<bind>`, in document order.
-    pub bindings: Vec<Bind>,
-    /// `<view>`, in document order.
-    pub views: Vec<View>,
-    /// The start tag.
-    pub span: Span,
+element! {
+    /// `<message>` of an overlay: what it adds to a message.
+    Additions {
+        name: Text = "name",
+        ;
+        /// `<bind>`, in document order.
+        bindings: Vec<Bind>,
+        /// `<view>`, in document order.
+        views: Vec<View>,
+    }
 }
 
-/// `<bind>`: a field that carries an enum.
-#[derive(Clone, Debug)]
-pub struct Bind {
-    /// `name` of the getter.
-    pub name: Text,
-    /// `field`.
-    pub field: Text,
-    /// `enum`.
-    pub enum_: Text,
-    /// `if` and `is`.
-    pub condition: Condition,
-    /// The text, trimmed.
-    pub description: Option<Text>,
+element! {
+    /// `<bind>`: a field that carries an enum.
+    Bind {
+        /// That of the getter.
+        name: Text = "name",
+        field: Text = "field",
+        enum_: Text = "enum",
+        condition: Condition = "if" and "is",
+        ;
+        /// The text, trimmed.
+        description: Option<Text>,
+    }
 }
 
 /// `if="field" is="value"`: both or none.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct Condition {
     /// `if`.
     pub field: Option<Text>,
@@ -142,67 +130,65 @@ pub struct Condition {
     pub value: Option<Text>,
 }
 
-/// `<view>`: a layout of bits over fields, or values in fields.
-#[derive(Clone, Debug)]
-pub struct View {
-    /// `name`.
-    pub name: Text,
-    /// `words`; a view of values has none.
-    pub words: Option<Text>,
-    /// `item`.
-    pub item: Option<Text>,
-    /// `items`.
-    pub items: Option<Text>,
-    /// `count`.
-    pub count: Option<Text>,
-    /// `partial`.
-    pub partial: Option<Text>,
-    /// `if` and `is`.
-    pub condition: Condition,
-    /// `<key>`, in document order.
-    pub keys: Vec<Key>,
-    /// `<value>`, in document order.
-    pub values: Vec<Key>,
-    /// `<invalid>`, in document order.
-    pub invalids: Vec<Invalid>,
-    /// `<bits>`, `<reserved>` and `<switch>`, in document order.
-    pub parts: Vec<Part>,
-    /// `<description>`, or else the text, trimmed.
-    pub description: Option<Text>,
-    /// The start tag.
-    pub span: Span,
+impl Member for Condition {
+    fn take(tag: &mut Tag<'_>, _: &'static str) -> Self {
+        match (tag.take("if"), tag.take("is")) {
+            (Some(field), None) => Self { field: Some(field), value: Some(tag.require("is")) },
+            (None, Some(value)) => Self { field: Some(tag.require("if")), value: Some(value) },
+            (field, value) => Self { field, value },
+        }
+    }
 }
 
-/// `<key>`: a field that a slot carries along; or `<value>`: a field that a view gives a name.
-#[derive(Clone, Debug)]
-pub struct Key {
-    /// `name`.
-    pub name: Text,
-    /// `field`.
-    pub field: Text,
-    /// `units`.
-    pub units: Option<Text>,
-    /// `invalid`.
-    pub invalid: Option<Text>,
-    /// The text, trimmed.
-    pub description: Option<Text>,
-    /// The start tag.
-    pub span: Span,
+element! {
+    /// `<view>`: a layout of bits over fields, or values in fields.
+    View {
+        name: Text = "name",
+        /// A view of values has none.
+        words: Option<Text> = "words",
+        item: Option<Text> = "item",
+        items: Option<Text> = "items",
+        count: Option<Text> = "count",
+        partial: Option<Text> = "partial",
+        condition: Condition = "if" and "is",
+        ;
+        /// `<key>`, in document order.
+        keys: Vec<Key>,
+        /// `<value>`, in document order.
+        values: Vec<Key>,
+        /// `<invalid>`, in document order.
+        invalids: Vec<Invalid>,
+        /// `<bits>`, `<reserved>` and `<switch>`, in document order.
+        parts: Vec<Part>,
+        /// `<description>`, or else the text, trimmed.
+        description: Option<Text>,
+    }
 }
 
-/// `<invalid>`: a value that says that a view means nothing.
-#[derive(Clone, Debug)]
-pub struct Invalid {
-    /// `field`; without one the words themselves.
-    pub field: Option<Text>,
-    /// `value`.
-    pub value: Text,
-    /// The start tag.
-    pub span: Span,
+element! {
+    /// `<key>`: a field that a slot carries along; or `<value>`: a field that a view gives a name.
+    Key {
+        name: Text = "name",
+        field: Text = "field",
+        units: Option<Text> = "units",
+        invalid: Option<Text> = "invalid",
+        ;
+        /// The text, trimmed.
+        description: Option<Text>,
+    }
+}
+
+element! {
+    /// `<invalid>`: a value that says that a view means nothing.
+    Invalid {
+        /// Without one it is about the words themselves.
+        field: Option<Text> = "field",
+        value: Text = "value",
+    }
 }
 
 /// A part of a view.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub enum Part {
     /// `<bits>`, `<reserved>`.
     Piece(Piece),
@@ -211,7 +197,7 @@ pub enum Part {
 }
 
 /// Bits with a name, or without a meaning.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub enum Piece {
     /// `<bits>`.
     Bits(Box<Bits>),
@@ -219,63 +205,54 @@ pub enum Piece {
     Reserved(Reserved),
 }
 
-/// `<bits>`.
-#[derive(Clone, Debug)]
-pub struct Bits {
-    /// `name` of the getter.
-    pub name: Text,
-    /// `at`: the first bit.
-    pub at: Text,
-    /// `width`.
-    pub width: Text,
-    /// `enum`.
-    pub enum_: Option<Text>,
-    /// `signed`.
-    pub signed: Option<Text>,
-    /// `scale`.
-    pub scale: Option<Text>,
-    /// `bias`.
-    pub bias: Option<Text>,
-    /// `units`.
-    pub units: Option<Text>,
-    /// `exact`: the unit of an integer getter.
-    pub exact: Option<Text>,
-    /// `repeat`: how many of them.
-    pub repeat: Option<Text>,
-    /// `stride`: from one to the next.
-    pub stride: Option<Text>,
-    /// The text, trimmed.
-    pub description: Option<Text>,
-    /// The start tag.
-    pub span: Span,
+element! {
+    /// `<bits>`.
+    Bits {
+        /// That of the getter.
+        name: Text = "name",
+        /// The first bit.
+        at: Text = "at",
+        width: Text = "width",
+        enum_: Option<Text> = "enum",
+        signed: Option<Text> = "signed",
+        scale: Option<Text> = "scale",
+        bias: Option<Text> = "bias",
+        units: Option<Text> = "units",
+        /// The unit of an integer getter.
+        exact: Option<Text> = "exact",
+        /// How many of them.
+        repeat: Option<Text> = "repeat",
+        /// From one to the next.
+        stride: Option<Text> = "stride",
+        ;
+        /// The text, trimmed.
+        description: Option<Text>,
+    }
 }
 
-/// `<reserved>`.
-#[derive(Clone, Debug)]
-pub struct Reserved {
-    /// `at`: the first bit.
-    pub at: Text,
-    /// `width`.
-    pub width: Text,
-    /// The start tag.
-    pub span: Span,
+element! {
+    /// `<reserved>`.
+    Reserved {
+        /// The first bit.
+        at: Text = "at",
+        width: Text = "width",
+    }
 }
 
-/// `<switch>`: layouts to choose from.
-#[derive(Clone, Debug)]
-pub struct Switch {
-    /// `field`.
-    pub field: Option<Text>,
-    /// `bits`: the name of a `<bits>`.
-    pub bits: Option<Text>,
-    /// `<case>` and `<default>`, in document order.
-    pub cases: Vec<Case>,
-    /// The start tag.
-    pub span: Span,
+element! {
+    /// `<switch>`: layouts to choose from.
+    Switch {
+        field: Option<Text> = "field",
+        /// The name of a `<bits>`.
+        bits: Option<Text> = "bits",
+        ;
+        /// `<case>` and `<default>`, in document order.
+        cases: Vec<Case>,
+    }
 }
 
 /// `<case>`, or `<default>`.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct Case {
     /// `value` of a `<case>`; `None` for `<default>`.
     pub value: Option<Text>,

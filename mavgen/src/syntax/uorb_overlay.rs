@@ -12,11 +12,12 @@
 //! </uorb-overlay>
 //! ```
 
-use super::Text;
+use super::element::{Member, element};
+use super::{Attribute, Element, Tag, Text};
 use crate::source::{FileId, Span};
 
 /// One overlay: the `<uorb-overlay>` element.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct Overlay {
     /// The source.
     pub id: FileId,
@@ -28,38 +29,34 @@ pub struct Overlay {
     pub messages: Vec<Message>,
 }
 
-/// `<message>`: what is said of a message.
-#[derive(Clone, Debug)]
-pub struct Message {
-    /// `name`.
-    pub name: Text,
-    /// `<field>`, in document order.
-    pub fields: Vec<Field>,
-    /// The start tag.
-    pub span: Span,
+element! {
+    /// `<message>`: what is said of a message.
+    Message {
+        name: Text = "name",
+        ;
+        /// `<field>`, in document order.
+        fields: Vec<Field>,
+    }
 }
 
-/// `<field>`: what is said of a field.
-#[derive(Clone, Debug)]
-pub struct Field {
-    /// `name`.
-    pub name: Text,
-    /// `enum`: the name of the enum that the field carries.
-    pub enum_: Option<Text>,
-    /// `flags`: the name of the flags that the field carries.
-    pub flags: Option<Text>,
-    /// `constants`: those of the file that are its values.
-    pub constants: Option<Text>,
-    /// `bits`: those of the file that are numbers of its bits.
-    pub bits: Option<Text>,
-    /// `except`: of these, those that are not.
-    pub except: Option<Text>,
-    /// `units`.
-    pub units: Option<Text>,
-    /// `invalid`: the value that says "not known".
-    pub invalid: Option<Text>,
-    /// `was`: the name of the field in older definitions.
-    pub was: Option<Text>,
-    /// The start tag.
-    pub span: Span,
+element! {
+    /// `<field>`: what is said of a field.
+    Field {
+        name: Text = "name",
+        /// The name of the enum that the field carries.
+        enum_: Option<Text> = "enum",
+        /// The name of the flags that the field carries.
+        flags: Option<Text> = "flags",
+        /// Those of the file that are its values.
+        constants: Option<Text> = "constants",
+        /// Those of the file that are numbers of its bits.
+        bits: Option<Text> = "bits",
+        /// Of these constants, those that are not meant.
+        except: Option<Text> = "except",
+        units: Option<Text> = "units",
+        /// The value that says "not known".
+        invalid: Option<Text> = "invalid",
+        /// The name of the field in older definitions.
+        was: Option<Text> = "was",
+    }
 }

@@ -2,21 +2,14 @@
 
 use super::syntax::{Group, GroupKind};
 use crate::diag::{Code, Diagnostic, Diagnostics};
-use crate::source::{FileId, Span};
+use crate::source::Part;
 
-/// What a comment of one line says: its groups, and the prose behind them. `start` is where `text` begins in the file.
-pub(super) fn read<'t>(
-    file: FileId,
-    text: &'t str,
-    start: usize,
-    diagnostics: &mut Diagnostics,
-) -> (Vec<Group>, &'t str) {
-    let mut groups = Vec::new();
-    let mut rest = text.trim_start();
+/// Reads the comment of one line: adds its groups, and returns the prose behind them.
+pub(super) fn read<'t>(comment: Part<'t>, groups: &mut Vec<Group>, diagnostics: &mut Diagnostics) -> &'t str {
+    let mut rest = comment.text.trim_start();
     // Only leading groups count: older files write "[RPM]" in their prose.
     while let Some((inside, behind)) = rest.strip_prefix('[').and_then(|rest| rest.split_once(']')) {
-        let at = start + text.len() - rest.len();
-        let span = Span::new(file, at..at + inside.len() + 2);
+        let span = comment.with(rest).get(0..inside.len() + 2).span();
         match kind(inside.trim()) {
             Ok(kind) => groups.extend(kind.map(|kind| Group { kind, span })),
             Err(help) => diagnostics.push(
@@ -25,7 +18,7 @@ pub(super) fn read<'t>(
         }
         rest = behind.trim_start();
     }
-    (groups, rest.trim_end())
+    rest.trim_end()
 }
 
 /// What the text between brackets says; `None` for `[-]`.
@@ -58,7 +51,8 @@ mod tests {
     fn groups(text: &str) -> (Vec<GroupKind>, String, usize) {
         let (mut sources, mut diagnostics) = (Sources::default(), Diagnostics::default());
         let file = sources.add("A.msg", text);
-        let (groups, rest) = read(file, text, 0, &mut diagnostics);
+        let mut groups = Vec::new();
+        let rest = read(Part::whole(file, text), &mut groups, &mut diagnostics);
         (groups.into_iter().map(|group| group.kind).collect(), rest.to_owned(), diagnostics.len())
     }
 

@@ -107,11 +107,7 @@ fn twice(name: &Text, first: Span) -> Diagnostic {
 fn missing(name: &Text, folder: &Folder) -> Diagnostic {
     let message = format!("message `{}` does not exist", name.value);
     let problem = Diagnostic::new(Code::OverlayMessage, name.span, message);
-    let problem = problem.label(format!("there is no file `{}.msg`", name.value));
-    match nearest(&name.value, folder.names()) {
-        Some(meant) => problem.help(format!("did you mean `{meant}`?")),
-        None => problem,
-    }
+    problem.label(format!("there is no file `{}.msg`", name.value)).meant(nearest(&name.value, folder.names()))
 }
 
 #[cfg(test)]

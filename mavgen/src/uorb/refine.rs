@@ -48,7 +48,7 @@ fn of_fields<'o>(
         if !existing().any(|(known, _)| known == name.value) {
             let problem = format!("`{}` has no field `{}`", message.name, name.value);
             let problem = Diagnostic::new(Code::OverlayField, name.span, problem).label("no such field");
-            diagnostics.push(meant(problem, &name.value, existing().map(|(known, _)| known)));
+            diagnostics.push(problem.meant(nearest(&name.value, existing().map(|(known, _)| known))));
         } else if let Some(first) = fields.get(&*name.value) {
             let problem = format!("an overlay speaks of field `{}` twice", name.value);
             let problem = Diagnostic::new(Code::DuplicateField, name.span, problem);
@@ -103,13 +103,6 @@ fn former_name(was: &Text, other: Span) -> Diagnostic {
 fn bad_name(name: &Text, of: &str) -> Diagnostic {
     let message = format!("`{}` cannot be the name of {of}", name.value);
     Diagnostic::new(Code::BadName, name.span, message).help("names are letters, digits and underscores, a letter first")
-}
-
-fn meant<'c>(problem: Diagnostic, name: &str, candidates: impl Iterator<Item = &'c str>) -> Diagnostic {
-    match nearest(name, candidates) {
-        Some(meant) => problem.help(format!("did you mean `{meant}`?")),
-        None => problem,
-    }
 }
 
 /// Where the fields of a message are refined.

@@ -20,7 +20,7 @@ use crate::diag::Diagnostics;
 use crate::ir::{Dialect, Enum, Kept, Message};
 use crate::lower::spelling;
 use crate::problems::Problems;
-use crate::read::Loaded;
+use crate::read::{Loaded, read};
 use crate::roots::{Named, resolve};
 use crate::select::Selection;
 use crate::source::Sources;
@@ -154,7 +154,7 @@ impl Part {
         sources: &Sources,
     ) -> Result<(), Failure> {
         let mut diagnostics = Diagnostics::default();
-        let Some(anew) = resolve(&self.cut(loaded), sources, &mut diagnostics) else {
+        let Some(anew) = resolve(&self.cut(loaded, sources), sources, &mut diagnostics) else {
             let (sources, watched) = (sources.clone(), loaded.watched.clone());
             return Err(Failure::Definitions(Box::new(Problems { diagnostics, sources, watched })));
         };
@@ -170,12 +170,13 @@ impl Part {
     }
 
     /// The files with nothing but the part; which messages see the version does not matter to enums.
-    fn cut(&self, loaded: &Loaded) -> Loaded {
+    fn cut(&self, loaded: &Loaded, sources: &Sources) -> Loaded {
         let mut loaded = loaded.clone();
         for file in &mut loaded.files {
-            let file = Arc::make_mut(file);
-            file.messages.retain(|message| self.has_message(message));
-            file.enums.retain(|enum_| self.has_enum(enum_));
+            let mut cut = read(file.id, sources, &mut Diagnostics::default());
+            cut.messages.retain(|message| self.has_message(message));
+            cut.enums.retain(|enum_| self.has_enum(enum_));
+            *file = Arc::new(cut);
         }
         loaded
     }

@@ -28,7 +28,7 @@ pub fn compile(dialect: &str, overlay: Option<&str>) {
     loaded.includes.push(Vec::new());
     if let Some(overlay) = overlay {
         let id = sources.add("a.overlay.xml", overlay);
-        loaded.overlays.push(read_overlay(id, &sources, &mut diagnostics));
+        loaded.overlays.push(read_overlay(id, &sources, &mut diagnostics).into());
     }
     let outcome = Resolved::of(loaded, sources, diagnostics);
     let (diagnostics, sources) = match &outcome {

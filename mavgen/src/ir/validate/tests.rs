@@ -50,7 +50,7 @@ fn legal() -> Dialect {
         name: "a".to_owned(),
         files: vec![file.into()],
         includes: vec![Vec::new()],
-        overlays: vec![overlay],
+        overlays: vec![overlay.into()],
         ..Loaded::default()
     };
     resolve(&loaded, &sources, &mut diagnostics).unwrap_or_else(|| panic!("{diagnostics:#?}"))

@@ -18,7 +18,7 @@ fn named(files: &[(&str, &str)], overlay: Option<&str>) -> Named {
     if let Some(content) = overlay {
         let root = format!("<mavlink-overlay version='1' for='{}'>{content}</mavlink-overlay>", files[0].0);
         let id = sources.add("overlay.xml", root);
-        loaded.overlays.push(read_overlay(id, &sources, &mut diagnostics));
+        loaded.overlays.push(read_overlay(id, &sources, &mut diagnostics).into());
     }
     let named = resolve(&loaded, &sources, &mut diagnostics);
     named.unwrap_or_else(|| panic!("{:#?}", diagnostics.iter().map(|one| &one.message).collect::<Vec<_>>()))

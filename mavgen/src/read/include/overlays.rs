@@ -2,6 +2,7 @@
 
 use std::collections::HashSet;
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use super::{Loaded, bytes, paths};
 use crate::collect::CollectVec as _;
@@ -20,14 +21,17 @@ pub(super) fn load(paths: &[PathBuf], dialects: &mut [Loaded], sources: &mut Sou
             first.watched.push(path.to_owned());
         }
         match bytes::read(path, sources) {
-            Ok(id) => give(super::super::read_overlay(id, sources, diagnostics), dialects, sources, diagnostics),
+            Ok(id) => {
+                let overlay = Arc::new(super::super::read_overlay(id, sources, diagnostics));
+                give(overlay, dialects, sources, diagnostics);
+            }
             Err(why) => diagnostics.push(why.diagnostic(path)),
         }
     }
 }
 
 /// Gives an overlay to the dialects that have the file that it is for. Where there is one dialect, it can be for no other.
-fn give(overlay: Overlay, dialects: &mut [Loaded], sources: &Sources, diagnostics: &mut Diagnostics) {
+fn give(overlay: Arc<Overlay>, dialects: &mut [Loaded], sources: &Sources, diagnostics: &mut Diagnostics) {
     if let ([only], _) | ([only, ..], None) = (&mut *dialects, &overlay.base) {
         only.overlays.push(overlay);
         return;

@@ -1,74 +1,72 @@
 //! `<view>`: its keys, its sentinels and its bits, or its values.
 
 use super::super::elements::{Broken, Elements};
-use super::super::grammar;
-use super::super::tag::Tag;
-use super::{parts, read_condition};
-use crate::syntax::overlay::{Invalid, Key, Part, View};
+use crate::diag::{Code, Diagnostic};
+use crate::source::Span;
+use crate::syntax::Tag;
+use crate::syntax::overlay::{Bits, Case, Invalid, Key, Part, Piece, Reserved, Switch, View};
 
 /// Reads a view; `None` if it has no name.
-pub(super) fn read<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>) -> Result<Option<View>, Broken> {
-    let mut view = View {
-        name: tag.require("name"),
-        words: tag.take("words"),
-        item: tag.take("item"),
-        items: tag.take("items"),
-        count: tag.take("count"),
-        partial: tag.take("partial"),
-        condition: read_condition(&mut tag),
-        keys: Vec::new(),
-        values: Vec::new(),
-        invalids: Vec::new(),
-        parts: Vec::new(),
-        description: None,
-        span: tag.span,
-    };
-    let complete = elements.close_tag(tag);
-    let mut described = None;
-    while let Some(tag) = elements.next_child(&grammar::VIEW)? {
+pub(super) fn read<'t>(elements: &mut Elements<'t, '_>, tag: Tag<'t>) -> Result<Option<View>, Broken> {
+    let view = elements.element(tag, |view: &mut View, elements, tag| {
         match tag.name {
-            "key" => view.keys.extend(read_key(elements, tag, &grammar::KEY)?),
-            "value" => view.values.extend(read_key(elements, tag, &grammar::VALUE)?),
-            "invalid" => view.invalids.extend(read_invalid(elements, tag)?),
-            "switch" => view.parts.push(Part::Switch(parts::read_switch(elements, tag)?)),
+            "key" => view.keys.extend(read_key(elements, tag)?),
+            "value" => view.values.extend(read_key(elements, tag)?),
+            "invalid" => view.invalids.extend(elements.leaf(tag, |_: &mut Invalid, _| {})?),
+            "switch" => view.parts.extend(read_switch(elements, tag)?.map(Part::Switch)),
             "description" => {
-                match described {
-                    Some(first) => elements.repeated(&tag, first),
-                    None => described = Some(tag.span),
-                }
+                elements.check_repeated(&tag, &["description"]);
                 elements.close_tag(tag);
-                view.description = elements.trimmed_text(&grammar::DESCRIPTION)?;
+                view.description = elements.text()?;
             }
-            _ => view.parts.extend(parts::read_piece(elements, tag)?.map(Part::Piece)),
+            _ => view.parts.extend(read_piece(elements, tag)?.map(Part::Piece)),
+        }
+        Ok(())
+    })?;
+    let text = elements.trimmed_content();
+    Ok(view.map(|view| View { description: view.description.or(text), ..view }))
+}
+
+/// Reads a key, or a value, which is spelled alike.
+fn read_key<'t>(elements: &mut Elements<'t, '_>, tag: Tag<'t>) -> Result<Option<Key>, Broken> {
+    elements.leaf(tag, |key: &mut Key, text| key.description = text)
+}
+
+/// Reads `<bits>` or `<reserved>`. A text may say why bits are reserved; nobody but the reader of the file needs it.
+fn read_piece<'t>(elements: &mut Elements<'t, '_>, tag: Tag<'t>) -> Result<Option<Piece>, Broken> {
+    Ok(match tag.name {
+        "bits" => {
+            let bits = elements.leaf(tag, |bits: &mut Bits, text| bits.description = text)?;
+            bits.map(|bits| Piece::Bits(bits.into()))
+        }
+        _ => elements.leaf(tag, |_: &mut Reserved, _| {})?.map(Piece::Reserved),
+    })
+}
+
+fn read_switch<'t>(elements: &mut Elements<'t, '_>, tag: Tag<'t>) -> Result<Option<Switch>, Broken> {
+    elements.element(tag, |switch: &mut Switch, elements, tag| {
+        switch.cases.extend(read_case(elements, tag, switch.span)?);
+        Ok(())
+    })
+}
+
+fn read_case<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>, switch: Span) -> Result<Option<Case>, Broken> {
+    let value = (tag.name == "case").then(|| tag.require("value"));
+    let mut case = Case { value, pieces: Vec::new(), span: tag.span };
+    let is_complete = elements.close_tag(tag);
+    while let Some(tag) = elements.next_child()? {
+        if tag.name == "switch" {
+            elements.refuse(nested(tag.span, switch));
+            elements.pass_over()?;
+        } else {
+            case.pieces.extend(read_piece(elements, tag)?);
         }
     }
-    let text = elements.trimmed_content();
-    view.description = view.description.or(text);
-    Ok(complete.then_some(view))
+    Ok(is_complete.then_some(case))
 }
 
-/// A key, or a value, which is spelled alike.
-fn read_key<'t>(
-    elements: &mut Elements<'t, '_>,
-    mut tag: Tag<'t>,
-    grammar: &'static grammar::Element,
-) -> Result<Option<Key>, Broken> {
-    let mut key = Key {
-        name: tag.require("name"),
-        field: tag.require("field"),
-        units: tag.take("units"),
-        invalid: tag.take("invalid"),
-        description: None,
-        span: tag.span,
-    };
-    let complete = elements.close_tag(tag);
-    key.description = elements.trimmed_text(grammar)?;
-    Ok(complete.then_some(key))
-}
-
-fn read_invalid<'t>(elements: &mut Elements<'t, '_>, mut tag: Tag<'t>) -> Result<Option<Invalid>, Broken> {
-    let invalid = Invalid { field: tag.take("field"), value: tag.require("value"), span: tag.span };
-    let complete = elements.close_tag(tag);
-    elements.text(&grammar::INVALID)?;
-    Ok(complete.then_some(invalid))
+fn nested(inner: Span, outer: Span) -> Diagnostic {
+    let problem = Diagnostic::new(Code::NestedSwitch, inner, "a switch stands inside another switch");
+    let problem = problem.label("a view has one switch").related(outer, "the outer one");
+    problem.help("give each value of the outer one a view of its own, with `if` and `is`")
 }

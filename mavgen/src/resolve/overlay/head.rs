@@ -35,7 +35,7 @@ pub(in crate::resolve) fn check<'l>(
             }
         }
     }
-    if !loaded.overlays.iter().any(is_foreign) {
+    if !loaded.overlays.iter().any(|overlay| is_foreign(overlay)) {
         return Cow::Borrowed(loaded);
     }
     let mut own = loaded.clone();

@@ -32,7 +32,7 @@ fn problems(overlay: &str) -> usize {
     let id = sources.add("a.xml", format!("<mavlink>{dialect}</mavlink>"));
     loaded.files.push(read(id, &sources, &mut diagnostics).into());
     let id = sources.add("a.overlay.xml", overlay);
-    loaded.overlays.push(read_overlay(id, &sources, &mut diagnostics));
+    loaded.overlays.push(read_overlay(id, &sources, &mut diagnostics).into());
     let model = resolve(&loaded, &sources, &mut diagnostics);
     assert_eq!(model.is_none(), diagnostics.has_errors(), "{overlay}");
     for problem in diagnostics.iter() {

@@ -4,12 +4,11 @@ use std::collections::BTreeMap;
 
 use super::super::enums::{self, Claim, NameTaken};
 use super::super::model::{Constant, Element, EnumIndex, Field, Message};
-use super::super::scalar::Scalar;
 use super::super::syntax::{FieldSyntax, GroupKind};
-use super::{Scope, bad_name, meant};
-use crate::diag::{Code, Diagnostic, Diagnostics};
+use super::{Scope, bad_name};
+use crate::diag::{Code, Diagnostic, Diagnostics, nearest};
 use crate::ir::{Name, Repr};
-use crate::source::{Span, Spanned};
+use crate::source::{Part, Span};
 use crate::syntax::Text;
 use crate::syntax::uorb_overlay as overlay;
 
@@ -107,27 +106,17 @@ impl NameTaken {
     }
 }
 
-/// The words of an attribute, each with its place.
-fn words(text: &Text) -> impl Iterator<Item = Text> {
-    let start = text.span.range().start;
-    text.value.split_whitespace().map(move |word| {
-        let at = start + word.as_ptr().addr() - text.value.as_ptr().addr();
-        Spanned::new(word.to_owned(), Span::new(text.span.file, at..at + word.len()))
-    })
-}
-
 /// The constants that `NAME` and `PREFIX_*` mean, in the order of the file.
 fn matching<'m>(message: &'m Message, patterns: &'m Text, diagnostics: &mut Diagnostics) -> Constants<'m> {
     let mut found: BTreeMap<usize, &str> = BTreeMap::new();
-    for (pattern, word) in words(patterns).zip(patterns.value.split_whitespace()) {
-        let stem = word.strip_suffix('*');
-        let is_meant = |name: &str| stem.map_or(name == word, |stem| name.starts_with(stem));
-        let meant: Vec<usize> =
-            (0..).zip(&message.constants).filter(|(_, one)| is_meant(&one.name)).map(|(i, _)| i).collect();
-        if meant.is_empty() {
-            diagnostics.push(missing(&pattern, message));
+    for pattern in patterns.part().words() {
+        let stem = pattern.text.strip_suffix('*');
+        let is_meant = |name: &str| stem.map_or(name == pattern.text, |stem| name.starts_with(stem));
+        let mut meant = (0..).zip(&message.constants).filter(|(_, one)| is_meant(&one.name)).peekable();
+        if meant.peek().is_none() {
+            diagnostics.push(missing(pattern, message));
         }
-        for i in meant {
+        for (i, _) in meant {
             found.entry(i).or_insert(stem.unwrap_or_default());
         }
     }
@@ -135,39 +124,31 @@ fn matching<'m>(message: &'m Message, patterns: &'m Text, diagnostics: &mut Diag
 }
 
 fn leave_out(message: &Message, except: Option<&Text>, from: &mut Constants<'_>, diagnostics: &mut Diagnostics) {
-    for name in except.into_iter().flat_map(words) {
+    for name in except.into_iter().flat_map(|except| except.part().words()) {
         let before = from.len();
-        from.retain(|(constant, _)| constant.name != name.value);
+        from.retain(|(constant, _)| constant.name != name.text);
         if from.len() == before {
-            diagnostics.push(missing(&name, message));
+            diagnostics.push(missing(name, message));
         }
     }
 }
 
-fn missing(pattern: &Text, message: &Message) -> Diagnostic {
+fn missing(pattern: Part<'_>, message: &Message) -> Diagnostic {
     let name = &message.name;
-    let text = match pattern.value.strip_suffix('*') {
+    let text = match pattern.text.strip_suffix('*') {
         Some(stem) => format!("no constant of `{name}` begins with `{stem}`"),
-        None => format!("`{}` is none of the constants of `{name}` that are meant", pattern.value),
+        None => format!("`{}` is none of the constants of `{name}` that are meant", pattern.text),
     };
-    let problem = Diagnostic::new(Code::UorbConstants, pattern.span, text);
-    meant(problem, &pattern.value, message.constants.iter().map(|constant| constant.name.as_str()))
+    let names = message.constants.iter().map(|constant| constant.name.as_str());
+    Diagnostic::new(Code::UorbConstants, pattern.span(), text).meant(nearest(pattern.text, names))
 }
 
 /// The type of the values that a field can have names for.
 fn carrier(field: &Field) -> Option<Repr> {
-    let Element::Scalar(scalar) = field.element else { return None };
-    Some(match scalar {
-        Scalar::I8 => Repr::I8,
-        Scalar::U8 => Repr::U8,
-        Scalar::I16 => Repr::I16,
-        Scalar::U16 => Repr::U16,
-        Scalar::I32 => Repr::I32,
-        Scalar::U32 => Repr::U32,
-        Scalar::I64 => Repr::I64,
-        Scalar::U64 => Repr::U64,
-        Scalar::F32 | Scalar::F64 | Scalar::Char | Scalar::Bool => return None,
-    })
+    match field.element {
+        Element::Scalar(scalar) => scalar.repr(),
+        Element::Message(_) => None,
+    }
 }
 
 fn type_of(field: &Field) -> String {
