@@ -76,7 +76,7 @@ impl Bridge {
 /// Forwards from the vehicle to the ground, and looks after what goes the other way.
 fn forward(run: Run, station: &mut Station, ground: &mut Ground, translation: &mut Translation) -> Result<(), Failure> {
     let mut reported = Instant::now();
-    while run.goes_on() {
+    while run.goes_on() && !station.has_ended() {
         if let Some(result) = ground.ended() {
             return result;
         }

@@ -9,7 +9,7 @@ use clap::Args;
 
 use crate::failure::Failure;
 use crate::output::Overwriting;
-use crate::station::{Asking, Running, Station};
+use crate::station::{Asking, Run, Running, Station};
 use crate::time;
 use files::{Files, Rotation};
 
@@ -62,19 +62,27 @@ impl Record {
         let mut files = Files::create(&self.log, read, self.overwriting, rotation)?;
         let name = files.name().to_owned();
         eprintln!("autoquad: records {} into {name}; Ctrl-C ends it", self.address);
-        let mut flushed = Instant::now();
-        while run.goes_on() {
-            if let Some(frame) = station.receive_until(flushed + FLUSH)? {
-                files.write(time::now_us(), &frame)?;
-            }
-            if flushed.elapsed() >= FLUSH {
-                files.flush()?;
-                flushed = Instant::now();
-            }
-            station.say_silence();
-        }
-        let frames = files.finish()?;
+        let received = receive(run, &mut station, &mut files);
+        let finished = files.finish();
+        received?;
+        let frames = finished?;
         eprintln!("autoquad: {name}: {frames} frames recorded");
         Ok(())
     }
+}
+
+/// Writes what comes, until there is no more or somebody ends it.
+fn receive(run: Run, station: &mut Station, files: &mut Files) -> Result<(), Failure> {
+    let mut flushed = Instant::now();
+    while run.goes_on() && !station.has_ended() {
+        if let Some(frame) = station.receive_until(flushed + FLUSH)? {
+            files.write(time::now_us(), &frame)?;
+        }
+        if flushed.elapsed() >= FLUSH {
+            files.flush()?;
+            flushed = Instant::now();
+        }
+        station.say_silence();
+    }
+    Ok(())
 }

@@ -95,6 +95,7 @@ pub(crate) struct Station {
     link: Link,
     asker: Asker,
     silence: Silence,
+    ended: bool,
 }
 
 impl Station {
@@ -104,7 +105,7 @@ impl Station {
         let sender = Sender::v1(SYSTEM, MavComponent::MISSIONPLANNER);
         let link = connect(address, Options::new(Autoquad::TABLE, sender))?;
         let asker = Asker { asking, sending: link.sending(), beat: None, vehicles: BTreeMap::new() };
-        Ok(Self { address: address.to_owned(), link, asker, silence: Silence::new() })
+        Ok(Self { address: address.to_owned(), link, asker, silence: Silence::new(), ended: false })
     }
 
     /// To send to the vehicles from another thread.
@@ -117,11 +118,20 @@ impl Station {
         self.link.trouble()
     }
 
+    /// Whether no more frames can come, because the link is a file.
+    pub(crate) const fn has_ended(&self) -> bool {
+        self.ended
+    }
+
     /// The next frame. `None` if there was none until then, or for a tenth of a second.
     pub(crate) fn receive_until(&mut self, deadline: Instant) -> Result<Option<Frame<'_>>, Failure> {
         self.asker.beat()?;
         let frame = match self.link.receive_until(deadline.min(Instant::now() + WAIT)) {
             Ok(frame) => frame,
+            Err(LinkError::Ended) => {
+                self.ended = true;
+                None
+            }
             Err(error) => return Err(refused(&error)),
         };
         if let Some(frame) = &frame {

@@ -207,3 +207,36 @@ fn a_reader_that_has_seen_enough_is_no_error() {
         assert_eq!(said(child.wait_with_output().unwrap(), 0, ""), "", "{arguments:?}");
     }
 }
+
+#[test]
+fn a_recording_of_a_file_ends_with_it() {
+    let folder = flight();
+    let record = ["record", "file:flight.tlog", "copy.tlog", "--listen-only"];
+    said(autoquad(&folder, &record), 0, "frames recorded");
+    let frames = |name: &str| {
+        let log = fs::read(folder.path().join(name)).unwrap();
+        tlog::entries(&log, Autoquad::TABLE).map(|entry| entry.frame.bytes().to_vec()).collect::<Vec<_>>()
+    };
+    assert!(frames("copy.tlog") == frames("flight.tlog"));
+}
+
+/// `nohup` says that a hang-up is nothing to end for.
+#[cfg(target_os = "linux")]
+#[test]
+fn who_wants_no_hang_up_gets_none() {
+    for (trap, ignored) in [("trap '' HUP;", true), ("", false)] {
+        let folder = tempfile::tempdir().unwrap();
+        let script = format!("{trap} exec \"$0\" record udpin:127.0.0.1:0 new.tlog --for 1m");
+        let mut shell = Command::new("sh");
+        shell.args(["-c", &script, env!("CARGO_BIN_EXE_autoquad")]).current_dir(&folder);
+        let child = shell.stdin(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
+        let waits = (0..1_000).take_while(|_| !folder.path().join("new.tlog").exists());
+        waits.for_each(|_| std::thread::sleep(Duration::from_millis(10)));
+        let status = fs::read_to_string(format!("/proc/{}/status", child.id())).unwrap();
+        let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:")).unwrap().trim();
+        assert_eq!(u64::from_str_radix(mask, 16).unwrap() & 1 == 1, ignored, "{mask}");
+        let signal = if ignored { "-TERM" } else { "-HUP" };
+        assert!(Command::new("kill").args([signal, &child.id().to_string()]).status().unwrap().success());
+        said(child.wait_with_output().unwrap(), 0, "0 frames recorded");
+    }
+}
