@@ -22,6 +22,8 @@ fn generate() {
         (_, named) => named,
     };
     let builder = mavgen::Builder::new(fork.unwrap_or("xml/autoquad.xml".into())).name("autoquad");
+    // As in the committed sources: the compiler leaves them out, and the same files serve crates with the feature and without.
+    let builder = builder.commands(mavgen::Commands::Feature("commands".into()));
     let builder = match overlay {
         Some(path) => builder.overlay(path),
         None => {

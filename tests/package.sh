@@ -34,7 +34,7 @@ cargo check --quiet --manifest-path "$scratch/$autoquad/Cargo.toml" --no-default
 if cargo +nightly --version >/dev/null 2>&1; then
     export RUSTDOCFLAGS="--cfg docsrs -Dwarnings"
     cargo +nightly doc --quiet --no-deps -p mavgen -p mavlink-wire -p mavlink-services --all-features
-    cargo +nightly doc --quiet --no-deps -p mavlink-autoquad --no-default-features --features fast-crc
+    cargo +nightly doc --quiet --no-deps -p mavlink-autoquad --no-default-features --features commands,fast-crc
 else
     echo "without a nightly toolchain the documentation is not built as docs.rs does"
 fi

@@ -17,8 +17,8 @@ generate() {
     grep -v ' 0 files written, .* 0 removed' <<<"${said##*$'\n'}" || true
 }
 
-generate xml/autoquad.xml --overlay xml/overlay/autoquad.xml --out mavlink-autoquad/src/generated
-generate xml/common.xml --messages "$(cat mavlink-services/messages.txt)" --no-commands --out mavlink-services/src/generated
+generate xml/autoquad.xml --overlay xml/overlay/autoquad.xml --commands feature=commands --out mavlink-autoquad/src/generated
+generate xml/common.xml --messages "$(cat mavlink-services/messages.txt)" --commands never --out mavlink-services/src/generated
 px4=mavlink-autoquad/msg
 generate $px4/main --overlay $px4/esc.overlay.xml --older v2026_02=$px4/v2026_02 --older v1_14=$px4/v1_14 --name px4_msgs --out mavlink-autoquad/src/generated_px4
 for folder in mavgen/tests/golden/*/msg; do
@@ -30,8 +30,9 @@ for folder in mavgen/tests/golden/*/msg; do
 done
 for main in mavgen/tests/golden/*/main.xml; do
     folder=$(dirname "$main")
-    overlays=() roots=()
+    overlays=() roots=() commands=always
     for file in "$folder"/*.overlay.xml; do [ -e "$file" ] && overlays+=(--overlay "$file"); done
     for file in "$folder"/*.root.xml; do [ -e "$file" ] && roots+=("$file"); done
-    generate "$main" "${roots[@]}" "${overlays[@]}" --out "$folder/generated"
+    [ -e "$folder/commands.feature" ] && commands=feature=$(cat "$folder/commands.feature")
+    generate "$main" "${roots[@]}" "${overlays[@]}" --commands "$commands" --out "$folder/generated"
 done

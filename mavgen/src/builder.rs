@@ -12,7 +12,7 @@ use crate::collect::CollectVec as _;
 use crate::diag::Diagnostics;
 use crate::emit::{GeneratedFile, emit, is_path};
 use crate::format::Layout;
-use crate::lower::{Options, tree, tree_of_several};
+use crate::lower::{Commands, Options, is_feature, tree, tree_of_several};
 use crate::output::{Differences, Report, check, write};
 use crate::problems::Problems;
 use crate::read::load_all;
@@ -55,7 +55,7 @@ pub struct Builder {
     runtime: String,
     layout: Layout,
     deprecated: bool,
-    commands: bool,
+    commands: Commands,
     pub(crate) deny_warnings: bool,
     allowed: Vec<String>,
     lint: bool,
@@ -79,7 +79,7 @@ impl Builder {
             runtime: "::mavlink_wire".to_owned(),
             layout: Layout::default(),
             deprecated: true,
-            commands: true,
+            commands: Commands::Always,
             deny_warnings: false,
             allowed: Vec::new(),
             lint: false,
@@ -163,12 +163,19 @@ impl Builder {
         self
     }
 
-    /// Whether each entry of `MAV_CMD` becomes a type in the module `commands` (the default), if the dialect has a message that
-    /// carries commands: `COMMAND_LONG` or `COMMAND_INT`.
+    /// Whether each entry of `MAV_CMD` becomes a type in the module `commands`, if the dialect has a message that carries
+    /// commands, `COMMAND_LONG` or `COMMAND_INT`: always (without this), never, or with a cargo feature of the crate that has the
+    /// sources.
     ///
-    /// Those of `common.xml` add about an eighth to the time in which the sources compile. Who sends none can do without.
+    /// ```no_run
+    /// // build.rs of a crate with `commands = []` among the features of its Cargo.toml
+    /// mavgen::Builder::new("xml/acme.xml").commands(mavgen::Commands::Feature("commands".into())).build_script();
+    /// ```
+    ///
+    /// The files are the same with the feature and without it, so that sources in a repository serve both; the compiler leaves
+    /// the module out. A name that cargo does not take is a [`Failure::Usage`].
     #[must_use]
-    pub fn commands(mut self, types: bool) -> Self {
+    pub fn commands(mut self, types: Commands) -> Self {
         self.commands = types;
         self
     }
@@ -227,7 +234,8 @@ impl Builder {
     /// Generates into memory.
     ///
     /// # Errors
-    /// As [`Builder::resolve`]; [`Failure::Usage`] if the runtime path is not a path.
+    /// As [`Builder::resolve`]; [`Failure::Usage`] if the runtime path is not a path, or the feature of
+    /// [`Builder::commands`] has no name that cargo takes.
     pub fn files(&self) -> Result<Vec<GeneratedFile>, Failure> {
         #[cfg(feature = "uorb")]
         if self.is_uorb() {
@@ -264,15 +272,15 @@ impl Builder {
     /// Generates what was resolved into memory; [`Builder::files`] in two steps.
     ///
     /// # Errors
-    /// [`Failure::Usage`] if the runtime path is not a path, [`Failure::Model`] if somebody changed a model so that it is
-    /// not legal any more.
+    /// [`Failure::Usage`] as [`Builder::files`], [`Failure::Model`] if somebody changed a model so that it is not legal any
+    /// more.
     pub fn emit(&self, resolved: &Resolved) -> Result<Vec<GeneratedFile>, Failure> {
-        self.check_runtime()?;
+        self.check_options()?;
         let mut sources = provenance(&resolved.sources);
         if let Some(selection) = self.selection()? {
             sources.push_str(&format!("\n// only {selection}, and what they need"));
         }
-        let (runtime, deprecated, commands) = (self.runtime.clone(), self.deprecated, self.commands);
+        let (runtime, deprecated, commands) = (self.runtime.clone(), self.deprecated, self.commands.clone());
         let options = Options { runtime, deprecated, commands, sources };
         let valid = resolved.dialect.validate().map_err(Failure::Model)?;
         for other in &resolved.others {
@@ -292,10 +300,17 @@ impl Builder {
         self.roots.iter().any(|path| has(path, "msg") || path.is_dir() && !has(path, "xml"))
     }
 
-    fn check_runtime(&self) -> Result<(), Failure> {
-        match is_path(&self.runtime) {
-            true => Ok(()),
-            false => Err(Failure::Usage(format!("`{}` is not a path to a crate or module", self.runtime))),
+    /// Refuses what would stand in the sources and be no Rust.
+    fn check_options(&self) -> Result<(), Failure> {
+        if !is_path(&self.runtime) {
+            return Err(Failure::Usage(format!("`{}` is not a path to a crate or module", self.runtime)));
+        }
+        match self.commands.feature().filter(|name| !is_feature(name)) {
+            None => Ok(()),
+            Some(name) => Err(Failure::Usage(format!(
+                "`{}` cannot be a cargo feature: a name begins with a letter, a digit or `_`, and goes on with these, `-`, `+` and `.`",
+                name.escape_debug()
+            ))),
         }
     }
 

@@ -91,5 +91,6 @@ pub mod vendor;
 pub use builder::Topics;
 pub use builder::{Builder, Failure};
 pub use emit::GeneratedFile;
+pub use lower::Commands;
 pub use problems::Problems;
 pub use resolved::Resolved;

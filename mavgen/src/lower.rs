@@ -22,11 +22,14 @@ mod message;
 mod modules;
 pub(crate) mod names;
 mod namespace;
+mod options;
 pub(crate) mod spelling;
 #[cfg(feature = "uorb")]
 pub(crate) mod topic;
 mod tree;
 mod view;
 
-pub(crate) use files::{MARK, Options, ROOT_MARK};
+pub(crate) use files::{MARK, ROOT_MARK};
+pub use options::Commands;
+pub(crate) use options::{Options, is_feature};
 pub(crate) use tree::{tree, tree_of_several};

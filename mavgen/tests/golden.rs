@@ -1,7 +1,8 @@
 //! Small goldens of generated Rust: one folder of `golden` for each construct of a dialect and of an overlay.
 //!
 //! `main.xml` is the dialect, `*.overlay.xml` are its overlays and `*.root.xml` the dialects beside it; `generated` is what
-//! mavgen writes. A folder `msg` has uORB messages, and each folder in `older` an older definition of them. The package `mavlink-conformance` compiles and runs it.
+//! mavgen writes. `commands.feature` names the cargo feature that commands need. A folder `msg` has uORB messages, and each folder in
+//! `older` an older definition of them. The package `mavlink-conformance` compiles and runs it.
 //!
 //! `MAVGEN_BLESS=1 cargo test -p mavgen --test library golden::` writes the goldens anew, and `tests/regenerate.sh` those and
 //! everything else that is committed and generated; review them like code.
@@ -11,7 +12,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use mavgen::{Builder, GeneratedFile};
+use mavgen::{Builder, Commands, GeneratedFile};
 
 /// Relative to the crate, which is where cargo runs tests: no golden names a folder of the machine.
 const FOLDER: &str = "tests/golden";
@@ -30,8 +31,14 @@ fn builder(folder: &Path) -> Builder {
         return topics(folder);
     }
     let roots = files(folder, ".root.xml");
-    let builder = roots.iter().fold(Builder::new(folder.join("main.xml")), Builder::root);
+    let builder = roots.iter().fold(Builder::new(folder.join("main.xml")), Builder::root).commands(commands(folder));
     files(folder, ".overlay.xml").iter().fold(builder, Builder::overlay).out_dir(folder.join("generated"))
+}
+
+/// When commands have types: always, but with a feature that a file names.
+fn commands(folder: &Path) -> Commands {
+    let feature = fs::read_to_string(folder.join("commands.feature"));
+    feature.map_or(Commands::Always, |name| Commands::Feature(name.trim_end().to_owned()))
 }
 
 /// Whether these are uORB messages.

@@ -66,10 +66,28 @@
 //! # assert!(convert(&mut EscTable::new(), &AqEscTelemetry::DEFAULT).is_none());
 //! ```
 //!
+//! # Commands
+//!
+//! With the feature `commands` (on by default), `autoquad::commands` has a type for each command, with its params by name. It is
+//! sent in a `COMMAND_LONG` or a `COMMAND_INT`, and read from either.
+//!
+#![cfg_attr(feature = "commands", doc = "```")]
+#![cfg_attr(not(feature = "commands"), doc = "```ignore")]
+//! use mavlink_autoquad::autoquad::commands::AqTelemetry;
+//! use mavlink_autoquad::autoquad::{CommandLong, MavBool};
+//! use mavlink_autoquad::wire::{Command, CommandError};
+//!
+//! /// Asks the AutoQuad with system id 1 for a dataset, ten times a second.
+//! fn ask() -> Result<CommandLong, CommandError> {
+//!     AqTelemetry { on: MavBool::TRUE, interval: 100_000.0, ..AqTelemetry::DEFAULT }.long(1, 1)
+//! }
+//! # assert_eq!(ask().map(|long| long.param2), Ok(100_000.0));
+//! ```
+//!
 //! # On firmware
 //!
 //! With `default-features = false`, cargo compiles the committed sources only: no work in the build script, no build
-//! dependency, and a checksum without a table. List only the messages that you read in a [`wire::Table`]; all others then stay
+//! dependency, no types of commands unless you ask for them, and a checksum without a table. List only the messages that you read in a [`wire::Table`]; all others then stay
 //! out of the flash:
 //!
 //! ```
@@ -128,6 +146,9 @@
 //! ```
 
 #![no_std]
+#![cfg_attr(docsrs, feature(doc_cfg))]
+// What is documented is there either way: these say which sources it is made from.
+#![cfg_attr(docsrs, doc(auto_cfg(hide(without_esc, feature = "generate"))))]
 
 pub use mavlink_wire as wire;
 

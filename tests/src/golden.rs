@@ -15,6 +15,7 @@ macro_rules! goldens {
 
 goldens! {
     bind: "../../mavgen/tests/golden/bind/generated/mod.rs", "Enums on plain integers, on a condition.";
+    command_feature: "../../mavgen/tests/golden/command_feature/generated/mod.rs", "Commands that need a feature, of two dialects.";
     definitions: "../../mavgen/tests/golden/definitions/generated/mod.rs", "uORB messages of several definitions.";
     deprecated: "../../mavgen/tests/golden/deprecated/generated/mod.rs", "What is deprecated, and what only names it.";
     fields: "../../mavgen/tests/golden/fields/generated/mod.rs", "Fields of all types.";

@@ -6,10 +6,9 @@ use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
 use mavgen::output::check;
-use mavgen::{Builder, GeneratedFile};
+use mavgen::{Builder, Commands, GeneratedFile};
 
-const COMMAND: &str =
-    "mavgen generate xml/autoquad.xml --overlay xml/overlay/autoquad.xml --out mavlink-autoquad/src/generated";
+const COMMAND: &str = "mavgen generate xml/autoquad.xml --overlay xml/overlay/autoquad.xml --commands feature=commands --out mavlink-autoquad/src/generated";
 
 static GENERATED: LazyLock<Vec<GeneratedFile>> = LazyLock::new(|| generated("xml"));
 
@@ -26,6 +25,7 @@ fn generated(folder: &str) -> Vec<GeneratedFile> {
     let folder = workspace().join(folder);
     let builder =
         Builder::new(folder.join("autoquad.xml")).name("autoquad").overlay(folder.join("overlay/autoquad.xml"));
+    let builder = builder.commands(Commands::Feature("commands".into()));
     builder.formatted(true).files().unwrap_or_else(|failure| panic!("{failure}"))
 }
 

@@ -132,6 +132,36 @@ fn commands_are_typed() {
     assert_eq!(Stop::from_long(&Stop.long(0, 0).unwrap()), Ok(Stop));
 }
 
+#[cfg(feature = "typed-commands")]
+#[test]
+fn commands_are_there_with_their_feature() {
+    use command_feature::{commands::Spray, main};
+
+    assert_eq!(Spray { nozzle: 2.0 }.long(1, 1).map(|long| long.param1), Ok(2.0));
+    assert_eq!(main::commands::Spray::ID, command_feature::other_root::commands::Spray::ID);
+}
+
+/// Of two modules of one name that come by `*`, neither can be used: what compiles here would not if there were commands.
+#[cfg(not(feature = "typed-commands"))]
+mod without_commands {
+    use mavlink_conformance::golden::command_feature;
+    use mavlink_wire::Dialect;
+
+    mod others {
+        pub(super) mod commands {
+            pub(in super::super) const ARE_THERE: bool = false;
+        }
+    }
+
+    #[test]
+    fn commands_are_not_there_without_their_feature() {
+        use command_feature::main::*;
+        use others::*;
+
+        assert_eq!((commands::ARE_THERE, Main::TABLE.iter().count()), (false, 1));
+    }
+}
+
 #[test]
 #[expect(deprecated, reason = "one of them is deprecated")]
 fn commands_that_cannot_be_carried() {

@@ -6,7 +6,7 @@ use clap::Args;
 use clap::builder::{PathBufValueParser, TypedValueParser};
 use mavgen::diag::{Diagnostic, Diagnostics, Severity};
 use mavgen::source::Sources;
-use mavgen::{Builder, Failure, Resolved, Topics};
+use mavgen::{Builder, Commands, Failure, Resolved, Topics};
 
 use super::report::Report;
 
@@ -87,9 +87,20 @@ pub(super) struct Output {
     /// The folder for the sources.
     #[arg(long, value_name = "DIR", value_parser = folder())]
     pub(super) out: PathBuf,
-    /// No types for the entries of MAV_CMD: what is generated compiles a little faster.
-    #[arg(long)]
-    no_commands: bool,
+    /// Whether each entry of MAV_CMD becomes a type: always, never, or feature=NAME: in builds with this cargo feature of
+    /// the crate that has the sources.
+    #[arg(long, value_name = "WHEN", default_value = "always", value_parser = commands)]
+    commands: Commands,
+}
+
+/// When commands have types.
+fn commands(when: &str) -> Result<Commands, String> {
+    match (when, when.strip_prefix("feature=")) {
+        ("always", _) => Ok(Commands::Always),
+        ("never", _) => Ok(Commands::Never),
+        (_, Some(name)) => Ok(Commands::Feature(name.to_owned())),
+        _ => Err("it is always, never, or feature=NAME".to_owned()),
+    }
 }
 
 impl Input {
@@ -178,6 +189,6 @@ pub(super) fn concerning(builder: &Builder, diagnostics: &Diagnostics, sources: 
 
 impl Output {
     pub(super) fn builder(&self) -> Result<Builder, Failure> {
-        Ok(self.input.builder()?.out_dir(&self.out).commands(!self.no_commands).formatted(true))
+        Ok(self.input.builder()?.out_dir(&self.out).commands(self.commands.clone()).formatted(true))
     }
 }

@@ -8,7 +8,7 @@ use super::{Builder, Failure};
 use crate::diag::Diagnostics;
 use crate::emit::{GeneratedFile, emit};
 use crate::lower::topic::{CONSTANTS, UnionNames, tree};
-use crate::lower::{Options, spelling};
+use crate::lower::{Commands, Options, spelling};
 use crate::output::{Report, write};
 use crate::problems::Problems;
 use crate::source::Sources;
@@ -103,15 +103,15 @@ impl Builder {
     /// Generates into memory what was resolved by [`Builder::topics`].
     ///
     /// # Errors
-    /// [`Failure::Usage`] if the runtime path is not a path.
+    /// [`Failure::Usage`] as [`Builder::files`].
     pub fn emit_topics(&self, topics: &Topics) -> Result<Vec<GeneratedFile>, Failure> {
-        self.check_runtime()?;
+        self.check_options()?;
         let mut sources = provenance(&topics.sources);
         if let Some(selection) = self.selection()? {
             sources.push_str(&format!("\n// only {selection}, and what they need"));
         }
         let runtime = self.runtime.clone();
-        let options = Options { runtime, deprecated: self.deprecated, commands: false, sources };
+        let options = Options { runtime, deprecated: self.deprecated, commands: Commands::Never, sources };
         let files = tree(&topics.union, &topics.names, &options);
         files.and_then(|files| emit(&files, self.layout)).map_err(|internal| Failure::Internal(internal.to_string()))
     }

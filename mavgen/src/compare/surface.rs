@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use crate::internal::Internal;
 use crate::ir::Valid;
 use crate::lower::names::Names;
-use crate::lower::{Options, tree};
+use crate::lower::{Commands, Options, tree};
 use crate::rust::{
     Command, Content, Default, Element, Enum, Error, Field, Method, Packed, Param, Receiver, RecordType,
     Shape as FieldShape, Sig, Struct, Ty,
@@ -58,7 +58,7 @@ pub(super) struct Member {
 
 /// The public types of a state: of its enums, of its messages with their views, and of its commands.
 pub(super) fn surface(dialect: Valid<'_>, names: &Names) -> Result<Surface, Internal> {
-    let options = Options { deprecated: true, commands: true, ..Options::default() };
+    let options = Options { deprecated: true, commands: Commands::Always, ..Options::default() };
     let mut surface = Surface::new();
     tree(dialect, names, &options)?.iter().for_each(|file| add(&mut surface, &file.content));
     Ok(surface)

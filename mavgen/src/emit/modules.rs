@@ -8,13 +8,18 @@ use crate::tokens::{ToTokens, TokenStream, quote};
 /// `mod heartbeat; …`, then `pub use heartbeat::Heartbeat; …`, and what is deprecated by an alias.
 pub(super) fn module(children: &[Child], exports: &[Export], aliases: &[Alias<'_>]) -> TokenStream {
     quote! {
-        #(for Child { ident: name, access, expect } in children =>
+        #(for Child { ident: name, access, expect, feature } in children =>
+            #{gate(feature.as_ref())}
             #{expect_deprecated(*expect)}
             #(if *access == ChildAccess::Hidden => #[doc(hidden)])
             #(if *access != ChildAccess::Private => pub)
             mod #{ident(name)};
         )*
-        #(for Export { of, expect } in exports => #{expect_deprecated(*expect)} pub use #of;)*
+        #(for Export { of, expect, feature } in exports =>
+            #{gate(feature.as_ref())}
+            #{expect_deprecated(*expect)}
+            pub use #of;
+        )*
         #(#aliases)*
     }
 }
@@ -41,6 +46,11 @@ impl ToTokens for Use {
         }
         .to_tokens(tokens);
     }
+}
+
+/// `#[cfg(feature = "commands")]`
+fn gate(feature: Option<&String>) -> Option<TokenStream> {
+    feature.map(|feature| quote!(#[cfg(feature = #feature)]))
 }
 
 fn expect_deprecated(needed: bool) -> Option<TokenStream> {

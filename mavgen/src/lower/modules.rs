@@ -52,13 +52,14 @@ pub(super) fn root<'d>(maker: &Maker<'_, 'd>) -> Result<File<'d>, Internal> {
         children.push(Child::of(module, ChildAccess::Public));
         exports.extend(folder.dialect.map(|_| Use::All((*module).to_owned()).into()));
     }
+    let feature = maker.options.commands.feature().map(str::to_owned);
     match maker.commands() {
         // Their names are for themselves: a command may be called like a message.
         Some((commands, placement)) if placement == folder.placement => {
             let expect = maker.items.names_deprecated(&commands)?;
-            children.push(Child { expect, ..Child::of("commands", ChildAccess::Public) });
+            children.push(Child { expect, feature, ..Child::of("commands", ChildAccess::Public) });
         }
-        Some(_) => exports.push(Use::one("super", "commands").into()),
+        Some(_) => exports.push(Export { feature, ..Use::one("super", "commands").into() }),
         None => {}
     }
     let header = header(&folder.sources);
@@ -202,7 +203,7 @@ fn declare<'d>(maker: &Maker<'_, 'd>, name: &str, mut listings: Vec<Listing<'d>>
                 children.push(Child { expect, ..Child::of(module, access) });
                 match alias {
                     Some(alias) => aliases.push(alias),
-                    None => exports.push(Export { of: Use::one(module, ident), expect: deprecated }),
+                    None => exports.push(Export { expect: deprecated, ..Use::one(module, ident).into() }),
                 }
             }
             None => {
@@ -215,6 +216,6 @@ fn declare<'d>(maker: &Maker<'_, 'd>, name: &str, mut listings: Vec<Listing<'d>>
         }
     }
     order::sort_by_key(&mut others, |(from, _)| from.clone());
-    exports.extend(others.into_iter().map(|((way, expect), names)| Export { of: Use::Names(way, names), expect }));
+    exports.extend(others.into_iter().map(|((way, expect), names)| Export { expect, ..Use::Names(way, names).into() }));
     Ok(Content::Module { children, exports, aliases })
 }

@@ -2,12 +2,13 @@
 
 use std::cmp::Reverse;
 
-use super::files::{Maker, Options};
+use super::files::Maker;
 use super::folder::{Folder, Titled};
 use super::items::Items;
 use super::link::Union;
 use super::modules;
 use super::names::Names;
+use super::options::Options;
 use crate::internal::Internal;
 use crate::ir::Valid;
 use crate::order;

@@ -71,12 +71,14 @@ pub(crate) struct Child {
     pub(crate) access: ChildAccess,
     /// Whether it names what is deprecated.
     pub(crate) expect: bool,
+    /// The cargo feature that compiles it, if it is not always compiled.
+    pub(crate) feature: Option<String>,
 }
 
 impl Child {
     /// One that names nothing that is deprecated.
     pub(crate) fn of(ident: &str, access: ChildAccess) -> Self {
-        Self { ident: ident.to_owned(), access, expect: false }
+        Self { ident: ident.to_owned(), access, expect: false, feature: None }
     }
 }
 
@@ -113,11 +115,13 @@ pub(crate) struct Export {
     pub(crate) of: Use,
     /// Whether it names what is deprecated.
     pub(crate) expect: bool,
+    /// The cargo feature that compiles it, if it is not always compiled.
+    pub(crate) feature: Option<String>,
 }
 
 impl From<Use> for Export {
     /// One that names nothing that is deprecated.
     fn from(of: Use) -> Self {
-        Self { of, expect: false }
+        Self { of, expect: false, feature: None }
     }
 }

@@ -6,6 +6,7 @@ mod dialect;
 pub mod enums;
 pub mod messages;
 pub mod views;
+#[cfg(feature = "commands")]
 pub mod commands;
 
 pub use dialect::Autoquad;

@@ -69,6 +69,25 @@ fn a_definition_for_an_overlay() {
 }
 
 #[test]
+fn a_time_for_commands_that_is_none() {
+    let folder = generated();
+    let said = |command, when| refused(folder.path(), &[command, "acme.xml", "--commands", when, "--out", "out"]);
+    for command in ["generate", "check"] {
+        for (when, name) in
+            [("feature=", ""), ("feature=two words", "two words"), ("feature=dep:x", "dep:x"), ("feature=\"]", "\\\"]")]
+        {
+            let rule = "a name begins with a letter, a digit or `_`, and goes on with these, `-`, `+` and `.`";
+            assert_eq!(said(command, when), format!("error: `{name}` cannot be a cargo feature: {rule}"));
+        }
+        for when in ["sometimes", "", "commands", "Feature=x"] {
+            let expected =
+                format!("error: invalid value '{when}' for '--commands <WHEN>': it is always, never, or feature=NAME");
+            assert_eq!(said(command, when), expected);
+        }
+    }
+}
+
+#[test]
 fn what_is_in_the_way() {
     let folder = generated();
     let sprayer = folder.path().join("out/messages/sprayer.rs");

@@ -8,7 +8,8 @@ use crate::collect::CollectVec as _;
 use crate::docs::first_sentence;
 use crate::internal::Internal;
 use crate::lower::docs::link;
-use crate::lower::files::{Options, header, root_header};
+use crate::lower::files::{header, root_header};
+use crate::lower::options::Options;
 use crate::rust::{
     Cell, Child, ChildAccess, Content, DialectEnum, Docs, Export, File, Held, Paragraph, Part, Plain, Scalars, Topic,
     TopicSlot, TopicType, Use, Variant,
