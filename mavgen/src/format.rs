@@ -37,6 +37,12 @@ impl Layout {
     }
 }
 
+/// Tokens as one line.
+#[cfg(feature = "compare")]
+pub(crate) fn line(tokens: &TokenStream) -> String {
+    lines::lines(tokens).trim_end().to_owned()
+}
+
 #[cfg(all(test, feature = "format"))]
 mod tests {
     use crate::tokens::quote;

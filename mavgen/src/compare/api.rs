@@ -103,10 +103,10 @@ impl Types<'_> {
         let mut changes = Vec::new();
         let mut push = |change: Change| changes.push(self.placed(change, None, None));
         if name != now {
-            push(Change::new(Kind::ItemName, true, name).to(now));
+            push(Change::new(Kind::ItemName, true, name).with(None::<&str>, Some(now)));
         }
         if old.signature != new.signature {
-            push(Change::new(Kind::ItemType, true, name).from(&old.signature).to(&new.signature));
+            push(Change::new(Kind::ItemType, true, name).with(Some(&old.signature), Some(&new.signature)));
         }
         deprecation(name, old.deprecated, new.deprecated).into_iter().for_each(push);
         changes.extend(self.members());
@@ -155,15 +155,14 @@ impl Types<'_> {
         let item = name.of(self.old.0);
         let mut changes = Vec::new();
         if name != now && !matches!(name, Name::Trait(_)) {
-            changes.push(Change::new(Kind::ItemName, true, &item).to(now.of(self.new.0)));
+            changes.push(Change::new(Kind::ItemName, true, &item).with(None::<&str>, Some(now.of(self.new.0))));
         }
         let signature = self.names.signature(&old.signature);
         if signature != new.signature {
-            changes.push(Change::new(Kind::ItemType, true, &item).from(&old.signature).to(&new.signature));
-        } else if old.default != new.default
-            && let (Some(from), Some(to)) = (&old.default, &new.default)
-        {
-            changes.push(Change::new(Kind::ItemDefault, false, &item).from(from).to(to));
+            changes.push(Change::new(Kind::ItemType, true, &item).with(Some(&old.signature), Some(&new.signature)));
+        } else if old.default != new.default && old.default.is_some() && new.default.is_some() {
+            let change = Change::new(Kind::ItemDefault, false, &item);
+            changes.push(change.with(old.default.as_ref(), new.default.as_ref()));
         }
         changes.extend(deprecation(&item, old.deprecated, new.deprecated));
         changes.into_iter().map(|change| (change.kind, name, self.placed(change, Some(name), Some(now)))).collect()

@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use heck::ToKebabCase as _;
+
 use crate::source::Span;
 
 /// A change from an old state of a dialect to a new one. `Display` says it in a sentence, without the places.
@@ -125,62 +127,26 @@ impl Group {
 impl Kind {
     /// The group that it belongs to.
     pub fn group(self) -> Group {
-        match self {
-            Self::MessageAdded | Self::MessageRemoved | Self::MessageName | Self::MessageId => Group::Wire,
-            Self::MessageReplaced => Group::Wire,
-            Self::FieldAdded | Self::FieldRemoved | Self::FieldName => Group::Wire,
-            Self::FieldType | Self::FieldOrder | Self::FieldExtension => Group::Wire,
-            Self::EnumAdded | Self::EnumRemoved | Self::EnumName => Group::Enums,
-            Self::EntryAdded | Self::EntryRemoved | Self::EntryName | Self::EntryValue => Group::Enums,
-            Self::ItemAdded | Self::ItemRemoved | Self::ItemName | Self::ItemType => Group::Api,
-            Self::ItemDeprecated | Self::ItemUndeprecated | Self::ItemDefault => Group::Api,
-            Self::Fact(_) => Group::Metadata,
+        match self.subject().as_str() {
+            "message" | "field" => Group::Wire,
+            "enum" | "entry" => Group::Enums,
+            "item" => Group::Api,
+            _ => Group::Metadata,
         }
     }
 
     /// A short name, for programs: `field-type`.
-    pub fn name(self) -> &'static str {
+    pub fn name(self) -> String {
         match self {
-            Self::MessageAdded => "message-added",
-            Self::MessageRemoved => "message-removed",
-            Self::MessageName => "message-name",
-            Self::MessageReplaced => "message-replaced",
-            Self::MessageId => "message-id",
-            Self::FieldAdded => "field-added",
-            Self::FieldRemoved => "field-removed",
-            Self::FieldName => "field-name",
-            Self::FieldType => "field-type",
-            Self::FieldOrder => "field-order",
-            Self::FieldExtension => "field-extension",
-            Self::EnumAdded => "enum-added",
-            Self::EnumRemoved => "enum-removed",
-            Self::EnumName => "enum-name",
-            Self::EntryAdded => "entry-added",
-            Self::EntryRemoved => "entry-removed",
-            Self::EntryName => "entry-name",
-            Self::EntryValue => "entry-value",
-            Self::ItemAdded => "item-added",
-            Self::ItemRemoved => "item-removed",
-            Self::ItemName => "item-name",
-            Self::ItemType => "item-type",
-            Self::ItemDeprecated => "item-deprecated",
-            Self::ItemUndeprecated => "item-undeprecated",
-            Self::ItemDefault => "item-default",
-            Self::Fact(name) => name,
+            Self::Fact(name) => name.to_owned(),
+            kind => format!("{kind:?}").to_kebab_case(),
         }
     }
 
-    /// What the item is: `message`; nothing where the item's name says it.
-    fn noun(self) -> &'static str {
-        match self {
-            Self::MessageAdded | Self::MessageRemoved | Self::MessageName | Self::MessageId => "message ",
-            Self::MessageReplaced => "message ",
-            Self::FieldAdded | Self::FieldRemoved | Self::FieldName => "field ",
-            Self::FieldType | Self::FieldOrder | Self::FieldExtension => "field ",
-            Self::EnumAdded | Self::EnumRemoved | Self::EnumName => "enum ",
-            Self::EntryAdded | Self::EntryRemoved | Self::EntryName | Self::EntryValue => "entry ",
-            _ => "",
-        }
+    /// What it is about: `message`, `field`, `enum`, `entry`, or `item`; nothing for a fact, which may be about any of them.
+    fn subject(self) -> String {
+        let name = if matches!(self, Self::Fact(_)) { String::new() } else { self.name() };
+        name.split('-').next().unwrap_or_default().to_owned()
     }
 }
 
@@ -191,15 +157,9 @@ impl Change {
         Self { kind, breaking, item, from: None, to: None, frame: None, old: None, new: None }
     }
 
-    /// How it was.
-    pub(super) fn from(mut self, from: impl Into<String>) -> Self {
-        self.from = Some(from.into());
-        self
-    }
-
-    /// How it is.
-    pub(super) fn to(mut self, to: impl Into<String>) -> Self {
-        self.to = Some(to.into());
+    /// How it was, and how it is.
+    pub(super) fn with(mut self, from: Option<impl ToString>, to: Option<impl ToString>) -> Self {
+        (self.from, self.to) = (from.map(|from| from.to_string()), to.map(|to| to.to_string()));
         self
     }
 
@@ -219,8 +179,12 @@ impl fmt::Display for Change {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { kind, item, .. } = self;
         let (from, to) = (self.from.as_deref().unwrap_or("nothing"), self.to.as_deref().unwrap_or("nothing"));
-        write!(f, "{}{item}", kind.noun())?;
-        match kind.name() {
+        match kind.subject().as_str() {
+            // The item says it.
+            "" | "item" => write!(f, "{item}"),
+            noun => write!(f, "{noun} {item}"),
+        }?;
+        match kind.name().as_str() {
             name if name.ends_with("-added") => match &self.to {
                 Some(to) => write!(f, " is new: {to}"),
                 None => write!(f, " is new"),

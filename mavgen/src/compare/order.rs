@@ -1,30 +1,32 @@
 //! What has moved in a sequence, as little as explains it.
 
-/// The places in `positions` of what stands out of order: all that is not in its longest rising part.
+/// The things that stand out of order: all that is not in the longest part whose new positions rise.
 ///
-/// `positions` are the new places of things in their old order. At most 255 fields are in a message.
-pub(super) fn moved(positions: &[usize]) -> Vec<usize> {
-    // For each place, how long the longest rising part is that ends there, and where it comes from.
-    let mut best: Vec<(usize, Option<usize>)> = Vec::with_capacity(positions.len());
-    for (at, position) in positions.iter().enumerate() {
-        let before = positions.iter().zip(&best).enumerate().take(at).filter(|(_, (other, _))| *other < position);
-        let longest = before.map(|(index, (_, (length, _)))| (*length, index)).max_by_key(|(length, _)| *length);
+/// They are given in their old order. At most 255 fields are in a message.
+pub(super) fn moved<T, P: Ord>(things: Vec<T>, position: impl Fn(&T) -> P) -> impl Iterator<Item = T> {
+    // For each, how long the longest rising part is that ends there, and where it comes from.
+    let mut best: Vec<(usize, Option<usize>)> = Vec::with_capacity(things.len());
+    for (at, thing) in things.iter().enumerate() {
+        let before = things.iter().zip(&best).enumerate().take(at);
+        let lower = before.filter(|(_, (other, _))| position(other) < position(thing));
+        let longest = lower.map(|(index, (_, (length, _)))| (*length, index)).max_by_key(|(length, _)| *length);
         best.push(longest.map_or((1, None), |(length, index)| (length + 1, Some(index))));
     }
-    let mut kept = vec![false; positions.len()];
+    let mut kept = Vec::new();
     let mut next = best.iter().enumerate().max_by_key(|(_, (length, _))| *length).map(|(at, _)| at);
     while let Some(at) = next {
-        if let Some(kept) = kept.get_mut(at) {
-            *kept = true;
-        }
+        kept.push(at);
         next = best.get(at).and_then(|(_, from)| *from);
     }
-    kept.iter().enumerate().filter(|(_, kept)| !**kept).map(|(at, _)| at).collect()
+    things.into_iter().enumerate().filter(move |(at, _)| !kept.contains(at)).map(|(_, thing)| thing)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::moved;
+    /// The places of what has moved to these positions.
+    fn moved(positions: &[usize]) -> Vec<usize> {
+        super::moved(positions.iter().enumerate().collect(), |(_, position)| **position).map(|(at, _)| at).collect()
+    }
 
     #[test]
     fn as_few_as_explain_it() {

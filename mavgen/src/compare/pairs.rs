@@ -2,7 +2,30 @@
 
 use std::collections::HashMap;
 
+use super::{Change, Kind};
 use crate::ir::{Dialect, Entry, Enum, Field, Message};
+use crate::source::Span;
+
+/// What definitions give a name.
+pub(super) trait Named {
+    fn name(&self) -> &str;
+    fn span(&self) -> Span;
+}
+
+macro_rules! named {
+    ($($item:ty)*) => {$(
+        impl Named for $item {
+            fn name(&self) -> &str {
+                &self.name.text
+            }
+
+            fn span(&self) -> Span {
+                self.origin.span
+            }
+        }
+    )*};
+}
+named!(Message Field Enum Entry);
 
 /// What two states have in common, and what only one of them has.
 pub(super) struct Pairs<'a> {
@@ -33,10 +56,17 @@ pub(super) struct EnumPair<'a> {
 
 impl<'a> Pairs<'a> {
     pub(super) fn of(old: &'a Dialect, new: &'a Dialect) -> Self {
-        let messages = matched(&old.messages, &new.messages, |message| &message.name.text, same_message);
-        let enums = matched(&old.enums, &new.enums, |enum_| &enum_.name.text, same_enum);
+        // On the wire there is nothing but the id.
+        let messages = matched(&old.messages, &new.messages, |old, new| old.id == new.id);
+        let enums = matched(&old.enums, &new.enums, same_enum);
+        let entries =
+            |old: &'a Enum, new: &'a Enum| matched(&old.entries, &new.entries, |old, new| old.value == new.value);
         Self {
-            messages: messages.map(|(old, new)| MessagePair { old, new, fields: fields(old, new) }),
+            messages: messages.map(|(old, new)| MessagePair {
+                old,
+                new,
+                fields: matched(&old.fields, &new.fields, same_field),
+            }),
             enums: enums.map(|(old, new)| EnumPair { old, new, entries: entries(old, new) }),
         }
     }
@@ -48,17 +78,41 @@ impl<'a, T> Matched<'a, T, (&'a T, &'a T)> {
     }
 }
 
-fn fields<'a>(old: &'a Message, new: &'a Message) -> Matched<'a, Field, (&'a Field, &'a Field)> {
-    matched(&old.fields, &new.fields, |field| &field.name.text, same_field)
+impl<T: Named, P> Matched<'_, T, P> {
+    /// What is gone; before its name stands that of what it was in.
+    pub(super) fn removed(
+        &self,
+        kind: Kind,
+        of: &str,
+        shown: fn(&T) -> Option<String>,
+    ) -> impl Iterator<Item = Change> {
+        let removed =
+            self.removed.iter().map(move |one| (*one, Change::new(kind, true, format!("{of}{}", one.name()))));
+        removed.map(move |(one, change)| change.with(shown(one), None::<&str>).at(Some(one.span()), None))
+    }
+
+    /// What is new; before its name stands that of what it is in.
+    pub(super) fn added(&self, kind: Kind, of: &str, shown: fn(&T) -> Option<String>) -> impl Iterator<Item = Change> {
+        let added = self.added.iter().map(move |one| (*one, Change::new(kind, false, format!("{of}{}", one.name()))));
+        added.map(move |(one, change)| change.with(None::<&str>, shown(one)).at(None, Some(one.span())))
+    }
 }
 
-fn entries<'a>(old: &'a Enum, new: &'a Enum) -> Matched<'a, Entry, (&'a Entry, &'a Entry)> {
-    matched(&old.entries, &new.entries, |entry| &entry.name.text, |old, new| old.value == new.value)
+/// A change of something that is in both states, if something differs.
+pub(super) fn differs<T: Named, S: ToString + PartialEq>(
+    (kind, breaking): (Kind, bool),
+    item: &str,
+    (old, new): (&T, &T),
+    what: impl Fn(&T) -> S,
+) -> Option<Change> {
+    let (from, to) = (what(old), what(new));
+    let change = || Change::new(kind, breaking, item).at(Some(old.span()), Some(new.span()));
+    (from != to).then(|| change().with(Some(from), Some(to)))
 }
 
-/// Whether messages of different names are one: on the wire there is nothing but the id.
-fn same_message(old: &Message, new: &Message) -> bool {
-    old.id == new.id
+/// A change of a name. That it was the item's name says the item.
+pub(super) fn renamed<T: Named>(kind: (Kind, bool), item: &str, both: (&T, &T)) -> Option<Change> {
+    Some(Change { from: None, ..differs(kind, item, both, |one| one.name().to_owned())? })
 }
 
 impl MessagePair<'_> {
@@ -99,21 +153,16 @@ pub(super) fn type_of(field: &Field) -> String {
 }
 
 /// Joins what has the same name; of the rest, what is the `same`.
-fn matched<'a, T>(
-    old: &'a [T],
-    new: &'a [T],
-    name: impl Fn(&T) -> &str,
-    same: impl Fn(&T, &T) -> bool,
-) -> Matched<'a, T, (&'a T, &'a T)> {
-    let mut by_name: HashMap<&str, &T> = new.iter().map(|item| (name(item), item)).collect();
+fn matched<'a, T: Named>(old: &'a [T], new: &'a [T], same: impl Fn(&T, &T) -> bool) -> Matched<'a, T, (&'a T, &'a T)> {
+    let mut by_name: HashMap<&str, &T> = new.iter().map(|item| (item.name(), item)).collect();
     let (mut both, mut left) = (Vec::new(), Vec::new());
     for item in old {
-        match by_name.remove(name(item)) {
+        match by_name.remove(item.name()) {
             Some(other) => both.push((item, other)),
             None => left.push(item),
         }
     }
-    let mut added: Vec<&T> = new.iter().filter(|item| by_name.contains_key(name(item))).collect();
+    let mut added: Vec<&T> = new.iter().filter(|item| by_name.contains_key(item.name())).collect();
     let mut removed = Vec::new();
     for item in left {
         match added.iter().position(|other| same(item, other)) {

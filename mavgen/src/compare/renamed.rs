@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::pairs::Pairs;
-use super::state::{State, constant, field};
+use super::state::{State, of_same};
 use super::surface::{Name, beside};
 
 /// What generated items are called now.
@@ -15,28 +15,37 @@ pub(super) struct Renamed<'a> {
 
 impl<'a> Renamed<'a> {
     pub(super) fn of(pairs: &Pairs<'_>, old: &'a State, new: &'a State) -> Self {
-        let (mut types, mut members) = (HashMap::new(), HashMap::new());
+        let mut names = Self { types: HashMap::new(), members: HashMap::new() };
         for pair in pairs.messages.both.iter().filter(|pair| pair.is_one_message()) {
-            let (Some(before), Some(after)) = (old.names_of_message(pair.old), new.names_of_message(pair.new)) else {
-                continue;
-            };
-            types.insert(before.ty.as_str(), after.ty.as_str());
-            let fields = pair.fields.both.iter().filter_map(|(old, new)| {
-                Some(((before.ty.as_str(), field(pair.old, before, old)?), field(pair.new, after, new)?))
+            let before = of_same(&old.dialect.messages, &old.names.messages, pair.old);
+            let after = of_same(&new.dialect.messages, &new.names.messages, pair.new);
+            let Some((before, after)) = before.zip(after) else { continue };
+            let fields = pair.fields.both.iter().map(|(old, new)| {
+                (of_same(&pair.old.fields, &before.fields, old), of_same(&pair.new.fields, &after.fields, new))
             });
-            members.extend(fields);
+            names.add(&before.ty, &after.ty, fields);
         }
         for pair in &pairs.enums.both {
-            let (Some(before), Some(after)) = (old.names_of_enum(pair.old), new.names_of_enum(pair.new)) else {
-                continue;
-            };
-            types.insert(before.ty.as_str(), after.ty.as_str());
-            let entries = pair.entries.both.iter().filter_map(|(old, new)| {
-                Some(((before.ty.as_str(), constant(pair.old, before, old)?), constant(pair.new, after, new)?))
+            let before = of_same(&old.dialect.enums, &old.names.enums, pair.old);
+            let after = of_same(&new.dialect.enums, &new.names.enums, pair.new);
+            let Some((before, after)) = before.zip(after) else { continue };
+            let entries = pair.entries.both.iter().map(|(old, new)| {
+                (of_same(&pair.old.entries, &before.constants, old), of_same(&pair.new.entries, &after.constants, new))
             });
-            members.extend(entries);
+            names.add(&before.ty, &after.ty, entries);
         }
-        Self { types, members }
+        names
+    }
+
+    fn add(
+        &mut self,
+        before: &'a str,
+        after: &'a str,
+        members: impl Iterator<Item = (Option<&'a String>, Option<&'a String>)>,
+    ) {
+        self.types.insert(before, after);
+        let members = members.filter_map(|(old, new)| old.zip(new));
+        self.members.extend(members.map(|(old, new)| ((before, old.as_str()), new.as_str())));
     }
 
     /// What an old type is called now; nothing if another type has taken its name.

@@ -1,6 +1,7 @@
 //! One of two states of a dialect, and what everything in it is called in Rust.
 
-use crate::ir::{Dialect, Entry, Enum, Field, Message};
+use super::pairs::Named;
+use crate::ir::{Dialect, Enum, Message};
 use crate::lower::names::{EnumNames, MessageNames, Names};
 use crate::select::Selection;
 
@@ -30,26 +31,9 @@ impl State {
     pub(super) fn enums(&self) -> impl Iterator<Item = (&Enum, &EnumNames)> {
         self.dialect.enums.iter().zip(&self.names.enums)
     }
-
-    /// The names of a message of this state.
-    pub(super) fn names_of_message(&self, message: &Message) -> Option<&MessageNames> {
-        self.messages().find(|(other, _)| other.name == message.name).map(|(_, names)| names)
-    }
-
-    /// The names of an enum of this state.
-    pub(super) fn names_of_enum(&self, enum_: &Enum) -> Option<&EnumNames> {
-        self.enums().find(|(other, _)| other.name == enum_.name).map(|(_, names)| names)
-    }
 }
 
-/// What a field of a message is called.
-pub(super) fn field<'n>(message: &Message, names: &'n MessageNames, field: &Field) -> Option<&'n str> {
-    let at = message.fields.iter().position(|other| other.name == field.name)?;
-    names.fields.get(at).map(String::as_str)
-}
-
-/// What an entry of an enum is called.
-pub(super) fn constant<'n>(enum_: &Enum, names: &'n EnumNames, entry: &Entry) -> Option<&'n str> {
-    let at = enum_.entries.iter().position(|other| other.name == entry.name)?;
-    names.constants.get(at).map(String::as_str)
+/// What belongs to one of several things: they are called differently, each.
+pub(super) fn of_same<'n, T: Named, N>(things: &[T], theirs: &'n [N], thing: &T) -> Option<&'n N> {
+    things.iter().zip(theirs).find(|(other, _)| other.name() == thing.name()).map(|(_, names)| names)
 }

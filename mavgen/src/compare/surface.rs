@@ -2,14 +2,16 @@
 
 use std::collections::BTreeMap;
 
+use crate::format::line;
 use crate::internal::Internal;
 use crate::ir::Valid;
 use crate::lower::names::Names;
 use crate::lower::{Commands, Options, tree};
 use crate::rust::{
-    Command, Content, Default, Element, Enum, Error, Field, Method, Packed, Param, Receiver, RecordType,
-    Shape as FieldShape, Sig, Struct, Ty,
+    Command, Content, Default, Element, Enum, Field, Method, Packed, Receiver, RecordType, Shape as FieldShape, Sig,
+    Struct, Ty,
 };
+use crate::tokens::{ToTokens, quote};
 
 /// Public types by name.
 pub(super) type Surface = BTreeMap<String, Shape>;
@@ -65,35 +67,30 @@ pub(super) fn surface(dialect: Valid<'_>, names: &Names) -> Result<Surface, Inte
 }
 
 fn add(surface: &mut Surface, content: &Content<'_>) {
-    match content {
-        Content::Enum(one) => {
-            surface.insert(one.ident.to_owned(), of_enum(one));
-        }
-        Content::Message(one) => {
-            surface.insert(one.ident.to_owned(), of_message(one));
-        }
+    let (name, shape) = match content {
+        Content::Enum(one) => (one.ident.to_owned(), of_enum(one)),
+        Content::Message(one) => (one.ident.to_owned(), of_message(one)),
+        Content::Command(command) => (format!("commands::{}", command.ident), of_command(command)),
         Content::View(view) => {
             surface.extend(view.packed.as_ref().map(|packed| (packed.ident.to_owned(), of_packed(packed))));
             surface.extend(view.record.as_ref().map(|record| (record.ident.to_owned(), of_record(record))));
             if let Some(message) = surface.get_mut(view.message) {
                 message.members.extend(methods(&view.message_methods));
             }
-        }
-        Content::Command(command) => {
-            surface.insert(format!("commands::{}", command.ident), of_command(command));
+            return;
         }
         // What these export are the types of the others.
-        Content::Module { .. } | Content::Commands(..) | Content::Dialect(_) => {}
+        Content::Module { .. } | Content::Commands(..) | Content::Dialect(_) => return,
         #[cfg(feature = "uorb")]
-        Content::Topic(_) => {}
-    }
+        Content::Topic(_) => return,
+    };
+    surface.insert(name, shape);
 }
 
 fn of_enum(one: &Enum<'_>) -> Shape {
     let kind = if one.flags { "flags" } else { "an enum" };
     let constants = one.constants.iter().map(|constant| {
-        let deprecated = constant.deprecated.is_some();
-        let member = Member { signature: "Self".to_owned(), deprecated, default: None };
+        let member = Member { deprecated: constant.deprecated.is_some(), ..Member::of(&Ty::Own) };
         (Name::Constant(constant.ident.to_owned()), member)
     });
     Shape {
@@ -107,51 +104,51 @@ fn of_enum(one: &Enum<'_>) -> Shape {
 fn of_message(message: &Struct<'_>) -> Shape {
     let fields = message.fields.iter().map(|field| {
         let default = default(field).map(|number| number.to_string());
-        (Name::Field(field.ident.to_owned()), Member { signature: field_type(field), deprecated: false, default })
+        let element = field.element.ty();
+        let ty = match field.shape {
+            FieldShape::One => quote!(#element),
+            FieldShape::Array(n) => quote!([#element; #n]),
+            FieldShape::Chars(n) => quote!(wire::Chars<#n>),
+        };
+        (Name::Field(field.ident.to_owned()), Member { default, ..Member::of(&ty) })
     });
     let targeted = message.frame.target_system.and(message.frame.target_component).map(|_| "wire::Targeted");
     // Others have a derived one.
     let secretive = message.fields.iter().any(|field| field.secret).then_some(DEBUG);
     let traits = ["wire::Message"].into_iter().chain(targeted).chain(secretive).map(implementation);
-    Shape {
-        signature: "a struct".to_owned(),
-        deprecated: message.deprecated.is_some(),
-        exhaustive: true,
-        members: fields.chain(methods(&message.methods)).chain(traits).collect(),
-    }
+    let members = fields.chain(methods(&message.methods)).chain(traits).collect();
+    Shape { deprecated: message.deprecated.is_some(), ..Shape::of_struct(members) }
 }
 
 fn of_command(command: &Command<'_>) -> Shape {
     let fields = command.fields.iter().map(|field| {
-        let signature = ty(&field.ty.ty());
-        (
-            Name::Field(field.ident.to_owned()),
-            Member { signature, deprecated: false, default: Some(field.default.to_string()) },
-        )
+        let member = Member { default: Some(field.default.to_string()), ..Member::of(&field.ty.ty()) };
+        (Name::Field(field.ident.to_owned()), member)
     });
-    Shape {
-        signature: "a struct".to_owned(),
-        deprecated: command.deprecated.is_some(),
-        exhaustive: true,
-        members: fields.collect(),
-    }
+    Shape { deprecated: command.deprecated.is_some(), ..Shape::of_struct(fields.collect()) }
 }
 
 fn of_packed(packed: &Packed<'_>) -> Shape {
-    Shape {
-        signature: "a type".to_owned(),
-        deprecated: false,
-        exhaustive: false,
-        members: methods(&packed.methods).chain([implementation(DEBUG)]).collect(),
-    }
+    let members = methods(&packed.methods).chain([implementation(DEBUG)]).collect();
+    Shape { signature: "a type".to_owned(), deprecated: false, exhaustive: false, members }
 }
 
 fn of_record(record: &RecordType<'_>) -> Shape {
-    let fields = record.fields.iter().map(|field| {
-        let member = Member { signature: ty(&field.ty), ..Member::default() };
-        (Name::Field(field.ident.to_owned()), member)
-    });
-    Shape { signature: "a struct".to_owned(), deprecated: false, exhaustive: true, members: fields.collect() }
+    let fields = record.fields.iter().map(|field| (Name::Field(field.ident.to_owned()), Member::of(&field.ty)));
+    Shape::of_struct(fields.collect())
+}
+
+impl Shape {
+    fn of_struct(members: BTreeMap<Name, Member>) -> Self {
+        Self { signature: "a struct".to_owned(), deprecated: false, exhaustive: true, members }
+    }
+}
+
+impl Member {
+    /// One of this type, or with these parameters and what they give.
+    fn of(signature: &impl ToTokens) -> Self {
+        Self { signature: line(&quote!(#signature)), ..Self::default() }
+    }
 }
 
 const DEBUG: &str = "core::fmt::Debug";
@@ -160,43 +157,14 @@ fn implementation(of: &str) -> (Name, Member) {
     (Name::Trait(of.to_owned()), Member::default())
 }
 
+/// The public ones: `fn(&mut self, value: u16)`; `const` is a promise like others.
 fn methods(methods: &[Method<'_>]) -> impl Iterator<Item = (Name, Member)> {
-    let public = methods.iter().filter(|method| method.sig.public);
-    public.map(|method| {
-        let member = Member { signature: signature(&method.sig), ..Member::default() };
-        (Name::Method(method.ident.clone()), member)
-    })
-}
-
-/// `fn(&mut self, value: u16)`; `const` is a promise like others.
-fn signature(sig: &Sig<'_>) -> String {
-    let Sig { public: _, is_const, receiver, params, result } = sig;
-    let receiver = match receiver {
-        Receiver::None => None,
+    methods.iter().filter(|method| method.sig.public).map(|Method { ident, sig, .. }| {
         // That a value may be changed inside is nobody's business.
-        Receiver::Value | Receiver::MutValue => Some("self".to_owned()),
-        Receiver::Ref => Some("&self".to_owned()),
-        Receiver::Mut => Some("&mut self".to_owned()),
-    };
-    let params = params.iter().map(|Param { ident, ty: of }| format!("{ident}: {}", ty(of)));
-    let params: Vec<String> = receiver.into_iter().chain(params).collect();
-    let (is_const, result) = (
-        if *is_const { "const " } else { "" },
-        match result {
-            Ty::Unit => String::new(),
-            result => format!(" -> {}", ty(result)),
-        },
-    );
-    format!("{is_const}fn({}){result}", params.join(", "))
-}
-
-fn field_type(field: &Field<'_>) -> String {
-    let element = ty(&field.element.ty());
-    match field.shape {
-        FieldShape::One => element,
-        FieldShape::Array(n) => format!("[{element}; {n}]"),
-        FieldShape::Chars(n) => format!("wire::Chars<{n}>"),
-    }
+        let receiver = if sig.receiver == Receiver::MutValue { Receiver::Value } else { sig.receiver };
+        let sig = Sig { receiver, ..sig.clone() };
+        (Name::Method(ident.clone()), Member::of(&quote!(#(if sig.is_const => const) fn #sig)))
+    })
 }
 
 /// The number that a field has in `DEFAULT`; all other values hang on its type alone.
@@ -205,32 +173,5 @@ fn default(field: &Field<'_>) -> Option<u8> {
         (Default::Version(version), FieldShape::One, _) => Some(version),
         (Default::Zero, FieldShape::One, Element::Int(_)) => Some(0),
         _ => None,
-    }
-}
-
-fn ty(of: &Ty<'_>) -> String {
-    match of {
-        Ty::Int(int) => int.name().to_owned(),
-        Ty::F32 => "f32".to_owned(),
-        Ty::F64 => "f64".to_owned(),
-        Ty::Bool => "bool".to_owned(),
-        Ty::Usize => "usize".to_owned(),
-        Ty::Unit => "()".to_owned(),
-        Ty::Own => "Self".to_owned(),
-        Ty::Enum(one) => one.ident.to_owned(),
-        Ty::Named(name) => (*name).to_owned(),
-        Ty::Array(inner, length) => format!("[{}; {length}]", ty(inner)),
-        Ty::Option(inner) => format!("Option<{}>", ty(inner)),
-        Ty::Fallible(error) => format!("Result<(), {}>", error_type(*error)),
-        Ty::Made(error) => format!("Result<Self, {}>", error_type(*error)),
-        Ty::Params => "&'static [wire::ParamInfo]".to_owned(),
-        Ty::Iterator(item) => format!("impl Iterator<Item = {}> + '_", ty(item)),
-    }
-}
-
-fn error_type(error: Error) -> &'static str {
-    match error {
-        Error::OutOfRange => "wire::OutOfRange",
-        Error::View => "wire::ViewError",
     }
 }
