@@ -31,7 +31,6 @@
 mod cut;
 mod digest;
 mod facts;
-mod flat;
 mod header;
 mod original;
 mod output;
@@ -155,44 +154,22 @@ pub fn vendor(builder: &Builder, prose: &Prose) -> Result<Vendored, Failure> {
     };
     builder.check_denied(&diagnostics, &sources, &loaded.watched)?;
     let part = selection.map(|selection| Part::of(&selection, &whole, &loaded, &sources)).transpose()?;
-    let originals = originals(&loaded, &sources)?;
-    let copies = Copies::of(&originals, part.as_ref(), prose)?;
+    let mut originals = originals(&loaded, &sources)?;
+    for (original, file) in originals.iter_mut().zip(&loaded.files) {
+        part.iter().for_each(|part| original.leave_out(file, part));
+    }
     let words_from = if let Prose::From(folder) = prose { Some(folder.clone()) } else { None };
-    let (Copies { files, unplaced, left_out }, retained) = (copies, part.map(|part| part.retained).unwrap_or_default());
+    let mut library = words_from.as_ref().map(|folder| library(&originals, folder)).transpose()?;
+    let copy = |original: &Original<'_>| match prose {
+        Prose::Keep => original.whole(),
+        Prose::Drop | Prose::From(_) => original.facts(library.as_mut()),
+    };
+    let files = originals.iter().map(copy).collect();
+    let gone: BTreeSet<Key> = originals.iter().flat_map(Original::left_out_keys).collect();
+    let rest = library.iter().flat_map(Library::rest);
+    let (left_out, unplaced) = rest.partition(|words| gone.contains(prose::item(&words.name)));
+    let retained = part.map(|part| part.retained).unwrap_or_default();
     Ok(Vendored { files, retained, unplaced, left_out, diagnostics, sources, words_from })
-}
-
-/// Copies, and words that are not in them.
-#[derive(Default)]
-struct Copies {
-    files: Vec<Copy>,
-    unplaced: Vec<Unplaced>,
-    left_out: Vec<Unplaced>,
-}
-
-impl Copies {
-    fn of(originals: &[Original<'_>], part: Option<&Part>, prose: &Prose) -> Result<Self, Failure> {
-        let bare = |files| Self { files, ..Self::default() };
-        match prose {
-            Prose::Keep => Ok(bare(originals.iter().map(|original| original.whole(part)).collect())),
-            Prose::Drop => Ok(bare(originals.iter().map(|original| original.facts(part, None)).collect())),
-            Prose::From(folder) => Self::described(originals, part, folder),
-        }
-    }
-
-    /// Copies with the words of the files in a folder, and what is left of those.
-    fn described(originals: &[Original<'_>], part: Option<&Part>, folder: &Path) -> Result<Self, Failure> {
-        let mut library = library(originals, folder)?;
-        originals.iter().for_each(|original| library.claim(&original.name, original.keys(part)));
-        let files = originals.iter().map(|original| original.facts(part, Some(&mut library))).collect();
-        let gone: BTreeSet<Key> = originals.iter().flat_map(|original| original.left_out_keys(part)).collect();
-        let (mut unplaced, mut left_out) = (Vec::new(), Vec::new());
-        for (file, name, words) in library.rest() {
-            let list = if gone.contains(prose::item(&name)) { &mut left_out } else { &mut unplaced };
-            list.push(Unplaced { file: folder.join(file), name, words });
-        }
-        Ok(Self { files, unplaced, left_out })
-    }
 }
 
 /// The words of the files in a folder.
@@ -214,7 +191,8 @@ fn library(originals: &[Original<'_>], folder: &Path) -> Result<Library, Failure
     if diagnostics.has_errors() {
         return Err(Failure::Definitions(Box::new(Problems { diagnostics, sources, watched: Vec::new() })));
     }
-    let mut library = Library::default();
+    let mut library = Library::of(folder);
+    originals.iter().for_each(|original| library.claim(&original.name, original.keys()));
     for (name, id) in read_files {
         if let Some(root) = sources.get(id).and_then(|source| Element::root(source.text())) {
             library.add(name, &root);

@@ -63,6 +63,7 @@ impl<'a> Renamed<'a> {
     pub(super) fn member(&self, of: &str, name: &Name) -> Name {
         let now = |name: &str| self.members.get(&(of, name)).map(|now| (*now).to_owned());
         match name {
+            Name::Type => Name::Type,
             Name::Field(field) => Name::Field(now(field).unwrap_or_else(|| field.clone())),
             Name::Constant(constant) => Name::Constant(now(constant).unwrap_or_else(|| constant.clone())),
             Name::Method(method) => {

@@ -19,17 +19,16 @@ pub(super) type Surface = BTreeMap<String, Shape>;
 /// What users see of a type.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Shape {
-    /// What kind of type: `an enum of u8`, `a struct`.
-    pub(super) signature: String,
-    pub(super) deprecated: bool,
     /// Whether it is built of its public fields, all of them.
     pub(super) exhaustive: bool,
     pub(super) members: BTreeMap<Name, Member>,
 }
 
-/// What a member is called.
+/// What a type and its members are called.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Name {
+    /// The type itself.
+    Type,
     /// A field.
     Field(String),
     /// A constant.
@@ -48,10 +47,10 @@ pub(super) fn beside(method: &str) -> Option<(&'static str, &str)> {
     BESIDE.into_iter().find_map(|prefix| Some((prefix, method.strip_prefix(prefix)?)))
 }
 
-/// What users see of a field, constant, method or implementation.
+/// What users see of a type, field, constant, method or implementation.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Member {
-    /// The type, or the parameters and what they give.
+    /// The type, or the parameters and what they give; of a type what kind it is: `an enum of u8`, `a struct`.
     pub(super) signature: String,
     pub(super) deprecated: bool,
     /// Of a field: its number in `DEFAULT`.
@@ -93,12 +92,8 @@ fn of_enum(one: &Enum<'_>) -> Shape {
         let member = Member { deprecated: constant.deprecated.is_some(), ..Member::of(&Ty::Own) };
         (Name::Constant(constant.ident.to_owned()), member)
     });
-    Shape {
-        signature: format!("{kind} of {}", one.int.name()),
-        deprecated: one.deprecated.is_some(),
-        exhaustive: false,
-        members: constants.chain(methods(&one.methods)).collect(),
-    }
+    let members = constants.chain(methods(&one.methods));
+    Shape::new(&format!("{kind} of {}", one.int.name()), one.deprecated.is_some(), false, members)
 }
 
 fn of_message(message: &Struct<'_>) -> Shape {
@@ -116,8 +111,8 @@ fn of_message(message: &Struct<'_>) -> Shape {
     // Others have a derived one.
     let secretive = message.fields.iter().any(|field| field.secret).then_some(DEBUG);
     let traits = ["wire::Message"].into_iter().chain(targeted).chain(secretive).map(implementation);
-    let members = fields.chain(methods(&message.methods)).chain(traits).collect();
-    Shape { deprecated: message.deprecated.is_some(), ..Shape::of_struct(members) }
+    let members = fields.chain(methods(&message.methods)).chain(traits);
+    Shape::new("a struct", message.deprecated.is_some(), true, members)
 }
 
 fn of_command(command: &Command<'_>) -> Shape {
@@ -125,22 +120,22 @@ fn of_command(command: &Command<'_>) -> Shape {
         let member = Member { default: Some(field.default.to_string()), ..Member::of(&field.ty.ty()) };
         (Name::Field(field.ident.to_owned()), member)
     });
-    Shape { deprecated: command.deprecated.is_some(), ..Shape::of_struct(fields.collect()) }
+    Shape::new("a struct", command.deprecated.is_some(), true, fields)
 }
 
 fn of_packed(packed: &Packed<'_>) -> Shape {
-    let members = methods(&packed.methods).chain([implementation(DEBUG)]).collect();
-    Shape { signature: "a type".to_owned(), deprecated: false, exhaustive: false, members }
+    Shape::new("a type", false, false, methods(&packed.methods).chain([implementation(DEBUG)]))
 }
 
 fn of_record(record: &RecordType<'_>) -> Shape {
     let fields = record.fields.iter().map(|field| (Name::Field(field.ident.to_owned()), Member::of(&field.ty)));
-    Shape::of_struct(fields.collect())
+    Shape::new("a struct", false, true, fields)
 }
 
 impl Shape {
-    fn of_struct(members: BTreeMap<Name, Member>) -> Self {
-        Self { signature: "a struct".to_owned(), deprecated: false, exhaustive: true, members }
+    fn new(kind: &str, deprecated: bool, exhaustive: bool, members: impl Iterator<Item = (Name, Member)>) -> Self {
+        let own = Member { signature: kind.to_owned(), deprecated, default: None };
+        Self { exhaustive, members: members.chain([(Name::Type, own)]).collect() }
     }
 }
 

@@ -15,6 +15,13 @@ pub struct Entry {
     pub node: Node,
 }
 
+impl Entry {
+    /// One without a unit.
+    pub(super) fn of(name: impl Into<String>, node: Node) -> Self {
+        Self { name: name.into(), units: None, node }
+    }
+}
+
 /// A value, or a collection of them.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Node {

@@ -32,7 +32,7 @@ pub(super) fn parameter(message: &Message, payload: &[u8]) -> Option<Entry> {
     let offset = usize::from(value.offset);
     let mut readings = Vec::new();
     let mut push = |name: &str, read: Number| {
-        readings.push(Entry { name: name.to_owned(), units: None, node: number(read) });
+        readings.push(Entry::of(name, number(read)));
     };
     if value.ty.scalar == Scalar::Char {
         push("bytewise", Number::read(ty, payload, offset));
@@ -41,12 +41,7 @@ pub(super) fn parameter(message: &Message, payload: &[u8]) -> Option<Entry> {
         bytewise(bits, ty).into_iter().for_each(|read| push("bytewise", read));
         cast(f32::from_bits(bits), ty).into_iter().for_each(|read| push("cast", read));
     }
-    let node = Node::Record(readings);
-    if node == Node::Record(Vec::new()) {
-        None
-    } else {
-        Some(Entry { name: "parameter".to_owned(), units: None, node })
-    }
+    (!readings.is_empty()).then(|| Entry::of("parameter", Node::Record(readings)))
 }
 
 /// The fields of a message with a parameter: its value, in a `float` or in bytes, and its type.
@@ -94,13 +89,10 @@ fn cast(value: f32, ty: Kind) -> Option<Number> {
     let integer = (value.fract() == 0.0 && value.abs() < 2e19).then_some(value as i128)?;
     let width = 8 * ty.size() as u32;
     let signed = matches!(ty, Kind::I8 | Kind::I16 | Kind::I32 | Kind::I64);
-    let (least, most) =
-        if signed { (-(1_i128 << (width - 1)), (1_i128 << (width - 1)) - 1) } else { (0, (1_i128 << width) - 1) };
-    let fits = (least..=most).contains(&integer);
-    match (fits, signed) {
-        (false, _) => None,
-        (true, true) => i64::try_from(integer).ok().map(Number::I64),
-        (true, false) => u64::try_from(integer).ok().map(Number::U64),
+    let half = 1_i128 << (width - 1);
+    match signed {
+        true => i64::try_from(integer).ok().filter(|_| (-half..half).contains(&integer)).map(Number::I64),
+        false => u64::try_from(integer).ok().filter(|_| integer < 2 * half).map(Number::U64),
     }
 }
 

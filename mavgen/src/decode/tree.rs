@@ -78,9 +78,8 @@ fn entry(values: &'static EnumInfo, value: u64) -> Option<Node> {
 
 /// What overlays see in the fields.
 fn overlaid(message: &Message, tables: &Tables, payload: &[u8]) -> Vec<Entry> {
-    let bound = bindings(message, payload).filter_map(|(binding, value)| {
-        Some(Entry { name: binding.name.shown(), units: None, node: named(tables, binding.enum_, value?) })
-    });
+    let bound = bindings(message, payload)
+        .filter_map(|(binding, value)| Some(Entry::of(binding.name.shown(), named(tables, binding.enum_, value?))));
     let views = views(message, payload).filter_map(|reading| view(tables, &reading));
     bound.chain(views).chain(parameter(message, payload)).collect()
 }
@@ -97,13 +96,13 @@ fn view(tables: &Tables, reading: &Reading<'_>) -> Option<Entry> {
         }
         _ => return None,
     };
-    Some(Entry { name: name.shown(), units: None, node })
+    Some(Entry::of(name.shown(), node))
 }
 
 fn slot(tables: &Tables, slot: &Slot<'_>) -> Node {
     let mut entries: Vec<Entry> = slot.keys.iter().map(|one| key(tables, one)).collect();
     let status = slot.status.as_ref().map_or(Node::Unknown, |bits| Node::Record(members(tables, bits)));
-    entries.push(Entry { name: "status".to_owned(), units: None, node: status });
+    entries.push(Entry::of("status", status));
     Node::Record(entries)
 }
 

@@ -26,19 +26,6 @@ pub(super) fn write(root: &Element<'_>, includes: &[String], describe: &mut Desc
     writer.facts
 }
 
-/// The keys of all elements that [`write`] writes.
-pub(super) fn keys(root: &Element<'_>) -> Vec<Key> {
-    let mut keys = Vec::new();
-    collect("", root, &mut Keys::default(), &mut keys);
-    keys
-}
-
-fn collect(parent: &str, element: &Element<'_>, names: &mut Keys, keys: &mut Vec<Key>) {
-    let (key, base) = names.key(parent, element);
-    keys.push(key);
-    children(element).for_each(|child| collect(&base, child, names, keys));
-}
-
 /// The children that the grammar has; of messages, enums and entries the stage of life first. Descriptions are no facts.
 fn children<'e, 't>(element: &'e Element<'t>) -> impl Iterator<Item = &'e Element<'t>> {
     let known = grammar::Element::named(element.name).filter(|_| filling(element) == Filling::Elements);

@@ -10,30 +10,21 @@ use crate::provenance::{self, MARK};
 
 pub(super) use crate::provenance::split_declaration;
 
-/// What the header says where the descriptions are not the source's.
-const DESCRIBED_HERE: &str = "its facts, with descriptions written here";
-/// What the header says where there are no descriptions, unless somebody wrote some later.
-const NOT_DESCRIBED: &str = "its facts, without its descriptions";
+/// What of its source a file is: all of it.
+pub(super) const UNCHANGED: &str = "unchanged below";
+/// All of it, but its includes had to be spelled anew.
+pub(super) const OTHER_INCLUDES: &str = "unchanged below but for its includes";
+/// The facts, with descriptions that are not the source's.
+pub(super) const DESCRIBED_HERE: &str = "its facts, with descriptions written here";
+/// The facts alone, unless somebody wrote descriptions later.
+pub(super) const NOT_DESCRIBED: &str = "its facts, without its descriptions";
 /// What stands before the digest.
 const DIGEST: &str = "; to notice edits: ";
 
-/// What of its source a file is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
-    /// All of it.
-    Whole {
-        /// Whether its includes had to be spelled anew.
-        includes: bool,
-    },
-    /// The facts alone.
-    Facts,
-    /// The facts, with descriptions from elsewhere.
-    Described,
-}
-
 /// What a header says of its file.
 pub(super) struct What {
-    pub(super) kind: Kind,
+    /// [`UNCHANGED`] and so on.
+    pub(super) kind: &'static str,
     /// How much of the source it is, if it is a part.
     pub(super) share: Option<Share>,
     /// By [`digest::of_text`] or [`digest::of_facts`].
@@ -49,15 +40,9 @@ pub(super) struct Share {
 
 /// The header of a file that was made of the text of the file `name`.
 pub(super) fn header(name: &str, text: &str, what: &What) -> String {
-    let kind = match what.kind {
-        Kind::Whole { includes: false } => "unchanged below",
-        Kind::Whole { includes: true } => "unchanged below but for its includes",
-        Kind::Facts => NOT_DESCRIBED,
-        Kind::Described => DESCRIBED_HERE,
-    };
     let share = what.share.map(|share| format!("a part, {share}: ")).unwrap_or_default();
     let (version, source, digest) = (env!("CARGO_PKG_VERSION"), hexadecimal(&Sha256::digest(text)), &what.digest);
-    format!("{MARK}{version} from {}, SHA-256 {source}: {share}{kind}{DIGEST}{digest}. -->", in_comment(name))
+    format!("{MARK}{version} from {}, SHA-256 {source}: {share}{}{DIGEST}{digest}. -->", in_comment(name), what.kind)
 }
 
 impl fmt::Display for Share {
@@ -121,16 +106,16 @@ fn hexadecimal(bytes: &[u8]) -> String {
 mod tests {
     use super::*;
 
-    fn plain(name: &str, text: &str, kind: Kind) -> String {
+    fn plain(name: &str, text: &str, kind: &'static str) -> String {
         header(name, text, &What { kind, share: None, digest: "0123".to_owned() })
     }
 
     #[test]
     fn ours_are_known() {
         let facts = |text: &str| read(text).map(|ours| ours.facts);
-        let ours = plain("a.xml", "text", Kind::Described);
+        let ours = plain("a.xml", "text", DESCRIBED_HERE);
         assert_eq!(facts(&format!("<?xml version='1.0'?>\r\n{ours}<mavlink/>")), Some(true));
-        assert_eq!(facts(&plain("a.xml", "text", Kind::Whole { includes: true })), Some(false));
+        assert_eq!(facts(&plain("a.xml", "text", OTHER_INCLUDES)), Some(false));
         for foreign in
             ["", "<mavlink/>", "<?xml version='1.0'?><!-- mine -->", "<mavlink><!-- Vendored by mavgen 1 --></mavlink>"]
         {
@@ -141,7 +126,7 @@ mod tests {
     #[test]
     fn a_name_cannot_end_the_comment() {
         for name in ["a--b.xml", "a---->.xml", "-->", "a\u{1}\n.xml"] {
-            let header = plain(name, "", Kind::Facts);
+            let header = plain(name, "", NOT_DESCRIBED);
             let inner = header.strip_prefix("<!--").and_then(|rest| rest.strip_suffix("-->")).unwrap();
             assert!(!inner.contains("--") && !inner.ends_with('-') && !inner.contains(char::is_control), "{header}");
         }
@@ -151,13 +136,13 @@ mod tests {
     #[test]
     fn the_digest_is_sha_256() {
         let abc = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
-        assert!(plain("a.xml", "abc", Kind::Facts).contains(abc));
+        assert!(plain("a.xml", "abc", NOT_DESCRIBED).contains(abc));
     }
 
     #[test]
     fn a_part_says_so() {
         let share = Share { messages: (3, 238), enums: (0, 7) };
-        let what = What { kind: Kind::Whole { includes: false }, share: Some(share), digest: String::new() };
+        let what = What { kind: UNCHANGED, share: Some(share), digest: String::new() };
         let header = header("a.xml", "", &what);
         assert!(header.contains(": a part, 3 of its 238 messages and 0 of its 7 enums: unchanged below; "), "{header}");
         let none = Share { messages: (0, 0), enums: (1, 2) };
@@ -167,7 +152,7 @@ mod tests {
     #[test]
     fn an_edited_file_and_an_edited_header_are_noticed() {
         let digest = digest::of_text("", "<mavlink/>\n");
-        let header = header("a.xml", "", &What { kind: Kind::Whole { includes: false }, share: None, digest });
+        let header = header("a.xml", "", &What { kind: UNCHANGED, share: None, digest });
         let as_written = |text: &str| read(text).unwrap().is_as_written();
         let text = format!("{header}\n<mavlink/>\n");
         assert!(as_written(&text) && as_written(&format!("\u{feff}{}", text.replace('\n', "\r\n"))));

@@ -1,15 +1,14 @@
 //! A file to copy, and its copies.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashMap};
 use std::ops::Range;
 use std::path::Path;
-use std::sync::Arc;
 
-use super::header::{Kind, Share, What, header, split_declaration};
+use super::header::{DESCRIBED_HERE, NOT_DESCRIBED, OTHER_INCLUDES, Share, UNCHANGED, What, header, split_declaration};
 use super::part::Part;
 use super::prose::{Key, Library};
 use super::tree::{Element, place};
-use super::{Copy, Item, cut, digest, facts, flat};
+use super::{Copy, Item, cut, digest, facts};
 use crate::builder::Failure;
 use crate::read::Loaded;
 use crate::source::Sources;
@@ -20,50 +19,89 @@ pub(super) struct Original<'t> {
     pub(super) name: String,
     path: &'t Path,
     text: &'t str,
-    syntax: Arc<syntax::File>,
-    /// The places of its includes, and what they are called in the folder.
-    includes: Vec<flat::Include>,
+    /// Its includes, in order.
+    includes: Vec<Include>,
     root: Element<'t>,
+    /// Where the messages and enums start that are not part of its copy.
+    left_out: BTreeSet<usize>,
+    /// How much is in the copy, if something is left out.
+    share: Option<Share>,
+}
+
+/// An include of a file.
+struct Include {
+    /// Where its path stands in the text.
+    place: Range<usize>,
+    /// The path, as the file spells it.
+    path: String,
+    /// What the file that it leads to is called in the folder.
+    name: String,
 }
 
 /// The files of a dialect.
 pub(super) fn originals<'t>(loaded: &Loaded, sources: &'t Sources) -> Result<Vec<Original<'t>>, Failure> {
-    let names = flat::names(loaded, sources)?;
+    let names = names(loaded, sources)?;
     let mut originals = Vec::new();
-    for (at, file) in loaded.files.iter().enumerate() {
-        let Some((source, name)) = sources.get(file.id).zip(names.get(at)) else { continue };
+    for ((file, name), targets) in loaded.files.iter().zip(&names).zip(&loaded.includes) {
+        let Some(source) = sources.get(file.id) else { continue };
         let unread = || Failure::Usage(format!("{}: no XML to copy", source.path().display()));
         let root = Element::root(source.text()).ok_or_else(unread)?;
-        let (name, includes) = (name.clone(), flat::includes(loaded, at, &names));
-        let (path, text, syntax) = (source.path(), source.text(), Arc::clone(file));
-        originals.push(Original { name, path, text, syntax, includes, root });
+        let includes = file.includes.iter().zip(targets).filter_map(|(path, target)| {
+            let (place, name) = (path.span.range(), names.get(target.0)?.clone());
+            Some(Include { place, path: path.value.clone(), name })
+        });
+        let includes = includes.collect();
+        let (name, path, text) = (name.clone(), source.path(), source.text());
+        originals.push(Original { name, path, text, includes, root, left_out: BTreeSet::new(), share: None });
     }
     Ok(originals)
 }
 
-/// What of a file is not part of its copy.
-struct LeftOut {
-    /// Where its messages and enums start.
-    starts: BTreeSet<usize>,
-    /// How much is in the copy.
-    share: Share,
+/// The names of a dialect's files in one folder, in its order.
+///
+/// Two files of one name cannot both be in the folder, and no name is made up: whoever includes them wants to know. Case does
+/// not tell two names apart, because on some systems it does not.
+fn names(loaded: &Loaded, sources: &Sources) -> Result<Vec<String>, Failure> {
+    let mut seen = HashMap::new();
+    let mut names = Vec::new();
+    for source in loaded.files.iter().filter_map(|file| sources.get(file.id)) {
+        let name = source.name();
+        if let Some(first) = seen.insert(name.to_lowercase(), source.path()) {
+            let (first, second) = (first.display(), source.path().display());
+            let problem = format!("`{first}` and `{second}` would be one file in one folder: rename one of them");
+            return Err(Failure::Usage(problem));
+        }
+        names.push(name);
+    }
+    Ok(names)
 }
 
 impl<'t> Original<'t> {
-    /// The text below a header; with a part, without the rest.
-    pub(super) fn whole(&self, part: Option<&Part>) -> Copy {
-        let left_out = self.left_out(part);
-        let mut edits = flat::respelled(&self.includes);
-        let includes = !edits.is_empty();
-        if let Some(LeftOut { starts, .. }) = &left_out {
-            let places = self.lists().flat_map(|list| cut::places(self.text, list, starts));
-            edits.extend(places.map(|place| (place, String::new())));
-        }
+    /// Leaves out what is not in the part.
+    pub(super) fn leave_out(&mut self, syntax::File { messages, enums, .. }: &syntax::File, part: &Part) {
+        let gone = messages.iter().filter(|message| !part.has_message(message)).map(|message| message.span);
+        let messages_gone: BTreeSet<usize> = gone.map(|span| span.range().start).collect();
+        let gone = enums.iter().filter(|enum_| !part.has_enum(enum_)).map(|enum_| enum_.span);
+        let enums_gone: BTreeSet<usize> = gone.map(|span| span.range().start).collect();
+        let share = Share {
+            messages: (messages.len() - messages_gone.len(), messages.len()),
+            enums: (enums.len() - enums_gone.len(), enums.len()),
+        };
+        self.left_out = &messages_gone | &enums_gone;
+        self.share = (!self.left_out.is_empty()).then_some(share);
+    }
+
+    /// The text below a header, without what is left out.
+    pub(super) fn whole(&self) -> Copy {
+        let respelled = self.includes.iter().filter(|include| include.path != include.name);
+        let mut edits: Vec<_> =
+            respelled.map(|include| (include.place.clone(), facts::escaped(&include.name))).collect();
+        let kind = if edits.is_empty() { UNCHANGED } else { OTHER_INCLUDES };
+        let places = self.lists().flat_map(|list| cut::places(self.text, list, &self.left_out));
+        edits.extend(places.map(|place| (place, String::new())));
         let text = edited(self.text, edits);
         let (declaration, rest) = split_declaration(&text);
-        let digest = digest::of_text(declaration, rest);
-        let what = What { kind: Kind::Whole { includes }, share: left_out.map(|left_out| left_out.share), digest };
-        let header = header(&self.name, self.text, &what);
+        let header = self.header(kind, digest::of_text(declaration, rest));
         let line_end = if self.text.contains("\r\n") { "\r\n" } else { "\n" };
         let text = match declaration {
             "" => format!("{header}{line_end}{rest}"),
@@ -73,41 +111,52 @@ impl<'t> Original<'t> {
     }
 
     /// The facts below a header, with the words of a library if there is one.
-    pub(super) fn facts(&self, part: Option<&Part>, library: Option<&mut Library>) -> Copy {
-        let left_out = self.left_out(part);
-        let root = self.kept(left_out.as_ref());
-        let includes: Vec<String> = self.includes.iter().map(|include| include.name.clone()).collect();
-        let kind = if library.is_some() { Kind::Described } else { Kind::Facts };
-        let (facts, known) = match library {
-            Some(library) => {
-                let facts = facts::write(&root, &includes, &mut |key| library.take(&self.name, key));
-                (facts, Some(library))
-            }
-            None => (facts::write(&root, &includes, &mut |_| None), None),
-        };
+    pub(super) fn facts(&self, mut library: Option<&mut Library>) -> Copy {
+        let facts = self.described(&mut |key| library.as_mut()?.take(&self.name, key));
+        let kind = if library.is_some() { DESCRIBED_HERE } else { NOT_DESCRIBED };
         let item = |(name, described): (String, bool)| {
-            let new = known.as_ref().is_some_and(|library| !library.knows(&name));
+            let new = library.as_ref().is_some_and(|library| !library.knows(&name));
             Item { name, described, new }
         };
         let items = facts.described.into_iter().map(item).collect();
         let declaration = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
         let digest = digest::of_facts(&format!("{declaration}{}", facts.text)).unwrap_or_default();
-        let what = What { kind, share: left_out.map(|left_out| left_out.share), digest };
-        let text = format!("{declaration}{}\n{}", header(&self.name, self.text, &what), facts.text);
+        let text = format!("{declaration}{}\n{}", self.header(kind, digest), facts.text);
         self.copy(text, items)
     }
 
-    /// The names of everything in its copy.
-    pub(super) fn keys(&self, part: Option<&Part>) -> Vec<Key> {
-        facts::keys(&self.kept(self.left_out(part).as_ref()))
+    /// The facts of what is in its copy, with the words that `describe` has.
+    fn described(&self, describe: &mut facts::Describe<'_>) -> facts::Facts {
+        let mut root = self.root.clone();
+        for list in &mut root.children {
+            list.children.retain(|child| !self.is_left_out(child));
+        }
+        let includes: Vec<String> = self.includes.iter().map(|include| include.name.clone()).collect();
+        facts::write(&root, &includes, describe)
+    }
+
+    /// The names of everything in its copy that there can be words about.
+    pub(super) fn keys(&self) -> BTreeSet<Key> {
+        let mut keys = BTreeSet::new();
+        self.described(&mut |key| {
+            keys.insert(key.to_owned());
+            None
+        });
+        keys
     }
 
     /// The names of the messages and enums that are left out.
-    pub(super) fn left_out_keys(&self, part: Option<&Part>) -> Vec<Key> {
-        let Some(LeftOut { starts, .. }) = self.left_out(part) else { return Vec::new() };
-        let all = self.lists().flat_map(|list| &list.children);
-        let gone = all.filter(|child| starts.contains(&place(self.text, child.outer).start));
-        gone.map(|child| format!("{} {}", child.name, child.attribute("name").unwrap_or_default())).collect()
+    pub(super) fn left_out_keys(&self) -> impl Iterator<Item = Key> {
+        let gone = self.lists().flat_map(|list| &list.children).filter(|child| self.is_left_out(child));
+        gone.map(|child| format!("{} {}", child.name, child.attribute("name").unwrap_or_default()))
+    }
+
+    fn is_left_out(&self, element: &Element<'_>) -> bool {
+        self.left_out.contains(&place(self.text, element.outer).start)
+    }
+
+    fn header(&self, kind: &'static str, digest: String) -> String {
+        header(&self.name, self.text, &What { kind, share: self.share, digest })
     }
 
     fn copy(&self, text: String, items: Vec<Item>) -> Copy {
@@ -117,32 +166,6 @@ impl<'t> Original<'t> {
     /// The elements that hold enums and messages.
     fn lists(&self) -> impl Iterator<Item = &Element<'t>> {
         self.root.children.iter().filter(|child| ["enums", "messages"].contains(&child.name))
-    }
-
-    /// What is not in the part; `None` if nothing is left out.
-    fn left_out(&self, part: Option<&Part>) -> Option<LeftOut> {
-        let (part, syntax::File { messages, enums, .. }) = (part?, &*self.syntax);
-        let starts = messages.iter().filter(|message| !part.has_message(message)).map(|message| message.span);
-        let messages_gone: Vec<usize> = starts.map(|span| span.range().start).collect();
-        let starts = enums.iter().filter(|enum_| !part.has_enum(enum_)).map(|enum_| enum_.span);
-        let enums_gone: Vec<usize> = starts.map(|span| span.range().start).collect();
-        let share = Share {
-            messages: (messages.len() - messages_gone.len(), messages.len()),
-            enums: (enums.len() - enums_gone.len(), enums.len()),
-        };
-        let starts: BTreeSet<usize> = messages_gone.into_iter().chain(enums_gone).collect();
-        (!starts.is_empty()).then_some(LeftOut { starts, share })
-    }
-
-    /// The tree without what is left out.
-    fn kept(&self, left_out: Option<&LeftOut>) -> Element<'t> {
-        let mut root = self.root.clone();
-        if let Some(LeftOut { starts, .. }) = left_out {
-            for list in &mut root.children {
-                list.children.retain(|child| !starts.contains(&place(self.text, child.outer).start));
-            }
-        }
-        root
     }
 }
 

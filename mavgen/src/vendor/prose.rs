@@ -1,9 +1,10 @@
 //! Descriptions by the names of what they describe, so that they find their place in another state of the definitions.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
 
-use super::header;
 use super::tree::Element;
+use super::{Unplaced, header};
 use crate::read::grammar::{Filling, filling};
 
 /// What people wrote about one element.
@@ -110,8 +111,8 @@ impl Prose {
 }
 
 /// What people wrote in all files of a folder.
-#[derive(Default)]
 pub(super) struct Library {
+    folder: PathBuf,
     /// The files, by name.
     files: Vec<(String, Prose)>,
     /// For each file, what it will have words about itself.
@@ -119,15 +120,19 @@ pub(super) struct Library {
 }
 
 impl Library {
+    /// Nothing yet of a folder.
+    pub(super) fn of(folder: &Path) -> Self {
+        Self { folder: folder.to_owned(), files: Vec::new(), claimed: Vec::new() }
+    }
+
     /// Adds the file of this name and root element.
     pub(super) fn add(&mut self, file: &str, root: &Element<'_>) {
         self.files.push((file.to_owned(), Prose::of(root)));
     }
 
     /// Says what the elements of the new state of a file are, so that no other file takes its words.
-    pub(super) fn claim(&mut self, file: &str, keys: Vec<Key>) {
-        let claimed = keys.iter().map(|key| format!("{key} description")).chain(keys.iter().cloned());
-        self.claimed.push((file.to_owned(), claimed.collect()));
+    pub(super) fn claim(&mut self, file: &str, keys: BTreeSet<Key>) {
+        self.claimed.push((file.to_owned(), keys));
     }
 
     /// Whether there was such an element.
@@ -137,13 +142,9 @@ impl Library {
 
     /// Takes what was written about an element of a file: there or, if it has moved, in the file that it comes from.
     pub(super) fn take(&mut self, file: &str, key: &str) -> Option<Words> {
-        if let Some(words) =
-            self.files.iter_mut().find(|(name, _)| name == file).and_then(|(_, prose)| prose.words.remove(key))
-        {
-            return Some(words);
-        }
-        if !key.starts_with("enum ") && !key.starts_with("message ") {
-            return None;
+        let own = self.files.iter_mut().find(|(name, _)| name == file).and_then(|(_, prose)| prose.words.remove(key));
+        if own.is_some() || !key.starts_with("enum ") && !key.starts_with("message ") {
+            return own;
         }
         let claimed = &self.claimed;
         let moved = |name: &str| !claimed.iter().any(|(file, keys)| file == name && keys.contains(key));
@@ -151,10 +152,14 @@ impl Library {
         others.find_map(|(_, prose)| prose.words.remove(key))
     }
 
-    /// What nobody took: the file, what it was about, and the words in one line.
-    pub(super) fn rest(&self) -> impl Iterator<Item = (&str, Key, String)> {
+    /// What nobody took.
+    pub(super) fn rest(&self) -> impl Iterator<Item = Unplaced> {
         let rest = self.files.iter().flat_map(|(file, prose)| prose.words.iter().map(move |words| (file, words)));
-        rest.map(|(file, (key, words))| (file.as_str(), key.clone(), words.shown()))
+        rest.map(|(file, (key, words))| Unplaced {
+            file: self.folder.join(file),
+            name: key.clone(),
+            words: words.shown(),
+        })
     }
 }
 

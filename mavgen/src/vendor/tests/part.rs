@@ -11,7 +11,7 @@ use crate::roots::resolve;
 use crate::select::Selection;
 use crate::source::Sources;
 use crate::vendor::part::Part;
-use crate::vendor::{Copies, originals, write};
+use crate::vendor::{originals, write};
 
 fn resolved(builder: &Builder) -> Dialect {
     builder.resolve().unwrap_or_else(|failure| panic!("{failure}")).dialect
@@ -80,21 +80,21 @@ fn every_message_alone_is_what_it_is_in_the_whole() {
     let loaded = load(&xml().join("autoquad.xml"), &[], &[], &mut sources, &mut diagnostics);
     let named = resolve(&loaded, &sources, &mut diagnostics).unwrap();
     let whole = &named.dialect;
-    let originals = originals(&loaded, &sources).unwrap();
+    let mut originals = originals(&loaded, &sources).unwrap();
     let (mut retained, mut sizes) = (BTreeSet::new(), Vec::new());
     for (index, message) in whole.messages.iter().enumerate() {
         let name = &*message.name.text;
         let part = Part::of(&Selection::new([name]).unwrap(), &named, &loaded, &sources).unwrap();
         retained.extend(part.retained.iter().map(|one| one.name.clone()));
-        let prose = if index % 2 == 0 { Prose::Keep } else { Prose::Drop };
-        let folder = tempfile::tempdir().unwrap();
-        for copy in Copies::of(&originals, Some(&part), &prose).unwrap().files {
+        let (words, folder) = (index % 2 == 0, tempfile::tempdir().unwrap());
+        for (original, file) in originals.iter_mut().zip(&loaded.files) {
+            original.leave_out(file, &part);
+            let copy = if words { original.whole() } else { original.facts(None) };
             put(&folder.path().join(copy.name), &copy.text);
         }
         let copy = Builder::new(folder.path().join("autoquad.xml")).messages([name]);
         let (copied, mut expected) = (resolved(&copy), whole.clone());
         expected.cut(&Selection::new([name]).unwrap().kept(whole));
-        let words = prose == Prose::Keep;
         sizes.push(copied.enums.len());
         assert!(shown(copied, words) == shown(expected, words), "{name}");
     }
