@@ -194,14 +194,23 @@ fn is_current(path: &Path, text: &str) -> bool {
     fs::read(path).is_ok_and(|bytes| bytes == text.as_bytes())
 }
 
-/// A folder that holds nothing of ours is somebody's, unless it is empty.
+/// A folder that holds nothing of ours is somebody's, unless it is empty, or has the folders alone that a run made before it was
+/// killed.
 fn refuse_occupied(folder: &Path) -> Result<(), OutputError> {
-    let mut entries = fs::read_dir(folder).into_iter().flatten().flatten();
-    if entries.any(|entry| !is_staging(&entry)) {
+    if holds_something(folder) {
         let text = "the folder is not empty and holds nothing that mavgen wrote: choose another, or empty it";
         return Err(OutputError::new(folder, io::Error::other(text)));
     }
     Ok(())
+}
+
+/// Whether there is a file in a folder or below it.
+fn holds_something(folder: &Path) -> bool {
+    let mut entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    entries.any(|entry| {
+        let is_folder = entry.file_type().is_ok_and(|kind| kind.is_dir());
+        if is_folder { !is_staging(&entry) && holds_something(&entry.path()) } else { true }
+    })
 }
 
 /// A file without our header is somebody's, whatever it is called.

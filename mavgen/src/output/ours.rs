@@ -29,7 +29,8 @@ impl Ours {
     }
 }
 
-/// The generated files in `folder` and below it; none if there is no such folder.
+/// The generated files in `folder` and below it; none if there is no such folder, or if none lies in it itself: then a tree below
+/// is another one, and `folder` is a place that many things lie in.
 ///
 /// Links to folders are not followed: what is behind them may be reached, and claimed, on another way.
 pub(super) fn ours(folder: &Path) -> Result<Ours, OutputError> {
@@ -49,6 +50,9 @@ pub(super) fn ours(folder: &Path) -> Result<Ours, OutputError> {
             } else if path.extension().is_some_and(|extension| extension == "rs") && has_mark(&entry.path()) {
                 ours.push(path);
             }
+        }
+        if ours.is_empty() {
+            break;
         }
     }
     order::sort_by_key(&mut ours, PathBuf::clone);

@@ -140,6 +140,27 @@ fn somebodys_folder_is_refused() {
     assert!(error.to_string().contains("not empty"));
 }
 
+/// Generated files somewhere below do not make a folder one of ours: it may be the root of everything.
+#[test]
+fn a_folder_around_somebodys_tree_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::create_dir_all(folder.path().join("crate/src")).unwrap();
+    fs::write(folder.path().join("crate/src/acme.rs"), MARK).unwrap();
+    let before = tree(folder.path());
+    let error = write(folder.path(), &[file("mod.rs", "a"), file("messages/b.rs", "b")]).unwrap_err();
+    assert!(error.to_string().contains("not empty"), "{error}");
+    assert!(check(folder.path(), &[file("mod.rs", "a")]).unwrap().stale.is_empty());
+    assert_eq!(tree(folder.path()), before);
+}
+
+#[test]
+fn folders_that_a_killed_run_made_are_no_obstacle() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::create_dir_all(folder.path().join("one/messages")).unwrap();
+    fs::create_dir_all(folder.path().join(".mavgen-staging-1-0/new")).unwrap();
+    assert_eq!(write(folder.path(), &[file("mod.rs", "a")]).unwrap().written, 1);
+}
+
 #[test]
 fn somebodys_file_is_not_overwritten() {
     let (_parent, folder) = written();

@@ -41,7 +41,7 @@ impl Playback {
     /// Opens a recording, and notes where in the file which second is.
     pub(crate) fn open(path: &Path) -> Result<Self, Failure> {
         if is_standard(path) || fs::metadata(path).is_ok_and(|there| !there.is_file() && !there.is_dir()) {
-            return Err(Failure::file(path, "has no places to go to and cannot be played; --plain prints it"));
+            return Err(Failure::file(path, "cannot be played, as it is no file; give --plain for lines"));
         }
         let mut recording = Recording::open(path)?;
         let (mut index, mut place, mut end_us) = (Vec::<(u64, u64)>::new(), 0, None);
