@@ -17,6 +17,13 @@ pub trait Operation: Service<Event = Update<Self::Progress, Self::Outcome, Self:
     type Failure;
 }
 
+/// Every machine with these events is one.
+impl<P, T, F, S: Service<Event = Update<P, T, F>>> Operation for S {
+    type Progress = P;
+    type Outcome = T;
+    type Failure = F;
+}
+
 /// The events of an [`Operation`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Update<P, T, F> {

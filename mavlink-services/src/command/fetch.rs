@@ -7,7 +7,7 @@ use mavlink_wire::{Encode, Frame, Message};
 use super::{Command, Failure, NoCommand};
 use crate::common::{CommandAck, CommandLong, MavCmd, MavResult};
 use crate::retry::Attempt;
-use crate::{Address, Instant, Operation, Output, Retry, Service, Update};
+use crate::{Address, Instant, Output, Retry, Service, Update};
 
 /// Asks a peer for one message, which may be of your dialect, and waits for it.
 ///
@@ -121,10 +121,4 @@ impl<M: Message> Service for Fetch<M> {
     fn deadline(&self) -> Option<Instant> {
         if self.stage == Stage::Done { None } else { Some(self.attempt.deadline()) }
     }
-}
-
-impl<M: Message> Operation for Fetch<M> {
-    type Progress = ();
-    type Outcome = M;
-    type Failure = Failure;
 }

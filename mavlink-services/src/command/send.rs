@@ -7,7 +7,7 @@ use mavlink_wire::{Encode, Frame};
 use super::{Command, Failure, NoCommand, percent};
 use crate::common::{CommandAck, CommandCancel, MavCmd, MavResult};
 use crate::retry::Attempt;
-use crate::{Address, Instant, Operation, Outgoing, Output, Retry, Service, Update};
+use crate::{Address, Instant, Outgoing, Output, Retry, Service, Update};
 
 /// Sends a command until it is acknowledged, and waits for its end.
 ///
@@ -224,10 +224,4 @@ impl Service for Send {
     fn deadline(&self) -> Option<Instant> {
         if self.stage == Stage::Done { None } else { Some(self.attempt.deadline().min(self.limit)) }
     }
-}
-
-impl Operation for Send {
-    type Progress = Progress;
-    type Outcome = Accepted;
-    type Failure = Failure;
 }

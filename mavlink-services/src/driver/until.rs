@@ -3,7 +3,7 @@
 use mavlink_wire::Frame;
 
 use crate::command::{Accepted, Failure, Progress, Send};
-use crate::{Instant, Operation, Output, Service, Update};
+use crate::{Instant, Output, Service, Update};
 
 /// A command that goes on while a closure says so.
 pub(super) struct While<G> {
@@ -37,10 +37,4 @@ impl<G: FnMut(Progress) -> bool> Service for While<G> {
     fn deadline(&self) -> Option<Instant> {
         self.send.deadline()
     }
-}
-
-impl<G: FnMut(Progress) -> bool> Operation for While<G> {
-    type Progress = Progress;
-    type Outcome = Accepted;
-    type Failure = Failure;
 }

@@ -5,7 +5,7 @@ use mavlink_wire::{Frame, Message};
 use super::Interval;
 use crate::command::{Command, Failure, Fetch, Options, Send};
 use crate::common::{CommandLong, MavCmd, MessageInterval};
-use crate::{Address, Instant, Operation, Output, Retry, Service, Update};
+use crate::{Address, Instant, Output, Retry, Service, Update};
 
 /// Asks the peer to send the message with this id so often, by `MAV_CMD_SET_MESSAGE_INTERVAL`: a [`Send`], with its states.
 ///
@@ -61,10 +61,4 @@ impl Service for Get {
     fn deadline(&self) -> Option<Instant> {
         self.fetch.deadline()
     }
-}
-
-impl Operation for Get {
-    type Progress = ();
-    type Outcome = Interval;
-    type Failure = Failure;
 }

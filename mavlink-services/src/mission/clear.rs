@@ -6,7 +6,7 @@ use super::access::Access;
 use super::failure::{Awaited, Failure};
 use crate::common::{MavMissionResult, MissionClearAll};
 use crate::retry::Attempt;
-use crate::{Instant, Operation, Output, Service, Update};
+use crate::{Instant, Output, Service, Update};
 
 /// Clears a plan of a vehicle; all of them with `MavMissionType::ALL`.
 ///
@@ -87,10 +87,4 @@ impl Service for Clear {
     fn deadline(&self) -> Option<Instant> {
         matches!(self.state, State::Waiting).then(|| self.attempt.deadline())
     }
-}
-
-impl Operation for Clear {
-    type Progress = core::convert::Infallible;
-    type Outcome = ();
-    type Failure = Failure;
 }

@@ -6,7 +6,7 @@ use super::access::Access;
 use super::failure::{Awaited, Failure};
 use crate::common::{MissionCurrent, MissionSetCurrent};
 use crate::retry::Attempt;
-use crate::{Instant, Operation, Output, Service, Update};
+use crate::{Instant, Output, Service, Update};
 
 /// Sends a vehicle to an item of its mission, with `MISSION_SET_CURRENT`, and waits until it says that it is at it.
 ///
@@ -85,10 +85,4 @@ impl Service for SetCurrent {
     fn deadline(&self) -> Option<Instant> {
         matches!(self.state, State::Waiting).then(|| self.attempt.deadline())
     }
-}
-
-impl Operation for SetCurrent {
-    type Progress = core::convert::Infallible;
-    type Outcome = ();
-    type Failure = Failure;
 }

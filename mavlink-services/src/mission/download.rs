@@ -9,7 +9,7 @@ use crate::common::{
     self, MavMissionResult, MissionCount, MissionItemInt, MissionRequest, MissionRequestInt, MissionRequestList,
 };
 use crate::retry::Attempt;
-use crate::{Instant, Operation, Outgoing, Output, Service, Update};
+use crate::{Instant, Outgoing, Output, Service, Update};
 
 /// How often the first item is asked for in one form alone. If there is no answer, both forms are tried in turn.
 const ONE_FORM: u16 = 8;
@@ -263,10 +263,4 @@ impl Service for Download {
     fn deadline(&self) -> Option<Instant> {
         matches!(self.state, State::AwaitCount | State::AwaitItem).then(|| self.attempt.deadline())
     }
-}
-
-impl Operation for Download {
-    type Progress = Item;
-    type Outcome = Downloaded;
-    type Failure = Failure;
 }

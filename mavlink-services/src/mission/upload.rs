@@ -7,7 +7,7 @@ use super::failure::{Awaited, Failure};
 use super::item::MissionItem;
 use crate::common::{MavMissionResult, MissionCount, MissionRequest, MissionRequestInt, MissionWritePartialList};
 use crate::retry::Attempt;
-use crate::{Instant, Operation, Outgoing, Output, Service, Update};
+use crate::{Instant, Outgoing, Output, Service, Update};
 
 /// How often the first item may be asked for with the old message before it is sent in the old one, too: the answer may be lost.
 const OLD_QUESTIONS: u8 = 2;
@@ -254,10 +254,4 @@ impl<S: AsRef<[MissionItem]>> Service for Upload<S> {
     fn deadline(&self) -> Option<Instant> {
         matches!(self.state, State::Waiting | State::Sending).then(|| self.attempt.deadline())
     }
-}
-
-impl<S: AsRef<[MissionItem]>> Operation for Upload<S> {
-    type Progress = Sent;
-    type Outcome = Uploaded;
-    type Failure = Failure;
 }

@@ -6,7 +6,7 @@ use super::failure::{Awaited, Failure};
 use super::{Access, Name, ParamValue, Which, index_of};
 use crate::common::{self, ParamRequestList};
 use crate::retry::Attempt;
-use crate::{Instant, Operation, Output, Service, Update};
+use crate::{Instant, Output, Service, Update};
 
 /// Parameters that may be asked for at once when gaps are filled.
 const WINDOW: u8 = 8;
@@ -248,10 +248,4 @@ impl<S: AsRef<[u8]> + AsMut<[u8]>> Service for List<S> {
     fn deadline(&self) -> Option<Instant> {
         matches!(self.state, State::Listing | State::Filling { .. }).then(|| self.attempt.deadline())
     }
-}
-
-impl<S: AsRef<[u8]> + AsMut<[u8]>> Operation for List<S> {
-    type Progress = ListProgress;
-    type Outcome = u16;
-    type Failure = Failure;
 }

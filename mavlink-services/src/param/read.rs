@@ -6,7 +6,7 @@ use super::failure::{Awaited, Failure};
 use super::{Access, Name, Told, is_same};
 use crate::common::{self, ParamRequestRead};
 use crate::retry::Attempt;
-use crate::{Instant, Operation, Output, Service, Update};
+use crate::{Instant, Output, Service, Update};
 
 /// Which parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -135,10 +135,4 @@ impl Service for Read {
     fn deadline(&self) -> Option<Instant> {
         matches!(self.state, State::Wait).then(|| self.attempt.deadline())
     }
-}
-
-impl Operation for Read {
-    type Progress = core::convert::Infallible;
-    type Outcome = Told;
-    type Failure = Failure;
 }

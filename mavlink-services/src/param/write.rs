@@ -6,7 +6,7 @@ use super::failure::{Awaited, Failure};
 use super::{Access, Name, ParamValue, Read, Told, Which, is_same};
 use crate::common::{self, MavParamType, ParamSet};
 use crate::retry::Attempt;
-use crate::{Instant, Operation, Output, Service, Update};
+use crate::{Instant, Output, Service, Update};
 
 /// How often another value may come back before it is taken for the answer: the first one may have been under way already.
 const REFUSALS: u8 = 2;
@@ -173,10 +173,4 @@ impl Service for Write {
             State::Set | State::End(_) | State::Over => None,
         }
     }
-}
-
-impl Operation for Write {
-    type Progress = core::convert::Infallible;
-    type Outcome = Told;
-    type Failure = Failure;
 }

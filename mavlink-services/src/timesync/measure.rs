@@ -7,7 +7,7 @@ use core::time::Duration;
 use mavlink_wire::Frame;
 
 use crate::common::Timesync;
-use crate::{Address, Instant, Operation, Output, Service, Update};
+use crate::{Address, Instant, Output, Service, Update};
 
 /// Measures how far the peer's clock is ahead.
 ///
@@ -160,10 +160,4 @@ impl Service for Measure {
     fn deadline(&self) -> Option<Instant> {
         if self.finished { None } else { Some(self.next) }
     }
-}
-
-impl Operation for Measure {
-    type Progress = Offset;
-    type Outcome = Offset;
-    type Failure = Failure;
 }
