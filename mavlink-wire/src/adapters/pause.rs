@@ -22,6 +22,14 @@ pub(crate) fn is_not_now(error: &Error) -> bool {
     matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::TimedOut)
 }
 
+/// What came; `None` if there was nothing in time.
+pub(crate) fn in_time<T>(came: Result<T>) -> Option<Result<T>> {
+    match came {
+        Err(error) if is_not_now(&error) => None,
+        came => Some(came),
+    }
+}
+
 /// Of a socket for datagrams: go on receiving. Windows gives the news that a datagram reached nobody to the receiver.
 pub(crate) fn is_passing(error: &Error) -> bool {
     is_interrupted(error) || matches!(error.kind(), ErrorKind::ConnectionReset | ErrorKind::ConnectionRefused)

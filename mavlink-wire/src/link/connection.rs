@@ -21,7 +21,7 @@ use std::time::Instant;
 use std::vec::Vec;
 
 use super::forward::forward_to_halves;
-use super::line::Line;
+use super::line::{Hearing, Line};
 use super::open::Transport;
 use super::{LinkError, LinkStatistics, Options, Peer, Pending};
 #[cfg(feature = "signing")]
@@ -60,7 +60,7 @@ impl Link {
             }
             Transport::Connection(opener) => {
                 let line = Arc::new(Line::open(opener, options.reconnects, &shared)?);
-                let receiving = receive::Carrier::Line { line: line.clone(), end: None, heard: Instant::now() };
+                let receiving = receive::Carrier::Line(Hearing::new(line.clone()));
                 (Some(line), receiving, send::Carrier::Line { end: None })
             }
             Transport::Recording(recording) => {

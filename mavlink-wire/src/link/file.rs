@@ -3,9 +3,10 @@
 use std::fs::File;
 use std::io::{ErrorKind, Read, Seek};
 use std::path::Path;
+use std::time::Duration;
 use std::vec::Vec;
 
-use super::LinkError;
+use super::{Inbox, LinkError, Peer};
 use crate::{Frame, Statistics, Table, tlog};
 
 /// Bytes at the start of a file that tell what it is.
@@ -16,6 +17,29 @@ pub(super) struct Recording {
     pub(super) file: File,
     /// A time stands in front of each frame. Else there are frames, and perhaps others' bytes between them.
     pub(super) is_log: bool,
+}
+
+/// A stream that was kept. Its end is told once what was before it is handed over.
+pub(super) struct Kept<F> {
+    pub(super) file: F,
+    ended: bool,
+}
+
+impl<F> Kept<F> {
+    pub(super) const fn new(file: F) -> Self {
+        Self { file, ended: false }
+    }
+
+    /// An error, if the end is to be told.
+    pub(super) fn check(&mut self) -> Result<(), LinkError> {
+        if core::mem::take(&mut self.ended) { Err(LinkError::Ended) } else { Ok(()) }
+    }
+
+    /// Takes what was read; nothing is the end.
+    pub(super) fn take(&mut self, inbox: &mut Inbox<'_>, length: usize) {
+        self.ended = length == 0;
+        if self.ended { inbox.end() } else { inbox.fill(length, Peer::NEARBY, Duration::ZERO) }
+    }
 }
 
 /// The reader of a log, and what it found.

@@ -1,5 +1,7 @@
 //! From bytes that came to frames that are handed over: what every link does, however it waits.
 
+use std::io;
+use std::net::SocketAddr;
 use std::time::{Duration, Instant};
 
 use super::chunk::Chunk;
@@ -8,6 +10,7 @@ use super::{Peer, Peers};
 #[cfg(feature = "signing")]
 use crate::adapters::clock;
 use crate::adapters::incoming::Found;
+use crate::adapters::pause::is_passing;
 #[cfg(feature = "signing")]
 use crate::signing::{Trust, Verifier};
 use crate::{Frame, Statistics, Table};
@@ -82,6 +85,21 @@ impl<'t> Inbox<'t> {
         }
         self.chunk.fill(length, from);
         self.sources.receive(from, &self.peers, now);
+    }
+
+    /// Takes a datagram that was received there, if any in time.
+    pub(crate) fn take_datagram(
+        &mut self,
+        came: Option<io::Result<(usize, SocketAddr)>>,
+        waited: Duration,
+    ) -> io::Result<()> {
+        match came {
+            Some(Ok((length, from))) => self.fill(length, from.into(), waited),
+            Some(Err(error)) if is_passing(&error) => {}
+            Some(Err(error)) => return Err(error),
+            None => drop(self.give_up()),
+        }
+        Ok(())
     }
 
     /// How long to wait at most before [`give_up`](Self::give_up) has something to do.

@@ -1,6 +1,7 @@
 //! A connection or a device that is opened again when it is lost. Both halves of a link have a hand on it.
 
 use std::boxed::Box;
+use std::io;
 use std::string::{String, ToString};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
@@ -8,7 +9,8 @@ use std::time::{Duration, Instant};
 use super::ends::{Ends, Opener, Parts, Shut};
 use super::shared::Shared;
 use super::statistics::Counters;
-use super::{LinkError, Peer, Peers};
+use super::{Inbox, LinkError, Peer, Peers};
+use crate::adapters::pause::is_interrupted;
 
 /// How long to wait after the first attempt that failed; then twice as long each time.
 const FIRST_WAIT: Duration = Duration::from_millis(100);
@@ -18,6 +20,12 @@ const LONGEST_WAIT: Duration = Duration::from_secs(5);
 
 /// What has lasted for so long was a connection, and the next attempt is a first one.
 const LASTING: Duration = Duration::from_secs(1);
+
+/// After so long, a silent client of a listener gives its place to one who waits.
+pub(super) const SILENT: Duration = Duration::from_secs(5);
+
+/// So often somebody who waits for a connection looks whether it is there.
+pub(super) const POLL: Duration = Duration::from_millis(20);
 
 /// What both halves of a link share of a connection.
 pub(super) struct Line<E: Ends> {
@@ -54,6 +62,49 @@ pub(super) struct End<S> {
     generation: u64,
 }
 
+/// The half that reads.
+pub(super) struct Hearing<E: Ends> {
+    line: Arc<Line<E>>,
+    end: Option<End<E::Reader>>,
+    /// When something came last.
+    heard: Instant,
+}
+
+impl<E: Ends> Hearing<E> {
+    pub(super) fn new(line: Arc<Line<E>>) -> Self {
+        Self { line, end: None, heard: Instant::now() }
+    }
+
+    /// What to read from; `None` while there is no connection. Opens the line if it is time to.
+    pub(super) fn stream(&mut self) -> Result<Option<&mut E::Reader>, LinkError> {
+        self.line.refresh(&mut self.end, |connection| &mut connection.reader)?;
+        Ok(self.end.as_mut().map(|end| &mut end.stream))
+    }
+
+    /// Takes what was read, if anything in time, after a wait of so long; or notices that the connection is lost.
+    pub(super) fn take(&mut self, inbox: &mut Inbox<'_>, read: Option<io::Result<usize>>, waited: Duration) {
+        match (read, &self.end) {
+            (Some(Ok(0)), _) => self.lose(inbox, &"the other side has closed the connection"),
+            (Some(Ok(length)), Some(end)) => {
+                inbox.fill(length, end.peer, waited);
+                self.heard = Instant::now();
+            }
+            (Some(Err(error)), _) if !is_interrupted(&error) => self.lose(inbox, &error),
+            _ => {
+                inbox.give_up();
+                if self.heard.elapsed() >= SILENT {
+                    self.line.replace_silent();
+                }
+            }
+        }
+    }
+
+    fn lose(&mut self, inbox: &mut Inbox<'_>, why: &dyn ToString) {
+        inbox.end();
+        self.line.lose(&mut self.end, why);
+    }
+}
+
 impl<E: Ends> Line<E> {
     /// A line that is opened now, or as soon as somebody comes.
     pub(super) fn open(opener: Box<dyn Opener<E>>, reconnects: bool, shared: &Shared) -> Result<Self, LinkError> {
@@ -75,13 +126,8 @@ impl<E: Ends> Line<E> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Brings the half that reads up to date: it keeps its end, gets that of a new connection, or has none for now. Opens the
+    /// Brings the half that writes up to date: it keeps its end, gets that of a new connection, or has none for now. Opens the
     /// line if it is time to. Whether it is another end than before.
-    pub(super) fn refresh_reader(&self, end: &mut Option<End<E::Reader>>) -> Result<bool, LinkError> {
-        self.refresh(end, |connection| &mut connection.reader)
-    }
-
-    /// The same of the half that writes.
     pub(super) fn refresh_writer(&self, end: &mut Option<End<E::Writer>>) -> Result<bool, LinkError> {
         self.refresh(end, |connection| &mut connection.writer)
     }
@@ -165,7 +211,7 @@ impl<E: Ends> Line<E> {
     }
 
     /// Takes another client in place of one that has been silent, if somebody waits at a listener.
-    pub(super) fn replace_silent(&self) {
+    fn replace_silent(&self) {
         let mut state = self.lock();
         if state.opener.is_listener() {
             // Whoever comes and does not work is as good as nobody.

@@ -9,9 +9,9 @@ use std::time::{Duration, Instant};
 
 use super::stream::Stream;
 use super::udp::Receiving;
-use crate::adapters::pause::{is_interrupted, is_not_now, uninterrupted};
-use crate::link::file::{Log, Recording};
-use crate::link::line::{End, Line};
+use crate::adapters::pause::{in_time, uninterrupted};
+use crate::link::file::{Kept, Log, Recording};
+use crate::link::line::{Hearing, POLL};
 use crate::link::shared::Shared;
 use crate::link::{Inbox, LinkError, LinkStatistics, Peer};
 use crate::parser::not_told;
@@ -21,12 +21,6 @@ use crate::{Frame, Losses, Table};
 
 /// So often somebody who waits looks whether the link was closed.
 const SLICE: Duration = Duration::from_millis(200);
-
-/// So often somebody who waits for a connection looks whether it is there.
-const POLL: Duration = Duration::from_millis(20);
-
-/// After so long, a silent client of a listener gives its place to one who waits.
-const SILENT: Duration = Duration::from_secs(5);
 
 /// The half of a [`Link`](super::Link) that receives.
 pub struct ReceiveHalf {
@@ -38,14 +32,14 @@ pub struct ReceiveHalf {
 
 pub(super) enum Carrier {
     Datagrams(Receiving),
-    Line { line: Arc<Line<Box<dyn Stream>>>, end: Option<End<Box<dyn Stream>>>, heard: Instant },
-    Stream { file: File, ended: bool },
+    Line(Hearing<Box<dyn Stream>>),
+    Stream(Kept<File>),
     Log(Box<Log<File>>),
 }
 
 impl Carrier {
     pub(super) fn of_recording(Recording { file, is_log }: Recording, table: &'static Table<'static>) -> Self {
-        if is_log { Self::Log(Box::new(Log::new(file, table))) } else { Self::Stream { file, ended: false } }
+        if is_log { Self::Log(Box::new(Log::new(file, table))) } else { Self::Stream(Kept::new(file)) }
     }
 }
 
@@ -145,66 +139,26 @@ impl ReceiveHalf {
     fn wait(&mut self, limit: Duration) -> Result<(), LinkError> {
         match &mut self.carrier {
             Carrier::Datagrams(socket) => socket.wait(&mut self.inbox, limit),
-            Carrier::Line { line, end, heard } => {
-                line.refresh_reader(end)?;
-                if end.is_none() {
-                    thread::sleep(limit.min(POLL));
-                } else {
-                    read(line, end, heard, &mut self.inbox, limit);
+            Carrier::Line(hearing) => {
+                let began = Instant::now();
+                match hearing.stream()? {
+                    None => thread::sleep(limit.min(POLL)),
+                    Some(stream) => {
+                        let read = in_time(stream.read_within(self.inbox.space(), limit));
+                        hearing.take(&mut self.inbox, read, began.elapsed());
+                    }
                 }
                 Ok(())
             }
-            Carrier::Stream { file, ended } => read_file(file, ended, &mut self.inbox),
+            Carrier::Stream(kept) => {
+                kept.check()?;
+                let length = uninterrupted(|| kept.file.read(self.inbox.space())).map_err(LinkError::Io)?;
+                kept.take(&mut self.inbox, length);
+                Ok(())
+            }
             Carrier::Log(_) => Ok(()),
         }
     }
-}
-
-/// Reads from a connection, or notices that it is lost.
-fn read(
-    line: &Line<Box<dyn Stream>>,
-    end: &mut Option<End<Box<dyn Stream>>>,
-    heard: &mut Instant,
-    inbox: &mut Inbox<'_>,
-    limit: Duration,
-) {
-    let Some(open) = end else { return };
-    let began = Instant::now();
-    match open.stream.read_within(inbox.space(), limit) {
-        Ok(0) => {
-            inbox.end();
-            line.lose(end, &"the other side has closed the connection");
-        }
-        Ok(length) => {
-            inbox.fill(length, open.peer, began.elapsed());
-            *heard = Instant::now();
-        }
-        Err(error) if is_interrupted(&error) || is_not_now(&error) => {
-            inbox.give_up();
-            if heard.elapsed() >= SILENT {
-                line.replace_silent();
-            }
-        }
-        Err(error) => {
-            inbox.end();
-            line.lose(end, &error);
-        }
-    }
-}
-
-/// Reads on in a file. Its end is told once what was before it is handed over.
-fn read_file(file: &mut File, ended: &mut bool, inbox: &mut Inbox<'_>) -> Result<(), LinkError> {
-    if core::mem::take(ended) {
-        return Err(LinkError::Ended);
-    }
-    match uninterrupted(|| file.read(inbox.space())).map_err(LinkError::Io)? {
-        0 => {
-            inbox.end();
-            *ended = true;
-        }
-        length => inbox.fill(length, Peer::NEARBY, Duration::ZERO),
-    }
-    Ok(())
 }
 
 impl core::fmt::Debug for ReceiveHalf {

@@ -4,7 +4,7 @@ use std::net::UdpSocket;
 use std::time::{Duration, Instant};
 
 use super::stream::Timeout;
-use crate::adapters::pause::{is_not_now, is_passing};
+use crate::adapters::pause::in_time;
 use crate::link::{Inbox, LinkError};
 
 /// A socket that receives.
@@ -22,12 +22,7 @@ impl Receiving {
     pub(super) fn wait(&mut self, inbox: &mut Inbox<'_>, limit: Duration) -> Result<(), LinkError> {
         self.timeout.change(limit, |limit| self.socket.set_read_timeout(limit)).map_err(LinkError::Io)?;
         let began = Instant::now();
-        match self.socket.recv_from(inbox.space()) {
-            Ok((length, from)) => inbox.fill(length, from.into(), began.elapsed()),
-            Err(error) if is_passing(&error) => {}
-            Err(error) if is_not_now(&error) => drop(inbox.give_up()),
-            Err(error) => return Err(LinkError::Io(error)),
-        }
-        Ok(())
+        let came = in_time(self.socket.recv_from(inbox.space()));
+        inbox.take_datagram(came, began.elapsed()).map_err(LinkError::Io)
     }
 }

@@ -10,7 +10,7 @@ use ::tokio::task::spawn_blocking;
 use ::tokio::time::sleep;
 
 use super::{Common, Link, ReceiveHalf, SendHalf, receive, send};
-use crate::link::line::Line;
+use crate::link::line::{Hearing, Line};
 use crate::link::open::Transport;
 use crate::link::{Address, LinkError, Options};
 
@@ -31,7 +31,7 @@ pub(super) async fn open(address: Address, options: Options) -> Result<Link, Lin
         }
         Transport::Connection(opener) => {
             let line = Arc::new(Line::open(opener, options.reconnects, &shared)?);
-            (Some(line.clone()), receive::Carrier::line(line), send::Carrier::Line { end: None })
+            (Some(line.clone()), receive::Carrier::Line(Hearing::new(line)), send::Carrier::Line { end: None })
         }
         Transport::Recording(recording) => {
             shared.counters.count_connection();

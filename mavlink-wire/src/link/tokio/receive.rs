@@ -14,21 +14,14 @@ use ::tokio::net::UdpSocket;
 use ::tokio::time::{sleep, timeout, timeout_at};
 
 use super::Common;
-use super::ends::{Hand, Opened};
-use crate::adapters::pause::{is_interrupted, is_passing};
-use crate::link::file::{Log, Recording};
-use crate::link::line::{End, Line};
+use super::ends::Opened;
+use crate::link::file::{Kept, Log, Recording};
+use crate::link::line::{Hearing, POLL, SILENT};
 use crate::link::{Inbox, LinkError, LinkStatistics, Peer};
 use crate::parser::not_told;
 #[cfg(feature = "signing")]
 use crate::signing::Verifier;
 use crate::{Frame, FrameBuf, Losses, Table};
-
-/// So often somebody who waits for a connection looks whether it is there.
-const POLL: Duration = Duration::from_millis(20);
-
-/// After so long, a silent client of a listener gives its place to one who waits.
-const SILENT: Duration = Duration::from_secs(5);
 
 /// Bytes of a log that are read at once.
 const CHUNK: usize = 8192;
@@ -43,8 +36,8 @@ pub struct ReceiveHalf {
 
 pub(super) enum Carrier {
     Datagrams(Arc<UdpSocket>),
-    Line { line: Arc<Line<Opened>>, end: Option<End<Hand>>, heard: Instant },
-    Stream { file: File, ended: bool },
+    Line(Hearing<Opened>),
+    Stream(Kept<File>),
     Log { file: File, log: Box<Log<Supply>>, last: Option<Box<FrameBuf>> },
 }
 
@@ -57,17 +50,13 @@ pub(super) struct Supply {
 }
 
 impl Carrier {
-    pub(super) fn line(line: Arc<Line<Opened>>) -> Self {
-        Self::Line { line, end: None, heard: Instant::now() }
-    }
-
     pub(super) fn of_recording(Recording { file, is_log }: Recording, table: &'static Table<'static>) -> Self {
         let file = File::from_std(file);
         if is_log {
             let supply = Supply { bytes: vec![0; CHUNK], start: 0, end: 0, ended: false };
             Self::Log { file, log: Box::new(Log::new(supply, table)), last: None }
         } else {
-            Self::Stream { file, ended: false }
+            Self::Stream(Kept::new(file))
         }
     }
 }
@@ -166,63 +155,26 @@ async fn wait(carrier: &mut Carrier, inbox: &mut Inbox<'static>) -> Result<(), L
     let began = Instant::now();
     let patience = inbox.patience();
     match carrier {
-        Carrier::Datagrams(socket) => match within(patience, socket.recv_from(inbox.space())).await {
-            Some(Ok((length, from))) => inbox.fill(length, from.into(), began.elapsed()),
-            Some(Err(error)) if is_passing(&error) => {}
-            Some(Err(error)) => return Err(LinkError::Io(error)),
-            None => drop(inbox.give_up()),
-        },
-        Carrier::Line { line, end, heard } => {
-            line.refresh_reader(end)?;
-            if end.is_none() {
-                sleep(POLL).await;
-            } else {
-                read(line, end, heard, inbox).await;
-            }
+        Carrier::Datagrams(socket) => {
+            let came = within(patience, socket.recv_from(inbox.space())).await;
+            inbox.take_datagram(came, began.elapsed()).map_err(LinkError::Io)?;
         }
-        Carrier::Stream { file, ended } => {
-            if core::mem::take(ended) {
-                return Err(LinkError::Ended);
+        Carrier::Line(hearing) => match hearing.stream()? {
+            None => sleep(POLL).await,
+            Some(stream) => {
+                let (limit, buffer) = (patience.unwrap_or(SILENT).min(SILENT), inbox.space());
+                let read = within(Some(limit), poll_fn(|context| stream.poll_read(context, buffer))).await;
+                hearing.take(inbox, read, began.elapsed());
             }
-            match read_file(file, inbox.space()).await.map_err(LinkError::Io)? {
-                0 => {
-                    inbox.end();
-                    *ended = true;
-                }
-                length => inbox.fill(length, Peer::NEARBY, Duration::ZERO),
-            }
+        },
+        Carrier::Stream(kept) => {
+            kept.check()?;
+            let length = read_file(&mut kept.file, inbox.space()).await.map_err(LinkError::Io)?;
+            kept.take(inbox, length);
         }
         Carrier::Log { .. } => {}
     }
     Ok(())
-}
-
-/// Reads from a connection, or notices that it is lost.
-async fn read(line: &Line<Opened>, end: &mut Option<End<Hand>>, heard: &mut Instant, inbox: &mut Inbox<'static>) {
-    let Some(open) = end else { return };
-    let (began, limit) = (Instant::now(), inbox.patience().unwrap_or(SILENT).min(SILENT));
-    let buffer = inbox.space();
-    match within(Some(limit), poll_fn(|context| open.stream.poll_read(context, buffer))).await {
-        Some(Ok(0)) => {
-            inbox.end();
-            line.lose(end, &"the other side has closed the connection");
-        }
-        Some(Ok(length)) => {
-            inbox.fill(length, open.peer, began.elapsed());
-            *heard = Instant::now();
-        }
-        Some(Err(error)) if is_interrupted(&error) => {}
-        Some(Err(error)) => {
-            inbox.end();
-            line.lose(end, &error);
-        }
-        None => {
-            inbox.give_up();
-            if heard.elapsed() >= SILENT {
-                line.replace_silent();
-            }
-        }
-    }
 }
 
 /// The next frame of a log.
