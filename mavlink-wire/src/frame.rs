@@ -209,6 +209,11 @@ impl<'a> Frame<'a> {
         self.facts.id == SETUP_SIGNING
     }
 
+    /// Whether it is `RADIO_STATUS`: telemetry radios put that into the stream, without a key, and it is about one link.
+    pub(crate) fn is_of_radio(&self) -> bool {
+        self.facts.id == 109
+    }
+
     /// Whether the table knew the message. If not, some `crc_extra` explains the checksum, which damage achieves in 1 of
     /// 256 cases: forward such a frame, but do not act on it.
     #[inline]

@@ -12,9 +12,6 @@ use crate::{Frame, SystemId, Table};
 use places::Places;
 use recent::Recent;
 
-/// What telemetry radios tell the two ends of their link.
-const RADIO_STATUS: u32 = 109;
-
 /// How long a frame is remembered if nothing else is said.
 const WINDOW: Duration = Duration::from_millis(500);
 
@@ -99,7 +96,7 @@ impl<'t, const COMPONENTS: usize, const RECENT: usize> Routes<'t, COMPONENTS, RE
 
     /// Where a frame goes that came from this link, `now` by any clock that does not go back. Learns who is there.
     pub fn route(&mut self, frame: &Frame<'_>, from: u8, now: Duration) -> Links {
-        if frame.carries_key() || frame.message_id() == RADIO_STATUS || self.recent.take(frame, now, self.window) {
+        if frame.carries_key() || frame.is_of_radio() || self.recent.take(frame, now, self.window) {
             return Links::NONE;
         }
         if frame.is_verified() {

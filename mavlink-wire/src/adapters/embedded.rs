@@ -1,6 +1,71 @@
 //! What is the same of the traits of `embedded-io` for firmware that waits and for async tasks.
 
+use core::fmt;
+
 use ::embedded_io::{Error, ErrorKind};
+
+use crate::EncodeError;
+
+/// A message was not sent over a link.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(::defmt::Format))]
+#[non_exhaustive]
+pub enum SendError<E> {
+    /// The sender cannot carry the message.
+    Encode(EncodeError),
+    /// The link has failed.
+    Link(E),
+    /// The link took no byte, and named no reason.
+    NothingTaken,
+}
+
+impl<E: fmt::Display> fmt::Display for SendError<E> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Encode(error) => error.fmt(f),
+            Self::Link(error) => write!(f, "the link has failed: {error}"),
+            Self::NothingTaken => f.write_str("the link takes no more bytes: open it again"),
+        }
+    }
+}
+
+impl<E: core::error::Error> core::error::Error for SendError<E> {}
+
+/// No frame was received over a link.
+///
+/// There will be no third reason: where a link cannot fail, a `match` has one arm.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(::defmt::Format))]
+pub enum ReceiveError<E> {
+    /// 64 KiB were read, and no frame was found: nothing is lost, read again.
+    NothingYet,
+    /// The link has failed, or has timed out.
+    Link(E),
+}
+
+impl<E: fmt::Display> fmt::Display for ReceiveError<E> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NothingYet => {
+                f.write_str("no frame in 64 KiB: read again; if it goes on, compare both sides' baud rates")
+            }
+            Self::Link(error) => write!(f, "the link has failed: {error}"),
+        }
+    }
+}
+
+impl<E: core::error::Error> core::error::Error for ReceiveError<E> {}
+
+/// Of the link's kind; of kind [`TimedOut`](ErrorKind::TimedOut), which may be tried again, when there is
+/// nothing yet.
+impl<E: Error> Error for ReceiveError<E> {
+    fn kind(&self) -> ErrorKind {
+        match self {
+            Self::NothingYet => ErrorKind::TimedOut,
+            Self::Link(error) => error.kind(),
+        }
+    }
+}
 
 /// Something came in between: call again.
 pub(super) fn is_interrupted(error: &impl Error) -> bool {

@@ -48,6 +48,6 @@ use crate::adapters::outgoing::Outgoing;
 use crate::parser::not_told;
 use crate::{Encode, Frame, Sender, Statistics, Table};
 
-pub use crate::error::{ReceiveError, SendError};
+pub use crate::adapters::embedded::{ReceiveError, SendError};
 
 frames! { async await }

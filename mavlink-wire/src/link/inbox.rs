@@ -15,10 +15,6 @@ use crate::adapters::pause::is_passing;
 use crate::signing::{Trust, Verifier};
 use crate::{Frame, Statistics, Table};
 
-/// What telemetry radios put into the stream; they have no key.
-#[cfg(feature = "signing")]
-const RADIO_STATUS: u32 = 109;
-
 /// Parsers, one for each that sends, and what says which frames to hand over.
 #[derive(Debug)]
 pub(crate) struct Inbox<'t> {
@@ -51,7 +47,7 @@ impl<'t> Inbox<'t> {
             #[cfg(feature = "signing")]
             verifier: None,
             #[cfg(feature = "signing")]
-            allow: is_of_radio,
+            allow: |frame| frame.is_of_radio(),
             refused: 0,
         }
     }
@@ -173,10 +169,4 @@ fn check(verifier: &mut Verifier, frame: &Frame<'_>, allow: fn(&Frame<'_>) -> bo
     let trust = verifier.check_with(frame, clock::now(), allow).ok()?;
     peers.tell_time(verifier.timestamp());
     Some(trust)
-}
-
-/// Whether a frame is what telemetry radios send, without a key.
-#[cfg(feature = "signing")]
-pub(crate) fn is_of_radio(frame: &Frame<'_>) -> bool {
-    frame.message_id() == RADIO_STATUS
 }

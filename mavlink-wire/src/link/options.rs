@@ -3,8 +3,6 @@
 use std::time::Duration;
 
 #[cfg(feature = "signing")]
-use super::inbox::is_of_radio;
-#[cfg(feature = "signing")]
 use crate::Frame;
 #[cfg(feature = "signing")]
 use crate::signing::Verifier;
@@ -54,7 +52,7 @@ impl Options {
             #[cfg(feature = "signing")]
             verifier: None,
             #[cfg(feature = "signing")]
-            allow: is_of_radio,
+            allow: |frame| frame.is_of_radio(),
         }
     }
 

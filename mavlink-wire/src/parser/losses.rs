@@ -122,15 +122,7 @@ impl<const N: usize> Losses<N> {
     /// Nothing counted.
     #[must_use]
     pub const fn new() -> Self {
-        let received = Received {
-            system_id: SystemId::BROADCAST,
-            component_id: ComponentId::BROADCAST,
-            received: 0,
-            lost: 0,
-            late: 0,
-            duplicates: 0,
-            restarts: 0,
-        };
+        let received = Received::of(SystemId::BROADCAST, ComponentId::BROADCAST);
         Self { senders: [Sequence { received, expected: 0, heard: 0 }; N], counted: 0 }
     }
 
@@ -151,7 +143,7 @@ impl<const N: usize> Losses<N> {
                 let Some(sequence) = self.senders.iter_mut().min_by_key(|sender| sender.heard) else {
                     return Arrival::Ignored;
                 };
-                sequence.received = Received { system_id, component_id, ..Received::default() };
+                sequence.received = Received::of(system_id, component_id);
                 (sequence, Arrival::First)
             }
         };
@@ -194,6 +186,11 @@ impl<const N: usize> Default for Losses<N> {
 }
 
 impl Received {
+    /// Nothing of this component.
+    const fn of(system_id: SystemId, component_id: ComponentId) -> Self {
+        Self { system_id, component_id, received: 0, lost: 0, late: 0, duplicates: 0, restarts: 0 }
+    }
+
     /// What share of the frames was lost, 0 to 1; 0 if there were none.
     #[must_use]
     pub fn loss(&self) -> f32 {

@@ -9,8 +9,6 @@ use crate::{ComponentId, Frame, SystemId, Timestamp};
 const LATE: u64 = 6_000_000;
 /// How far a frame may be ahead of the clock: one day.
 const AHEAD: u64 = 24 * 60 * LATE;
-/// What telemetry radios put into the stream; they have no key.
-const RADIO_STATUS: u32 = 109;
 
 /// Why a frame was accepted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -122,7 +120,7 @@ impl<const STREAMS: usize> Verifier<STREAMS> {
     ///
     /// The frame is to be discarded.
     pub fn check(&mut self, frame: &Frame<'_>, now: Timestamp) -> Result<Trust, SigningError> {
-        self.check_with(frame, now, |frame| frame.message_id() == RADIO_STATUS)
+        self.check_with(frame, now, |frame| frame.is_of_radio())
     }
 
     /// Like [`check`](Self::check), with a rule of yours for frames that no signature vouches for: unsigned ones, and

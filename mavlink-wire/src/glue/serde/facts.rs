@@ -5,7 +5,8 @@ use core::fmt;
 use serde_core::de::{Deserialize, Deserializer, Error, IgnoredAny, MapAccess, SeqAccess, Unexpected, Visitor};
 use serde_core::ser::{Error as _, Serialize, SerializeStruct, Serializer};
 
-use super::record::{Key, Record, record};
+use super::held::Name;
+use super::record::{Record, record};
 #[cfg(feature = "signing")]
 use crate::signing::Stream;
 use crate::{ComponentId, Dialect, EncodeError, Frame, FrameBuf, Received, Statistics, SystemId, Timestamp, Version};

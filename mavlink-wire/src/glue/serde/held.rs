@@ -313,7 +313,7 @@ pub fn serialize_variant<S: Serializer>(
 }
 
 /// Reads a name: which of these it is.
-struct Name(&'static [&'static str]);
+pub(super) struct Name(pub(super) &'static [&'static str]);
 
 impl<'de> DeserializeSeed<'de> for Name {
     type Value = Option<&'static str>;
@@ -332,6 +332,10 @@ impl Visitor<'_> for Name {
 
     fn visit_str<E: Error>(self, found: &str) -> Result<Self::Value, E> {
         Ok(self.0.iter().copied().find(|name| plain_name(name) == found))
+    }
+
+    fn visit_bytes<E: Error>(self, found: &[u8]) -> Result<Self::Value, E> {
+        Ok(self.0.iter().copied().find(|name| plain_name(name).as_bytes() == found))
     }
 
     fn visit_u64<E: Error>(self, index: u64) -> Result<Self::Value, E> {

@@ -1,9 +1,6 @@
 //! Structs of named fields, by hand: what a derive makes, without its compile time.
 
-use core::fmt;
 use core::marker::PhantomData;
-
-use serde_core::de::{DeserializeSeed, Deserializer, Error, Visitor};
 
 /// Implements both traits for a struct, whose fields have these names and types. Fields that it does not have are ignored.
 macro_rules! record {
@@ -38,7 +35,7 @@ macro_rules! record {
 
             fn visit_map<A: MapAccess<'de>>(self, mut values: A) -> Result<Self::Value, A::Error> {
                 $(let mut $field: Option<$type> = None;)+
-                while let Some(key) = values.next_key_seed(Key(self.fields()))? {
+                while let Some(key) = values.next_key_seed(Name(self.fields()))? {
                     $(if key == Some(stringify!($field)) {
                         $field = Some(values.next_value()?);
                         continue;
@@ -65,36 +62,5 @@ impl<T> Record<T> {
 
     pub(super) const fn fields(&self) -> &'static [&'static str] {
         self.fields
-    }
-}
-
-/// The name of a field, if it is one of these.
-pub(super) struct Key(pub(super) &'static [&'static str]);
-
-impl<'de> DeserializeSeed<'de> for Key {
-    type Value = Option<&'static str>;
-
-    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<Self::Value, D::Error> {
-        deserializer.deserialize_identifier(self)
-    }
-}
-
-impl Visitor<'_> for Key {
-    type Value = Option<&'static str>;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("the name of a field")
-    }
-
-    fn visit_str<E: Error>(self, name: &str) -> Result<Self::Value, E> {
-        Ok(self.0.iter().find(|field| **field == name).copied())
-    }
-
-    fn visit_bytes<E: Error>(self, name: &[u8]) -> Result<Self::Value, E> {
-        Ok(self.0.iter().find(|field| field.as_bytes() == name).copied())
-    }
-
-    fn visit_u64<E: Error>(self, place: u64) -> Result<Self::Value, E> {
-        Ok(usize::try_from(place).ok().and_then(|place| self.0.get(place).copied()))
     }
 }

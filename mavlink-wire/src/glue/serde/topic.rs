@@ -113,36 +113,27 @@ macro_rules! plain {
 
 plain!(u8 i8 u16 i16 u32 i32 u64 i64 bool);
 
-const fn float(kind: Kind) -> Shape {
-    Shape { kind, values: None, invalid: None }
+macro_rules! float {
+    ($($type:ty: $kind:ident of $bits:ty;)*) => {$(
+        impl Exact for $type {
+            fn zero() -> Self {
+                0.0
+            }
+
+            fn write<S: Serializer>(self, serializer: S) -> Result<S::Ok, S::Error> {
+                Value { shape: Shape::of(Kind::$kind), bits: self.to_bits().into() }.serialize(serializer)
+            }
+
+            fn read<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+                Shape::of(Kind::$kind).deserialize(deserializer).map(|bits| Self::from_bits(bits as $bits))
+            }
+        }
+    )*};
 }
 
-impl Exact for f32 {
-    fn zero() -> Self {
-        0.0
-    }
-
-    fn write<S: Serializer>(self, serializer: S) -> Result<S::Ok, S::Error> {
-        Value { shape: float(Kind::F32), bits: self.to_bits().into() }.serialize(serializer)
-    }
-
-    fn read<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        float(Kind::F32).deserialize(deserializer).map(|bits| Self::from_bits(bits as u32))
-    }
-}
-
-impl Exact for f64 {
-    fn zero() -> Self {
-        0.0
-    }
-
-    fn write<S: Serializer>(self, serializer: S) -> Result<S::Ok, S::Error> {
-        Value { shape: float(Kind::F64), bits: self.to_bits() }.serialize(serializer)
-    }
-
-    fn read<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        float(Kind::F64).deserialize(deserializer).map(Self::from_bits)
-    }
+float! {
+    f32: F32 of u32;
+    f64: F64 of u64;
 }
 
 impl<const N: usize> Exact for Chars<N> {

@@ -27,6 +27,11 @@ pub(super) struct Value {
 }
 
 impl Shape {
+    /// A number without names.
+    pub(super) const fn of(kind: Kind) -> Self {
+        Self { kind, values: None, invalid: None }
+    }
+
     /// The bits at an offset of a payload.
     pub(super) fn read(self, payload: &[u8], offset: usize) -> u64 {
         match self.kind.size() {
