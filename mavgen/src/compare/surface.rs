@@ -8,8 +8,7 @@ use crate::ir::Valid;
 use crate::lower::names::Names;
 use crate::lower::{Commands, Options, tree};
 use crate::rust::{
-    Command, Content, Default, Element, Enum, Field, Method, Packed, Receiver, RecordType, Shape as FieldShape, Sig,
-    Struct, Ty,
+    Command, Content, Element, Enum, Field, Method, Packed, Receiver, RecordType, Shape as FieldShape, Sig, Struct, Ty,
 };
 use crate::tokens::{ToTokens, quote};
 
@@ -164,9 +163,9 @@ fn methods(methods: &[Method<'_>]) -> impl Iterator<Item = (Name, Member)> {
 
 /// The number that a field has in `DEFAULT`; all other values hang on its type alone.
 fn default(field: &Field<'_>) -> Option<u8> {
-    match (field.default, field.shape, field.element) {
-        (Default::Version(version), FieldShape::One, _) => Some(version),
-        (Default::Zero, FieldShape::One, Element::Int(_)) => Some(0),
+    match (field.version, field.shape, field.element) {
+        (Some(version), FieldShape::One, _) => Some(version),
+        (None, FieldShape::One, Element::Int(_)) => Some(0),
         _ => None,
     }
 }

@@ -27,7 +27,7 @@
 
 use super::token::{double, ident, integer, single};
 use super::ty::value_of;
-use crate::rust::{CARRIERS, Carriers, Command, CommandField, Fixed, ParamTy};
+use crate::rust::{CARRIERS, Carriers, Command, CommandField, Element, ParamTy};
 use crate::tokens::{TokenStream, quote};
 
 /// The items of a command's file.
@@ -49,7 +49,7 @@ pub(super) fn command(command: &Command<'_>) -> TokenStream {
             #[inline]
             fn params(&mut self, #params: &mut wire::Params) {
                 #(for CommandField { ident: name, index, ty, .. } in fields => p.#{method(*ty)}(#index, &mut self.#{ident(name)});)*
-                #(for Fixed { index, value } in fixed => p.fixed(#index, #{double(*value)});)*
+                #(for (index, value) in fixed => p.fixed(#index, #{double(*value)});)*
             }
         }
         wire::command!(#name);
@@ -74,7 +74,7 @@ fn default(field: &CommandField<'_>) -> TokenStream {
     match field.ty {
         ParamTy::Float => single(field.default as f32),
         ParamTy::Number | ParamTy::Place => double(field.default),
-        ParamTy::Enum(one) => value_of(one.as_int(), &integer(field.default as i128)),
+        ParamTy::Enum(one) => value_of(Element::Enum(one), &integer(field.default as i128)),
     }
 }
 

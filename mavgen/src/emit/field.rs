@@ -4,7 +4,7 @@ use super::doc;
 use super::token::{decimal, float, ident, integer};
 use super::ty::ty;
 use crate::ir::{self, Invalid, Scalar, Scope, Sentinel};
-use crate::rust::{Default, Element, Field, Shape};
+use crate::rust::{Element, Field, Shape};
 use crate::tokens::{Ident, Literal, ToTokens, TokenStream, quote};
 
 /// `pub cog: u16,` with its documentation.
@@ -17,11 +17,11 @@ pub(super) fn declaration(field: &Field<'_>) -> TokenStream {
 /// `cog: 0,`
 pub(super) fn default(field: &Field<'_>) -> TokenStream {
     let name = ident(field.ident);
-    let element = match (field.default, field.element) {
-        (Default::Version(version), _) => Literal::of(version).to_token_stream(),
-        (Default::Zero, Element::Int(_)) => quote!(0),
-        (Default::Zero, Element::F32 | Element::F64) => quote!(0.0),
-        (Default::Zero, Element::Enum(one)) => {
+    let element = match (field.version, field.element) {
+        (Some(version), _) => Literal::of(version).to_token_stream(),
+        (None, Element::Int(_)) => quote!(0),
+        (None, Element::F32 | Element::F64) => quote!(0.0),
+        (None, Element::Enum(one)) => {
             let ty = ident(one.ident);
             if one.flags { quote!(#ty::empty()) } else { quote!(#ty(0)) }
         }

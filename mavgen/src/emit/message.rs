@@ -34,7 +34,7 @@ use super::method::method;
 use super::token::{decimal, ident};
 use super::{doc, field};
 use crate::ir;
-use crate::rust::{Frame, Gives, Seen, Struct, Target};
+use crate::rust::{Frame, Gives, Seen, Struct};
 use crate::tokens::{TokenStream, quote};
 
 /// The items of a message's file, without its imports.
@@ -84,7 +84,7 @@ fn declaration(message: &Struct<'_>) -> TokenStream {
 /// The implementation of `wire::Message`: the facts, the loads in the order of the XML, the stores in wire order.
 fn message_impl(message: &Struct<'_>) -> TokenStream {
     let Struct { ident: name, fields, frame, .. } = message;
-    let (name, length, info) = (ident(name), decimal(frame.wire.len_v2), info(frame));
+    let (name, length, info) = (ident(name), decimal(frame.wire.len_v2), info(frame.wire));
     let (infos, defaults) = (fields.iter().map(field::info), fields.iter().map(field::default));
     let (loads, stores) = (fields.iter().map(field::load), message.wire_order().into_iter().map(field::store));
     let target_mut = target_mut(frame);
@@ -108,22 +108,21 @@ fn message_impl(message: &Struct<'_>) -> TokenStream {
 }
 
 /// `&wire::MessageInfo::new(24, "GPS_RAW_INT", 24, 52).len_v1(30)`
-fn info(frame: &Frame<'_>) -> TokenStream {
-    let Frame { wire: ir::Message { id, name, crc_extra, len_v1, len_v2, .. }, target_system, target_component } =
-        frame;
+fn info(wire: &ir::Message) -> TokenStream {
+    let ir::Message { id, name, crc_extra, len_v1, len_v2, .. } = wire;
     let (id, name, crc_extra, length) = (decimal(*id), &name.text, decimal(*crc_extra), decimal(*len_v2));
     let shorter = decimal(*len_v1);
     let len_v1 = (len_v1 != len_v2).then(|| quote!(.len_v1(#shorter)));
-    let target_system = target_system.map(|target| decimal(target.offset)).map(|at| quote!(.target_system(#at)));
-    let target_component =
-        target_component.map(|target| decimal(target.offset)).map(|at| quote!(.target_component(#at)));
+    let offset = |target: Option<&ir::Field>| target.map(|target| decimal(target.offset));
+    let target_system = offset(wire.target_system()).map(|at| quote!(.target_system(#at)));
+    let target_component = offset(wire.target_component()).map(|at| quote!(.target_component(#at)));
     quote!(&wire::MessageInfo::new(#id, #name, #crc_extra, #length) #len_v1 #target_system #target_component)
 }
 
 /// `target_mut`, for a message that names a system or a component it is meant for.
 fn target_mut(frame: &Frame<'_>) -> Option<TokenStream> {
     frame.target_system.or(frame.target_component)?;
-    let reference = |target: Option<Target<'_>>| match target.map(|target| ident(target.field)) {
+    let reference = |target: Option<&str>| match target.map(ident) {
         Some(field) => quote!(Some(&mut self.#field)),
         None => quote!(None),
     };

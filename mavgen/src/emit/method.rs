@@ -3,7 +3,7 @@
 use super::body::{accessor, bits, record, scaled, slots, source};
 use super::token::ident;
 use super::ty::{number_in, value_of};
-use crate::rust::{Bind, Kind, Method, Param, Receiver, Sig, Ty};
+use crate::rust::{Bind, Element, Kind, Method, Param, Receiver, Sig, Ty};
 use crate::tokens::{ToTokens, TokenStream, quote};
 
 pub(super) fn method<'a>(method: &'a Method<'a>) -> &'a Method<'a> {
@@ -85,13 +85,13 @@ fn with(set: &str, indexed: bool, fallible: bool) -> TokenStream {
 
 /// `MavState(self.state)`, if the condition holds.
 fn bind_get(bind: &Bind<'_>) -> TokenStream {
-    let value = value_of(bind.bound.as_int(), &quote!(self.#{ident(bind.field)}));
+    let value = value_of(Element::Enum(bind.bound), &quote!(self.#{ident(bind.field)}));
     source::if_all_hold(bind.when.as_slice(), &value)
 }
 
 /// `self.state = value.0;`
 fn bind_set(bind: &Bind<'_>) -> TokenStream {
-    quote!(self.#{ident(bind.field)} = #{number_in(bind.bound.as_int(), &quote!(value))};)
+    quote!(self.#{ident(bind.field)} = #{number_in(Element::Enum(bind.bound), &quote!(value))};)
 }
 
 /// The row of the command in `PARAMS`, if it has one.

@@ -1,7 +1,7 @@
 //! Types, and the numbers in values and out of them.
 
 use super::token::{float, ident, integer};
-use crate::rust::{AsInt, EnumType, Error, Int, Literal, Through, Ty, Unknown};
+use crate::rust::{Element, EnumType, Error, Int, Literal, Ty, Unknown};
 use crate::tokens::{ToTokens, TokenStream, quote};
 
 impl ToTokens for Int {
@@ -56,7 +56,7 @@ impl ToTokens for Literal<'_> {
     fn to_tokens(&self, tokens: &mut TokenStream) {
         match self {
             Self::Constant(one, constant) => quote!(#one::#{ident(constant)}),
-            Self::Number(as_int, number) => value_of(*as_int, &integer(*number)),
+            Self::Number(element, number) => value_of(*element, &integer(*number)),
             Self::Float(value) => float(*value),
         }
         .to_tokens(tokens);
@@ -76,22 +76,22 @@ impl ToTokens for Unknown<'_> {
 }
 
 /// The integer in a value: `x`, `x.0`, `x.bits()`.
-pub(super) fn number_in(as_int: AsInt<'_>, value: &TokenStream) -> TokenStream {
-    match as_int.through {
-        Through::Plain => value.clone(),
-        Through::Open(_) => quote!(#value.0),
-        Through::Flags(_) => quote!(#value.bits()),
-        Through::Float | Through::Double => quote!(#value.to_bits()),
+pub(super) fn number_in(element: Element<'_>, value: &TokenStream) -> TokenStream {
+    match element {
+        Element::Int(_) => value.clone(),
+        Element::Enum(one) if one.flags => quote!(#value.bits()),
+        Element::Enum(_) => quote!(#value.0),
+        Element::F32 | Element::F64 => quote!(#value.to_bits()),
     }
 }
 
 /// The value of an integer: `n`, `T(n)`, `T::from_bits_retain(n)`.
-pub(super) fn value_of(as_int: AsInt<'_>, number: &TokenStream) -> TokenStream {
-    match as_int.through {
-        Through::Plain => number.clone(),
-        Through::Open(one) | Through::Flags(one) => quote!(#{maker(one)}(#number)),
-        Through::Float => quote!(f32::from_bits(#number)),
-        Through::Double => quote!(f64::from_bits(#number)),
+pub(super) fn value_of(element: Element<'_>, number: &TokenStream) -> TokenStream {
+    match element {
+        Element::Int(_) => number.clone(),
+        Element::Enum(one) => quote!(#{maker(one)}(#number)),
+        Element::F32 => quote!(f32::from_bits(#number)),
+        Element::F64 => quote!(f64::from_bits(#number)),
     }
 }
 
@@ -114,7 +114,6 @@ pub(super) fn literal(literal: Literal<'_>) -> TokenStream {
 mod tests {
     use super::*;
     use crate::ir::EnumId;
-    use crate::rust::{Element, EnumType};
 
     fn tank(flags: bool) -> EnumType<'static> {
         EnumType { id: EnumId(0), ident: "Tank", int: Int::of_bits(16, true), flags, deprecated: false }
@@ -129,8 +128,8 @@ mod tests {
             (Element::Enum(tank(false)), "x . 0", "Tank ( n )"),
             (Element::Enum(tank(true)), "x . bits ( )", "Tank :: from_bits_retain ( n )"),
         ] {
-            assert_eq!(number_in(element.as_int(), &quote!(x)).to_string(), read);
-            assert_eq!(value_of(element.as_int(), &quote!(n)).to_string(), made);
+            assert_eq!(number_in(element, &quote!(x)).to_string(), read);
+            assert_eq!(value_of(element, &quote!(n)).to_string(), made);
         }
     }
 
@@ -138,9 +137,9 @@ mod tests {
     fn numbers_are_written_in_the_type_of_the_value() {
         for (given, expected) in [
             (Literal::Constant(tank(false), "FULL"), "Tank :: FULL"),
-            (Literal::Number(tank(false).as_int(), -1), "Tank ( - 1 )"),
-            (Literal::Number(tank(true).as_int(), 6), "Tank :: from_bits_retain ( 6 )"),
-            (Literal::Number(Element::Int(Int::of_bits(16, false)).as_int(), 65535), "65535"),
+            (Literal::Number(Element::Enum(tank(false)), -1), "Tank ( - 1 )"),
+            (Literal::Number(Element::Enum(tank(true)), 6), "Tank :: from_bits_retain ( 6 )"),
+            (Literal::Number(Element::Int(Int::of_bits(16, false)), 65535), "65535"),
             (Literal::Float(-0.5), "- 0.5"),
         ] {
             assert_eq!(quote!(#given).to_string(), expected);

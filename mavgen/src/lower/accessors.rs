@@ -4,6 +4,7 @@
 use super::docs;
 use super::items::{Items, NamedField, NamedMessage, spelled};
 use super::names::methods::iterator;
+use crate::collect::CollectVec as _;
 use crate::internal::Internal;
 use crate::ir::{self, Binding, EnumId, Invalid, Scalar, Values};
 use crate::rust::{
@@ -46,7 +47,7 @@ impl<'d> Items<'d> {
         let invalid = field.model.invalid.as_ref();
         let convert = Convert {
             field: field.ident,
-            int: self.element(field)?.as_int().int,
+            int: self.element(field)?.int(),
             to: self.enum_type(id)?,
             unknown: invalid.map(|invalid| self.unknown(field, invalid)).transpose()?,
             element: field.model.ty.array.is_some(),
@@ -88,7 +89,7 @@ impl<'d> Items<'d> {
 /// A field as an `Option`; and the elements of an array, if each may be unknown.
 pub(super) fn optional<'d>(element: Element<'d>, sentinel: Sentinel<'d>) -> Vec<Method<'d>> {
     let Sentinel { field, extent, .. } = sentinel;
-    let indexed = matches!(extent, Extent::Each | Extent::First);
+    let indexed = extent.is_indexed();
     let value = match extent {
         Extent::Whole(n) => Ty::Array(Box::new(element.ty()), n),
         Extent::Scalar | Extent::Each | Extent::First => element.ty(),
@@ -104,7 +105,8 @@ pub(super) fn optional<'d>(element: Element<'d>, sentinel: Sentinel<'d>) -> Vec<
         ],
     };
     let kinds = [Kind::SentinelGet(sentinel), Kind::SentinelSet(sentinel)];
-    let mut methods = pair(field, [Sig::getter(value.clone()).indexed(indexed), setter], docs, kinds).to_vec();
+    let mut methods =
+        pair(field, [Sig::getter(value.clone()).indexed(indexed), setter], docs, kinds).into_iter().collect_vec();
     if indexed {
         let docs = format!("The elements of `{}`, each `None` where the sender does not know it.", spelled(field));
         let (sig, kind) = (Sig::getter(Ty::Iterator(Box::new(value))), Kind::SentinelIter(sentinel));

@@ -8,14 +8,17 @@ use crate::collect::CollectVec as _;
 use crate::docs::line;
 use crate::internal::Internal;
 use crate::ir::{self, Carrier, Param};
-use crate::rust::{Alias, Carriers, Command, CommandField, Docs, EnumType, Fixed, Paragraph, ParamTy, Ty};
+use crate::rust::{Alias, Carriers, Command, CommandField, Docs, EnumType, Paragraph, ParamTy, Ty};
 
 impl<'d> Items<'d> {
     /// The items of a command.
     pub(super) fn command(self, command: NamedCommand<'d>) -> Result<Command<'d>, Internal> {
         let NamedCommand { entry, names, .. } = command;
         let fields = command.params().filter_map(|(param, field)| Some((param, field?)));
-        let fixed = command.params().filter(|(_, field)| field.is_none()).filter_map(|(param, _)| fixed(param));
+        let fixed = command.params().filter_map(|(param, field)| match (field, param.default) {
+            (None, Some(value)) if value != 0.0 => Some((param.index, value)),
+            _ => None,
+        });
         Ok(Command {
             ident: &names.ty,
             alias: &entry.name.text,
@@ -56,9 +59,8 @@ impl<'d> Items<'d> {
         let NamedCommand { entry, model, .. } = command;
         let file = self.file_name(entry.origin.file)?;
         let facts = format!("`{}`, command {} of `{file}`.", entry.name.text, entry.value);
-        let facts = [facts].into_iter().chain(docs::reference(file, &entry.name.text)).collect_vec();
         let mut paragraphs = docs::description(&entry.origin);
-        paragraphs.extend([Paragraph::Lines(facts), Paragraph::Lines(docs::command_notes(model))]);
+        paragraphs.extend([docs::facts(facts, file, &entry.name.text), Paragraph::Lines(docs::command_notes(model))]);
         Ok(Docs(paragraphs))
     }
 
@@ -100,12 +102,6 @@ impl<'d> Items<'d> {
 pub(super) fn alias<'d>(command: &Command<'d>, module: &'d str) -> Option<Alias<'d>> {
     let Command { ident, alias, docs, deprecated, .. } = command;
     Some(Alias { ident, alias: Some(alias), docs: docs.clone(), deprecated: deprecated.clone()?, module })
-}
-
-/// What is sent of a param without a field, if it is not zero.
-fn fixed(param: &Param) -> Option<Fixed> {
-    let value = param.default.filter(|default| *default != 0.0)?;
-    Some(Fixed { index: param.index, value })
 }
 
 /// Whether a param is a coordinate of a place.

@@ -132,10 +132,11 @@ pub(crate) fn link(rust: &str) -> String {
 const PUBLISHED: &str = "ASLUAV AVSSUAS all ardupilotmega common csAirLink cubepilot development icarous loweheiser marsh \
     minimal paparazzi python_array_test standard stemstudios storm32 test uAvionix ualberta";
 
-/// A sentence that links to the public reference, where the file is one that it covers.
-pub(crate) fn reference(file: &str, anchor: &str) -> Option<String> {
-    let stem = file.strip_suffix(".xml").filter(|stem| PUBLISHED.split(' ').any(|one| one == *stem))?;
-    Some(format!("See the [message reference](https://mavlink.io/en/messages/{stem}.html#{anchor})."))
+/// The facts of an item, and a link to the public reference, where that covers the file.
+pub(crate) fn facts<'d>(facts: String, file: &str, name: &str) -> Paragraph<'d> {
+    let stem = file.strip_suffix(".xml").filter(|stem| PUBLISHED.split(' ').any(|one| one == *stem));
+    let link = |stem| format!("See the [message reference](https://mavlink.io/en/messages/{stem}.html#{name}).");
+    Paragraph::Lines([facts].into_iter().chain(stem.map(link)).collect_vec())
 }
 
 #[cfg(test)]

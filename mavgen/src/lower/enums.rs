@@ -35,9 +35,8 @@ impl<'d> Items<'d> {
         let (file, name) = (self.file_name(one.defined_in)?, &one.name.text);
         let kind = if one.bitmask { "flags in a" } else { "numbers of type" };
         let facts = format!("`{name}` of `{file}`: {kind} `{}`.", one.repr.name());
-        let facts = [facts].into_iter().chain(docs::reference(file, name)).collect_vec();
         let mut paragraphs = docs::description(&one.origin);
-        paragraphs.extend([Paragraph::Lines(facts), Paragraph::Lines(conflicts)]);
+        paragraphs.extend([docs::facts(facts, file, name), Paragraph::Lines(conflicts)]);
         Ok(Docs(paragraphs))
     }
 

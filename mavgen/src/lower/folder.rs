@@ -53,14 +53,11 @@ pub(super) struct Commands {
 
 impl Commands {
     /// Those of these enums and messages: `None` if there is no enum of commands, or no message that carries them.
-    fn of(
-        dialect: &Dialect,
-        mut enums: impl Iterator<Item = EnumId>,
-        messages: impl Iterator<Item = usize>,
-    ) -> Option<Self> {
-        let enum_ = enums.find(|id| dialect.enum_by_id(*id).is_some_and(|one| one.name.text == COMMANDS))?;
+    fn of(dialect: &Dialect, enums: &[EnumId], messages: &[usize]) -> Option<Self> {
+        let is_theirs = |id: &&EnumId| dialect.enum_by_id(**id).is_some_and(|one| one.name.text == COMMANDS);
+        let enum_ = *enums.iter().find(is_theirs)?;
         let (mut long, mut int) = (None, None);
-        for at in messages {
+        for &at in messages {
             match dialect.messages.get(at).and_then(Carrier::of) {
                 Some(Carrier::Long) => long = Some(at),
                 Some(Carrier::Int) => int = Some(at),
@@ -70,13 +67,8 @@ impl Commands {
         long.or(int).map(|_| Self { enum_, long, int })
     }
 
-    /// Those of a tree of one dialect.
-    pub(super) fn of_one(dialect: &Dialect) -> Option<Self> {
-        Self::of(dialect, (0..dialect.enums.len()).map(EnumId), 0..dialect.messages.len())
-    }
-
     fn of_root(union: &Union, root: &Root) -> Option<Self> {
-        Self::of(&union.all, root.enums.iter().copied(), root.messages.iter().copied())
+        Self::of(&union.all, &root.enums, &root.messages)
     }
 }
 
@@ -90,14 +82,16 @@ pub(super) struct Titled<'d> {
 impl<'d> Folder<'d> {
     /// The whole tree of one dialect.
     pub(super) fn of_one(dialect: &'d Dialect, type_name: &'d str) -> Self {
-        let messages = dialect.messages.iter().enumerate();
-        let views = messages.flat_map(|(at, message)| (0..message.views.len()).map(move |view| (at, view)));
+        let views = dialect.messages.iter().enumerate();
+        let views = views.flat_map(|(at, message)| (0..message.views.len()).map(move |view| (at, view)));
+        let messages = (0..dialect.messages.len()).collect_vec();
+        let enums = (0..dialect.enums.len()).map(EnumId).collect_vec();
         Self {
             dialect: Some(Titled { name: &dialect.name, type_name }),
-            messages: (0..dialect.messages.len()).collect_vec(),
-            enums: (0..dialect.enums.len()).map(EnumId).collect_vec(),
+            commands: Commands::of(dialect, &enums, &messages).map(|commands| (commands, Placement::Shared)),
+            messages,
+            enums,
             views: views.collect_vec(),
-            commands: Commands::of_one(dialect).map(|commands| (commands, Placement::Shared)),
             ..Self::top(dialect.files.first().map_or_else(String::new, |file| file.name.clone()))
         }
     }
@@ -127,7 +121,7 @@ impl<'d> Folder<'d> {
         let enums = enums.map(|(at, _)| EnumId(at)).collect_vec();
         let mut messages = messages.map(|(at, _)| at).collect_vec();
         order::sort_by_key(&mut messages, |at| union.all.messages.get(*at).map(|message| message.id));
-        let commands = Commands::of(&union.all, enums.iter().copied(), messages.iter().copied());
+        let commands = Commands::of(&union.all, &enums, &messages);
         let commands =
             commands.filter(|shared| union.roots.iter().any(|root| Commands::of_root(union, root) == Some(*shared)));
         let mut folders = vec![Self {

@@ -4,7 +4,7 @@
 //! share and in it one for each.
 
 use super::items::Items;
-use super::link::Placement;
+use super::link::{Placement, Union};
 use crate::collect::CollectVec as _;
 use crate::internal::Internal;
 use crate::ir::EnumId;
@@ -35,24 +35,23 @@ impl<'d> Items<'d> {
     }
 
     /// Where an enum is declared.
-    pub(super) fn enum_home(self, id: EnumId) -> Result<Placement, Internal> {
-        let Some(union) = self.union else { return Ok(Placement::Shared) };
-        let placement = union.enum_placements.get(id.0).copied();
-        placement.ok_or_else(|| Internal::new(format!("enum {} is declared nowhere", id.0)))
+    pub(super) fn enum_home(self, EnumId(at): EnumId) -> Result<Placement, Internal> {
+        self.home(|union| union.enum_placements.get(at).copied())
     }
 
     /// Where a message is declared.
     pub(super) fn message_home(self, at: usize) -> Result<Placement, Internal> {
-        let Some(union) = self.union else { return Ok(Placement::Shared) };
-        let placement = union.message_placements.get(at).map(|at| at.placement);
-        placement.ok_or_else(|| Internal::new(format!("message {at} is declared nowhere")))
+        self.home(|union| Some(union.message_placements.get(at)?.placement))
     }
 
     /// Where a view is declared, by the place of its message and its place in that.
     pub(super) fn view_home(self, (at, view): (usize, usize)) -> Result<Placement, Internal> {
+        self.home(|union| Some(union.message_placements.get(at)?.views.get(view)?.placement))
+    }
+
+    fn home(self, of: impl FnOnce(&Union) -> Option<Placement>) -> Result<Placement, Internal> {
         let Some(union) = self.union else { return Ok(Placement::Shared) };
-        let placement = union.message_placements.get(at).and_then(|at| at.views.get(view)).map(|at| at.placement);
-        placement.ok_or_else(|| Internal::new(format!("view {view} of message {at} is declared nowhere")))
+        of(union).ok_or_else(|| Internal::new("what is named is declared nowhere"))
     }
 
     /// The way from the file of an item to the folder of an enum.

@@ -43,6 +43,7 @@ pub(super) struct NamedField<'d> {
 /// A view.
 #[derive(Clone, Copy)]
 pub(super) struct NamedView<'d> {
+    pub(super) message: NamedMessage<'d>,
     pub(super) model: &'d View,
     pub(super) names: &'d ViewNames,
 }
@@ -50,6 +51,7 @@ pub(super) struct NamedView<'d> {
 /// The slots that a message gives a view in.
 #[derive(Clone, Copy)]
 pub(super) struct NamedSlots<'d> {
+    pub(super) view: NamedView<'d>,
     pub(super) model: &'d Slots,
     pub(super) names: &'d SlotNames,
 }
@@ -130,7 +132,7 @@ impl<'d> Items<'d> {
                 return Ok(Literal::Constant(one, constant));
             }
         }
-        Ok(Literal::Number(element.as_int(), number))
+        Ok(Literal::Number(element, number))
     }
 }
 
@@ -159,12 +161,13 @@ impl<'d> NamedMessage<'d> {
     /// The view behind a place.
     pub(super) fn view(self, at: usize) -> Result<NamedView<'d>, Internal> {
         let (model, names) = beside(&self.model.views, &self.names.views, at, "view")?;
-        Ok(NamedView { model, names })
+        Ok(NamedView { message: self, model, names })
     }
 
     /// What overlays see in it.
     pub(super) fn views(self) -> impl Iterator<Item = NamedView<'d>> {
-        self.model.views.iter().zip(&self.names.views).map(|(model, names)| NamedView { model, names })
+        let views = self.model.views.iter().zip(&self.names.views);
+        views.map(move |(model, names)| NamedView { message: self, model, names })
     }
 }
 

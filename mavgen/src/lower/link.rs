@@ -4,7 +4,6 @@
 //! Messages of one definition are one type, with what the overlays of all dialects add to it. What two dialects define
 //! differently under one name is a type in each.
 
-mod definition;
 mod enums;
 mod files;
 mod messages;
@@ -114,7 +113,7 @@ pub(crate) fn link(tree: &str, parts: Vec<Part<'_>>, diagnostics: &mut Diagnosti
     let (all_enums, enum_names) = enums.list.into_iter().map(|class| (class.item, class.names)).unzip();
     let (all_messages, message_names) =
         messages.list.into_iter().map(|class| (class.item.message, class.names)).unzip();
-    let dialect = spelling::dialect_type_name(tree);
+    let dialect = spelling::type_name(tree);
     let all =
         Dialect { name: tree.to_owned(), version: 0, files: files.list, enums: all_enums, messages: all_messages };
     let names = Names { dialect, messages: message_names, enums: enum_names };

@@ -6,7 +6,7 @@ use crate::collect::CollectVec as _;
 use crate::docs::line;
 use crate::internal::Internal;
 use crate::ir::{self, Access, Condition, Message, Scalar, Values};
-use crate::rust::{Alias, Cell, Default, Docs, Field, Frame, Gives, Paragraph, Seen, Struct, Target};
+use crate::rust::{Alias, Cell, Docs, Field, Frame, Gives, Paragraph, Seen, Struct};
 
 impl<'d> Items<'d> {
     /// The items of a message; `conflicts` are lines about what other dialects have in its place.
@@ -31,9 +31,9 @@ impl<'d> Items<'d> {
             ident: field.ident,
             element: self.element(field)?,
             shape: field.shape(),
-            default: match model.ty.scalar {
-                Scalar::Version(version) => Default::Version(version),
-                _ => Default::Zero,
+            version: match model.ty.scalar {
+                Scalar::Version(version) => Some(version),
+                _ => None,
             },
             docs: self.field_docs(field, secret)?,
             secret,
@@ -55,11 +55,10 @@ impl<'d> Items<'d> {
         };
         let reach = if *id > 255 { "; MAVLink 2 only" } else { "" };
         let facts = format!("`{}`, message {id} of `{file}`: {length}, CRC_EXTRA {crc_extra}{reach}.", name.text);
-        let facts = [facts].into_iter().chain(docs::reference(file, &name.text)).collect_vec();
         let mut paragraphs = docs::description(&message.origin);
         let given = self.overlay_methods(named)?;
         paragraphs.extend([
-            Paragraph::Lines(facts),
+            docs::facts(facts, file, &name.text),
             Paragraph::Lines(conflicts),
             Paragraph::Lines(given),
             wire_table(message),
@@ -70,7 +69,7 @@ impl<'d> Items<'d> {
     /// What overlays give the message beside its fields.
     fn overlay_methods(self, message: NamedMessage<'d>) -> Result<Vec<String>, Internal> {
         let views = message.views().map(|view| {
-            let what = match (&view.model.access, self.condition(message, view)?) {
+            let what = match (&view.model.access, self.condition(view)?) {
                 (Access::Once { .. } | Access::Slots(_), _) => "packed bits".to_owned(),
                 (Access::Record(_), None) => "values".to_owned(),
                 (Access::Record(_), Some(asked)) => format!("values if {asked}"),
@@ -137,12 +136,11 @@ fn seen(message: NamedMessage<'_>) -> Vec<Seen<'_>> {
 }
 
 fn frame(message: NamedMessage<'_>) -> Frame<'_> {
+    let wire = message.model;
     let target = |field: Option<&ir::Field>| {
         let offset = field?.offset;
-        let named = message.fields().find(|named| named.model.offset == offset)?;
-        Some(Target { field: named.ident, offset })
+        Some(message.fields().find(|named| named.model.offset == offset)?.ident)
     };
-    let wire = message.model;
     Frame { wire, target_system: target(wire.target_system()), target_component: target(wire.target_component()) }
 }
 

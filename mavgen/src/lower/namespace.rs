@@ -1,19 +1,6 @@
 //! Names that have to differ from each other: one [`Namespace`] for every scope, which finds each collision and says none.
 //! [`super::collision`] does that.
 //!
-//! | scope | what has names there | on a collision |
-//! |---|---|---|
-//! | [`Scope::Types`] | messages, enums (suffix `Enum`), views, slots, the dialect (suffix `Dialect`) | M601 |
-//! | [`Scope::Fields`] | the fields of a message | M601 |
-//! | [`Scope::Constants`] | the entries of an enum | M601 |
-//! | [`Scope::Commands`] | the typed commands | M605 |
-//! | [`Scope::Params`] | the params of a command | M606 |
-//! | [`Scope::Methods`] | accessors of fields, bindings, how a message gives its views | M603 for accessors, else M601 |
-//! | [`Scope::ViewMethods`] | the getter of the switch, and all methods of members | M601 |
-//! | [`Scope::SlotFields`] | the view, and the keys | M601 |
-//! | [`Scope::RecordFields`] | the values of a view | M601 |
-//! | [`Scope::Modules`] | the dialects of a tree | M802 |
-//!
 //! Other names follow from these: variants of the dialect are its message types, flat exports are all types. Files are
 //! named after types; where two of several dialects would share one, each goes to its own dialect ([`super::link`]). Two bits
 //! of one name in one case are a fact of the overlay, which `resolve` reports.
@@ -26,28 +13,28 @@ use crate::ir::Name;
 use crate::order;
 use crate::source::Span;
 
-/// What has to differ.
+/// What has to differ. A collision is M601 where nothing else is said.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Scope {
-    /// The types of a dialect.
+    /// Messages, enums (suffix `Enum`), views, slots, the dialect (suffix `Dialect`).
     Types,
     /// The fields of a message.
     Fields,
-    /// The constants of an enum.
+    /// The entries of an enum.
     Constants,
-    /// The typed commands of a dialect.
+    /// The typed commands of a dialect: M605.
     Commands,
-    /// The params of a command.
+    /// The params of a command: M606.
     Params,
-    /// The methods of a message.
+    /// Of a message: accessors of fields (M603), bindings, how it gives its views.
     Methods,
-    /// The methods of a view.
+    /// The getter of the switch of a view, and all methods of members.
     ViewMethods,
-    /// The fields of a slot.
+    /// The view in a slot, and the keys.
     SlotFields,
-    /// The fields of a record.
+    /// The values of a view.
     RecordFields,
-    /// The modules of the dialects in one tree.
+    /// The dialects of a tree: M802.
     Modules,
 }
 
@@ -138,19 +125,19 @@ impl<'a> Namespace<'a> {
     pub(super) fn of(scope: Scope) -> Self {
         let mut namespace = Self { scope, taken: HashMap::new() };
         match scope {
-            Scope::Methods => namespace.reserve("a method of every message", &spelling::MESSAGE_METHODS),
-            Scope::ViewMethods => namespace.reserve("a method of every view", &spelling::VIEW_METHODS),
+            Scope::Methods => namespace.reserve("a method of every message", spelling::MESSAGE_METHODS),
+            Scope::ViewMethods => namespace.reserve("a method of every view", spelling::VIEW_METHODS),
             Scope::SlotFields => {
-                namespace.reserve("the field of every slot that holds the view", &[spelling::SLOT_VIEW]);
+                namespace.reserve("the field of every slot that holds the view", spelling::SLOT_VIEW);
             }
             _ => {}
         }
         namespace
     }
 
-    /// Takes names that nothing of the definitions can have here.
-    pub(super) fn reserve(&mut self, what: &'static str, names: &[&str]) {
-        self.taken.extend(names.iter().map(|name| ((*name).to_owned(), Claim::reserved(what))));
+    /// Takes names, with spaces between them, that nothing of the definitions can have here.
+    pub(super) fn reserve(&mut self, what: &'static str, names: &str) {
+        self.taken.extend(names.split(' ').map(|name| (name.to_owned(), Claim::reserved(what))));
     }
 
     /// What has a name.

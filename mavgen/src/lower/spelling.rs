@@ -11,43 +11,12 @@ use crate::ir::{Label, param_words};
 const RESERVED_TYPES: [&str; 9] = ["Self", "Option", "Some", "None", "Result", "Ok", "Err", "Into", "Iterator"];
 
 /// Methods that every message has, and names that readers and lints take for something else: no getter can be called so.
-pub(crate) const MESSAGE_METHODS: [&str; 15] = [
-    "clone",
-    "clone_from",
-    "cmp",
-    "decode",
-    "default",
-    "eq",
-    "info",
-    "into",
-    "len",
-    "ne",
-    "new",
-    "payload",
-    "to",
-    "try_into",
-    "write",
-];
+pub(crate) const MESSAGE_METHODS: &str =
+    "clone clone_from cmp decode default eq info into len ne new payload to try_into write";
 
 /// Methods that every view has, and names that readers and lints take for something else: no bits can be called so.
-pub(crate) const VIEW_METHODS: [&str; 16] = [
-    "bits",
-    "from_bits",
-    "clone",
-    "clone_from",
-    "cmp",
-    "default",
-    "eq",
-    "fmt",
-    "hash",
-    "into",
-    "len",
-    "ne",
-    "neg",
-    "new",
-    "not",
-    "try_into",
-];
+pub(crate) const VIEW_METHODS: &str =
+    "bits from_bits clone clone_from cmp default eq fmt hash into len ne neg new not try_into";
 
 /// The methods of operators with two sides: a method with such a name that takes an index looks like one.
 pub(crate) const OPERATORS: [&str; 10] = ["add", "bitand", "bitor", "bitxor", "div", "mul", "rem", "shl", "shr", "sub"];
@@ -55,7 +24,7 @@ pub(crate) const OPERATORS: [&str; 10] = ["add", "bitand", "bitor", "bitxor", "d
 /// The field of a slot that holds the view.
 pub(crate) const SLOT_VIEW: &str = "status";
 
-/// The type name of a message or enum: `GPS_RAW_INT` becomes `GpsRawInt`.
+/// The type name of a message, an enum or a dialect: `GPS_RAW_INT` becomes `GpsRawInt`, `my-dialect.v2` `MyDialectV2`.
 ///
 /// A name that starts with a digit, or that would shadow what generated code or its readers rely on, takes an underscore.
 pub(crate) fn type_name(xml: &str) -> String {
@@ -68,11 +37,6 @@ pub(crate) fn type_name(xml: &str) -> String {
 /// `Option_` is spelled so only to differ from `Option`, which `OptionEnum` does anyway.
 pub(crate) fn suffixed(name: &str, suffix: &str) -> String {
     name.trim_end_matches('_').to_owned() + suffix
-}
-
-/// The type name of a dialect's message enum, from the stem of its file: `my-dialect.v2` becomes `MyDialectV2`.
-pub(crate) fn dialect_type_name(stem: &str) -> String {
-    type_name(stem)
 }
 
 /// The name of a field: `Index` becomes `index`, `baroAltMSL` becomes `baro_alt_msl`.
@@ -156,24 +120,18 @@ fn prefix_of(enum_name: &str, entries: &[&str]) -> String {
 
 /// One constant: `entry` without `prefix`.
 fn constant_name(prefix: &str, entry: &str) -> String {
-    let Some(short) = entry.strip_prefix(prefix) else { return shouting(entry) };
+    let Some(short) = entry.strip_prefix(prefix) else { return constant(entry) };
     let begins_well = |name: &str| name.starts_with(|first: char| first.is_ascii_alphabetic());
     if begins_well(short) {
-        return shouting(short);
+        return constant(short);
     }
     let kept = prefix.trim_end_matches('_').rsplit('_').next().unwrap_or_default();
     let longer = format!("{kept}_{short}");
-    if begins_well(&longer) { shouting(&longer) } else { shouting(entry) }
-}
-
-/// The name of a constant that belongs to no enum.
-#[cfg(feature = "uorb")]
-pub(crate) fn constant(name: &str) -> String {
-    shouting(name)
+    if begins_well(&longer) { constant(&longer) } else { constant(entry) }
 }
 
 /// SCREAMING_CASE; what is spelled so already stays as it is.
-fn shouting(name: &str) -> String {
+pub(crate) fn constant(name: &str) -> String {
     if name.bytes().any(|byte| byte.is_ascii_lowercase()) { name.to_shouty_snake_case() } else { name.to_owned() }
 }
 
@@ -234,7 +192,7 @@ mod tests {
         ] {
             assert_eq!(field_name(xml), rust);
         }
-        assert_eq!(dialect_type_name("my-dialect.v2"), "MyDialectV2");
+        assert_eq!(type_name("my-dialect.v2"), "MyDialectV2");
     }
 
     #[test]

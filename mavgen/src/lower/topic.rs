@@ -18,7 +18,7 @@ use crate::collect::CollectVec as _;
 use crate::internal::Internal;
 use crate::ir::EnumId;
 use crate::order;
-use crate::rust::{self, Constant, EnumType, Literal, Topic, TopicConstant};
+use crate::rust::{self, Constant, Element, EnumType, Literal, Topic, TopicConstant};
 use crate::uorb::model::{Entry, EnumIndex, MessageIndex};
 use crate::uorb::union::{Enum, Message, Union};
 
@@ -88,36 +88,34 @@ impl<'d> Topics<'d> {
         let mut entries = model.entries.iter().zip(&names.constants);
         Ok(match entries.find(|(entry, _)| entry.value == number) {
             Some((_, constant)) => Literal::Constant(one, constant),
-            None => Literal::Number(one.as_int(), number),
+            None => Literal::Number(Element::Enum(one), number),
         })
     }
 
     /// The items of a message.
-    fn topic(self, index: MessageIndex) -> Result<Topic<'d>, Internal> {
-        let Named { model, names } = self.message(index)?;
-        let definitions = self.definitions(index)?;
+    fn topic(self, message: Named<'d>) -> Result<Topic<'d>, Internal> {
+        let definitions = self.definitions(message)?;
         let by_length = definitions::differ_in_length(&definitions);
         Ok(Topic {
-            ident: &names.ty,
-            alias: super::docs::alias(&model.name, &names.ty),
-            docs: self.topic_docs(index, &definitions)?,
-            name: &model.name,
-            topics: &model.topics,
-            version: model.version,
-            queue: model.queue,
-            constants: self.constants(index)?,
-            fields: self.fields(index)?,
-            methods: self.accessors(index)?,
-            also: self.same_definitions(index)?,
+            ident: &message.names.ty,
+            alias: super::docs::alias(&message.model.name, &message.names.ty),
+            docs: self.topic_docs(message, &definitions)?,
+            name: &message.model.name,
+            topics: &message.model.topics,
+            version: message.model.version,
+            queue: message.model.queue,
+            constants: self.constants(message)?,
+            fields: self.fields(message)?,
+            methods: self.accessors(message)?,
+            also: self.same_definitions(message)?,
             by_length,
-            record: self.record(index)?,
+            record: self.record(message)?,
             definitions,
         })
     }
 
-    fn constants(self, index: MessageIndex) -> Result<Vec<TopicConstant<'d>>, Internal> {
-        let Named { model, names } = self.message(index)?;
-        let constants = model.constants.iter().zip(&names.constants).map(|(constant, ident)| {
+    fn constants(self, message: Named<'d>) -> Result<Vec<TopicConstant<'d>>, Internal> {
+        let constants = message.model.constants.iter().zip(&message.names.constants).map(|(constant, ident)| {
             let int = constant.scalar.repr();
             let int = int.ok_or_else(|| Internal::new(format!("`{}` is no integer", constant.name)))?.into();
             Ok(TopicConstant { ident, docs: docs::of_constant(constant), int, value: constant.value })

@@ -5,7 +5,7 @@ mod record;
 mod slots;
 mod source;
 
-use super::items::{Items, NamedMessage, NamedSlots, NamedView};
+use super::items::{Items, NamedSlots, NamedView};
 use super::{docs, spelling};
 use crate::collect::CollectVec as _;
 use crate::docs::line;
@@ -16,26 +16,23 @@ use crate::rust::{Cell, Debugged, Docs, Int, Kind, Method, Packed, Paragraph, Pa
 impl<'d> Items<'d> {
     /// The items of a view.
     pub(super) fn view(self, message: usize, at: usize) -> Result<View<'d>, Internal> {
-        let message = self.message_at(message)?;
-        let view = message.view(at)?;
+        let view = self.message_at(message)?.view(at)?;
         let (packed, record, message_methods) = match (&view.model.access, &view.names.slots) {
-            (Access::Once { .. }, None) => (Some(self.packed(message, view)?), None, self.once(message, view)?),
+            (Access::Once { .. }, None) => (Some(self.packed(view)?), None, self.once(view)?),
             (Access::Slots(model), Some(names)) => {
-                let slots = NamedSlots { model, names };
-                let slot = self.declared_slot(message, view, slots)?;
-                (Some(self.packed(message, view)?), Some(slot), self.slots(message, view, slots)?)
+                let slots = NamedSlots { view, model, names };
+                let slot = self.declared_slot(slots)?;
+                (Some(self.packed(view)?), Some(slot), self.slots(slots)?)
             }
-            (Access::Record(_), None) => {
-                (None, Some(self.declared_record(message, view)?), self.record(message, view)?)
-            }
+            (Access::Record(_), None) => (None, Some(self.declared_record(view)?), self.record(view)?),
             _ => return Err(Internal::new(format!("{} is named as what it is not", view.ty()))),
         };
-        Ok(View { packed, record, message: message.ty(), message_methods })
+        Ok(View { packed, record, message: view.message.ty(), message_methods })
     }
 
     /// A view over plain fields: `flight_sw()` and `set_flight_sw()`.
-    fn once(self, message: NamedMessage<'d>, view: NamedView<'d>) -> Result<Vec<Method<'d>>, Internal> {
-        let (source, getter) = (self.source(message, view)?, view.getter());
+    fn once(self, view: NamedView<'d>) -> Result<Vec<Method<'d>>, Internal> {
+        let (source, getter) = (self.source(view)?, view.getter());
         let ty = Ty::Named(source.view);
         let (get_sig, set_sig) = (Sig::getter(ty.clone().optional(!source.when.is_empty())), Sig::setter("value", ty));
         Ok(vec![
@@ -45,28 +42,31 @@ impl<'d> Items<'d> {
     }
 
     /// The type over the bits.
-    fn packed(self, message: NamedMessage<'d>, view: NamedView<'d>) -> Result<Packed<'d>, Internal> {
+    fn packed(self, view: NamedView<'d>) -> Result<Packed<'d>, Internal> {
         let storage = Int::of_bits(view.model.width, false);
         let switch = carried(view)?;
         let mut methods = construction(storage, switch);
         for member in view.members() {
             methods.extend(self.member_methods(view, member)?);
         }
-        let (docs, debug) = (self.view_docs(message, view)?, view.members().map(debugged).collect_vec());
+        let (docs, debug) = (self.view_docs(view)?, view.members().map(debugged).collect_vec());
         Ok(Packed { ident: view.ty(), docs, storage, switch, methods, debug })
     }
 
     /// The description, where the bits are found, and a table of them.
-    fn view_docs(self, message: NamedMessage<'d>, view: NamedView<'d>) -> Result<Docs<'d>, Internal> {
+    fn view_docs(self, view: NamedView<'d>) -> Result<Docs<'d>, Internal> {
         let file = self.file_name(view.model.origin.file)?;
-        let fields = source::word_fields(message, view)?;
-        let fields: Vec<String> = fields.iter().map(|field| format!("`{}`", field.model.name.text)).collect_vec();
+        let fields = view.model.words.iter().map(|word| {
+            let field = view.message.field(source::word_field(*word))?;
+            Ok(format!("`{}`", field.model.name.text))
+        });
+        let fields = fields.try_collect_vec()?;
         let facts = format!(
             "`{}` of `{file}`: {} bits in {} of {}, the least significant first.",
             view.model.name.text,
             view.model.width,
             fields.join(", "),
-            docs::link(message.ty())
+            docs::link(view.message.ty())
         );
         let rows = view.members().map(|member| self.row(view, member)).try_collect_vec()?;
         let table = Paragraph::Table(vec!["bits", "name", "meaning", "only if"], rows);
@@ -102,13 +102,21 @@ fn carried(view: NamedView<'_>) -> Result<Option<(&str, Int)>, Internal> {
 
 /// What `Debug` shows of a member.
 fn debugged<'d>((member, ident): (&'d Member, &'d str)) -> Debugged<'d> {
-    let (units, decimals) = match &member.meaning {
-        Meaning::Number { units } => (units.as_deref(), None),
-        Meaning::Scaled(scaled) => (scaled.units.as_deref(), Some(decimals(scaled.divisor))),
-        Meaning::Flag | Meaning::Values(_) => (None, None),
+    let decimals = match &member.meaning {
+        Meaning::Scaled(scaled) => Some(decimals(scaled.divisor)),
+        Meaning::Flag | Meaning::Values(_) | Meaning::Number { .. } => None,
     };
     let count = member.repeat.map(|repeat| repeat.count);
-    Debugged { ident, units, decimals, count, optional: member.presence != Presence::Always }
+    Debugged { ident, units: units(member), decimals, count, optional: member.presence != Presence::Always }
+}
+
+/// The unit of what bits hold.
+fn units(member: &Member) -> Option<&str> {
+    match &member.meaning {
+        Meaning::Number { units } => units.as_deref(),
+        Meaning::Scaled(scaled) => scaled.units.as_deref(),
+        Meaning::Flag | Meaning::Values(_) => None,
+    }
 }
 
 /// `data_version` 3..=9, 30..=255

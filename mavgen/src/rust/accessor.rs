@@ -37,6 +37,11 @@ pub(crate) enum Extent {
 }
 
 impl Extent {
+    /// Whether each element is a value of its own.
+    pub(crate) fn is_indexed(self) -> bool {
+        matches!(self, Self::Each | Self::First)
+    }
+
     /// Of a sentinel in a scalar, or in an array of this length.
     pub(crate) fn of(scope: Scope, len: Option<u16>) -> Self {
         match (scope, len) {

@@ -15,8 +15,8 @@ pub(crate) struct Command<'d> {
     pub(crate) id: u16,
     /// By param.
     pub(crate) fields: Vec<CommandField<'d>>,
-    /// What is sent of params without a field, where that is not zero.
-    pub(crate) fixed: Vec<Fixed>,
+    /// What is sent of params without a field, by their number, where that is not zero.
+    pub(crate) fixed: Vec<(u8, f64)>,
 }
 
 /// The type that says which messages carry the commands of a module.
@@ -65,13 +65,4 @@ impl<'d> ParamTy<'d> {
             Self::Enum(one) => Ty::Enum(one),
         }
     }
-}
-
-/// A param without a field.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Fixed {
-    /// The param: 1 to 7.
-    pub(crate) index: u8,
-    /// What is sent.
-    pub(crate) value: f64,
 }

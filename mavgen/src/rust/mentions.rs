@@ -62,7 +62,7 @@ impl<'d> Mentions<'d> {
                     self.named(literal.enum_());
                 }
             }
-            Kind::SlotPush { count, .. } => self.named(count.as_int.enum_()),
+            Kind::SlotPush { count, .. } => self.named(count.element.enum_()),
             Kind::RecordGet(record) | Kind::RecordSet(record) => self.tests(record.when.as_slice()),
             Kind::BindGet(bind) => self.tests(bind.when.as_slice()),
             _ => {}
@@ -80,7 +80,7 @@ impl<'d> Mentions<'d> {
 
     /// What the setter of a view makes.
     fn made(&mut self, source: &Source<'d>) {
-        source.words.iter().for_each(|word| self.named(word.as_int.enum_()));
-        self.named(source.switch.as_ref().and_then(|switch| switch.as_int.enum_()));
+        source.words.iter().for_each(|word| self.named(word.element.enum_()));
+        self.named(source.switch.as_ref().and_then(|switch| switch.element.enum_()));
     }
 }

@@ -55,7 +55,8 @@ pub(crate) struct Field<'d> {
     pub(crate) ident: &'d str,
     pub(crate) element: Element<'d>,
     pub(crate) shape: Shape,
-    pub(crate) default: Default,
+    /// The version of the file that defines the message, if that is its value in `DEFAULT`; others are zero there.
+    pub(crate) version: Option<u8>,
     pub(crate) docs: Docs<'d>,
     /// Whether no text may show it.
     pub(crate) secret: bool,
@@ -65,26 +66,12 @@ pub(crate) struct Field<'d> {
     pub(crate) wire: &'d ir::Field,
 }
 
-/// The value in `DEFAULT`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Default {
-    Zero,
-    /// The version of the file that defines the message.
-    Version(u8),
-}
-
 /// What the frames of a message say of it.
 #[derive(Clone, Debug)]
 pub(crate) struct Frame<'d> {
     /// What the message is on the wire.
     pub(crate) wire: &'d ir::Message,
-    pub(crate) target_system: Option<Target<'d>>,
-    pub(crate) target_component: Option<Target<'d>>,
-}
-
-/// A field that says whom a message is for.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Target<'d> {
-    pub(crate) field: &'d str,
-    pub(crate) offset: u8,
+    /// The fields that say whom it is for.
+    pub(crate) target_system: Option<&'d str>,
+    pub(crate) target_component: Option<&'d str>,
 }

@@ -134,13 +134,6 @@ pub(crate) struct EnumType<'d> {
     pub(crate) deprecated: bool,
 }
 
-impl<'d> EnumType<'d> {
-    /// What it is as an integer.
-    pub(crate) fn as_int(self) -> AsInt<'d> {
-        AsInt { int: self.int, through: if self.flags { Through::Flags(self) } else { Through::Open(self) } }
-    }
-}
-
 /// The type of one element of a field.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Element<'d> {
@@ -175,13 +168,21 @@ impl<'d> Element<'d> {
         }
     }
 
-    /// What it is as an integer: the only way from a field to a number, so that no emitter has to remember what carries an enum.
-    pub(crate) fn as_int(self) -> AsInt<'d> {
+    /// The integer that a value becomes, and is made of: with this, no emitter has to remember what carries an enum.
+    pub(crate) fn int(self) -> Int {
         match self {
-            Self::Int(int) => AsInt { int, through: Through::Plain },
-            Self::F32 => AsInt { int: Int::of_bits(32, false), through: Through::Float },
-            Self::F64 => AsInt { int: Int::of_bits(64, false), through: Through::Double },
-            Self::Enum(one) => one.as_int(),
+            Self::Int(int) => int,
+            Self::F32 => Int::of_bits(32, false),
+            Self::F64 => Int::of_bits(64, false),
+            Self::Enum(one) => one.int,
+        }
+    }
+
+    /// The enum that it is.
+    pub(crate) fn enum_(self) -> Option<EnumType<'d>> {
+        match self {
+            Self::Enum(one) => Some(one),
+            Self::Int(_) | Self::F32 | Self::F64 => None,
         }
     }
 }
@@ -197,47 +198,13 @@ pub(crate) enum Shape {
     Chars(u8),
 }
 
-/// A value as an integer.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct AsInt<'d> {
-    /// The integer.
-    pub(crate) int: Int,
-    /// How a value becomes one, and is made of one.
-    pub(crate) through: Through<'d>,
-}
-
-impl<'d> AsInt<'d> {
-    /// The enum that a value is made with, if it is of one.
-    pub(crate) fn enum_(self) -> Option<EnumType<'d>> {
-        match self.through {
-            Through::Open(one) | Through::Flags(one) => Some(one),
-            Through::Plain | Through::Float | Through::Double => None,
-        }
-    }
-}
-
-/// How a value becomes an integer, and is made of one.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Through<'d> {
-    /// It is one.
-    Plain,
-    /// `x.0`, `T(n)`
-    Open(EnumType<'d>),
-    /// `x.bits()`, `T::from_bits_retain(n)`
-    Flags(EnumType<'d>),
-    /// `x.to_bits()`, `f32::from_bits(n)`
-    Float,
-    /// `x.to_bits()`, `f64::from_bits(n)`
-    Double,
-}
-
 /// A number in the type of a value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Literal<'d> {
     /// The constant of an enum: `MavAutopilot::AUTOQUAD`.
     Constant(EnumType<'d>, &'d str),
     /// `65535`, `PodKind(7)`
-    Number(AsInt<'d>, i128),
+    Number(Element<'d>, i128),
     /// `1e30`
     Float(f64),
 }
@@ -247,7 +214,7 @@ impl<'d> Literal<'d> {
     pub(crate) fn enum_(self) -> Option<EnumType<'d>> {
         match self {
             Self::Constant(one, _) => Some(one),
-            Self::Number(as_int, _) => as_int.enum_(),
+            Self::Number(element, _) => element.enum_(),
             Self::Float(_) => None,
         }
     }

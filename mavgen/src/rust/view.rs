@@ -2,7 +2,7 @@
 
 use std::ops::RangeInclusive;
 
-use super::{AsInt, Docs, EnumType, Int, Literal, Method, Ty};
+use super::{Docs, Element, EnumType, Int, Literal, Method, Ty};
 use crate::ir::{Exact, Repeat};
 
 /// A view: its types, and what its message gets.
@@ -136,7 +136,7 @@ pub(crate) enum Place<'d> {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Word<'d> {
     pub(crate) place: Place<'d>,
-    pub(crate) as_int: AsInt<'d>,
+    pub(crate) element: Element<'d>,
     pub(crate) at: u8,
 }
 
@@ -144,7 +144,7 @@ pub(crate) struct Word<'d> {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Switch<'d> {
     pub(crate) place: Place<'d>,
-    pub(crate) as_int: AsInt<'d>,
+    pub(crate) element: Element<'d>,
     pub(crate) get: &'d str,
 }
 
@@ -199,7 +199,7 @@ pub(crate) struct SlotElement<'d> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Count<'d> {
     pub(crate) field: &'d str,
-    pub(crate) as_int: AsInt<'d>,
+    pub(crate) element: Element<'d>,
 }
 
 /// A field of a slot or a record that is copied from the message.

@@ -130,7 +130,7 @@ impl Part {
                 self.keep_called(&rust, whole, why);
             }
         }
-        let rust = spelling::dialect_type_name(&whole.dialect.name);
+        let rust = spelling::type_name(&whole.dialect.name);
         if rust != whole.names.dialect {
             self.keep_called(&rust, whole, || "without it, the dialect's type would have another name in Rust".into());
         }

@@ -17,7 +17,7 @@
 
 use crate::emit::token::ident;
 use crate::emit::ty::{maker, number_in, value_of};
-use crate::rust::{Convert, Extent, Sentinel, Unknown};
+use crate::rust::{Convert, Element, Extent, Sentinel, Unknown};
 use crate::tokens::{TokenStream, quote};
 
 /// The value, if it is known.
@@ -65,7 +65,7 @@ fn set_element(field: &str, value: &TokenStream) -> TokenStream {
 
 /// The number as the enum, if it is known and one.
 pub(in crate::emit) fn get_enum(convert: &Convert<'_>) -> TokenStream {
-    let (field, enum_int, to) = (ident(convert.field), convert.to.int, convert.to.as_int());
+    let (field, enum_int, to) = (ident(convert.field), convert.to.int, Element::Enum(convert.to));
     if !convert.is_optional() {
         return value_of(to, &quote!(#enum_int::from(self.#field)));
     }
@@ -82,7 +82,7 @@ pub(in crate::emit) fn get_enum(convert: &Convert<'_>) -> TokenStream {
 
 /// Puts the number of the enum into the field, if it fits.
 pub(in crate::emit) fn set_enum(convert: &Convert<'_>) -> TokenStream {
-    let (own, number) = (convert.int, number_in(convert.to.as_int(), &quote!(value)));
+    let (own, number) = (convert.int, number_in(Element::Enum(convert.to), &quote!(value)));
     let number = match convert.always_sets() {
         true => quote!(#own::from(#number)),
         false => quote!(#own::try_from(#number).map_err(|_| wire::OutOfRange)?),

@@ -3,17 +3,17 @@
 use crate::emit::token::{ident, mask};
 use crate::emit::ty::{number_in, value_of};
 use crate::ir::Repeat;
-use crate::rust::{AsInt, BitField, Holds, Int, Present, Selector, Through};
+use crate::rust::{BitField, Element, Holds, Int, Present, Selector};
 use crate::tokens::{TokenStream, quote};
 
 /// What the bits hold: `((self.bits >> 29) & 0x7fff) as u16`, `self.bits & (1 << 4) != 0`; in an `Option` where there may be none.
 pub(in crate::emit) fn get(bits: &BitField<'_>) -> TokenStream {
-    let value = match as_int(bits) {
+    let value = match element(bits) {
         None => quote!(self.bits & #{shifted(&quote!(1), &quote!(<<), &place(bits))} != 0),
-        Some(as_int) => {
-            let (raw, wanted) = (read(bits.storage, &place(bits), bits.width, bits.raw), as_int.int);
+        Some(element) => {
+            let (raw, wanted) = (read(bits.storage, &place(bits), bits.width, bits.raw), element.int());
             let number = if bits.raw == wanted { raw } else { quote!((#raw) as #wanted) };
-            value_of(as_int, &number)
+            value_of(element, &number)
         }
     };
     let value = match &bits.present {
@@ -44,35 +44,35 @@ pub(in crate::emit) fn set(bits: &BitField<'_>) -> TokenStream {
 }
 
 /// What the bits hold as an integer; `None` for a flag.
-fn as_int<'d>(bits: &BitField<'d>) -> Option<AsInt<'d>> {
+fn element<'d>(bits: &BitField<'d>) -> Option<Element<'d>> {
     match bits.holds {
         Holds::Flag => None,
-        Holds::Number => Some(AsInt { int: bits.raw, through: Through::Plain }),
-        Holds::Enum(one) => Some(one.as_int()),
+        Holds::Number => Some(Element::Int(bits.raw)),
+        Holds::Enum(one) => Some(Element::Enum(one)),
     }
 }
 
 fn store(bits: &BitField<'_>) -> TokenStream {
     let place = place(bits);
-    let value = match as_int(bits) {
+    let value = match element(bits) {
         None => {
             let bit = shifted(&quote!(1), &quote!(<<), &place);
             quote!(if value { self.bits | #bit } else { self.bits & !#bit })
         }
-        Some(as_int) => {
-            let number = number_in(as_int, &quote!(value));
-            if as_int.int.bits() != bits.width {
+        Some(element) => {
+            let number = number_in(element, &quote!(value));
+            if element.int().bits() != bits.width {
                 return quote! {
                     match #number {
                         raw @ #{raw_range(bits)} => {
-                            self.bits = #{write(bits, &place, &quote!(raw), as_int.int)};
+                            self.bits = #{write(bits, &place, &quote!(raw), element.int())};
                             Ok(())
                         }
                         _ => Err(wire::ViewError::OutOfRange),
                     }
                 };
             }
-            write(bits, &place, &number, as_int.int)
+            write(bits, &place, &number, element.int())
         }
     };
     quote!(self.bits = #value; #(if !bits.always_sets() => Ok(())))

@@ -60,22 +60,22 @@ pub(in crate::emit) fn set(get: &str, store: &str) -> TokenStream {
 
 /// Adds a slot behind those in use.
 pub(in crate::emit) fn push(count: Count<'_>, length: u8, store: &str) -> TokenStream {
-    let own = count.as_int.int;
+    let own = count.element.int();
     quote! {
         let index = #{used(count)};
         if index >= #length {
             return Err(wire::ViewError::Full);
         }
         self.#{ident(store)}(index, slot).ok_or(wire::ViewError::Full)?;
-        self.#{ident(count.field)} = #{value_of(count.as_int, &quote!(index as #own + 1))};
+        self.#{ident(count.field)} = #{value_of(count.element, &quote!(index as #own + 1))};
         Ok(())
     }
 }
 
 /// A count as an index.
 fn used(count: Count<'_>) -> TokenStream {
-    let number = number_in(count.as_int, &quote!(self.#{ident(count.field)}));
-    if count.as_int.int.bits() <= 16 { quote!(usize::from(#number)) } else { quote!(#number as usize) }
+    let number = number_in(count.element, &quote!(self.#{ident(count.field)}));
+    if count.element.int().bits() <= 16 { quote!(usize::from(#number)) } else { quote!(#number as usize) }
 }
 
 /// The assignments that put a slot into the arrays.
@@ -87,10 +87,10 @@ pub(in crate::emit) fn store(slot: &Slot<'_>) -> TokenStream {
         // A field has to say so, whatever the key and the switch have put into it.
         Stored::Field(place, value) => (0, Some(assign(place, &quote!(#value)))),
     };
-    let switch = source.switch.as_ref().map(|Switch { place, as_int, get }| {
+    let switch = source.switch.as_ref().map(|Switch { place, element, get }| {
         let get = ident(get);
         let number = if optional { quote!(slot.status.map_or(0, #view::#get)) } else { quote!(slot.status.#get()) };
-        assign(place, &value_of(*as_int, &number))
+        assign(place, &value_of(*element, &number))
     });
     // A scalar belongs to all slots: the first to be set would decide, so none does.
     let own = keys.iter().filter(|key| matches!(key.place, Place::Element(_)));

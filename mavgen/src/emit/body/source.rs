@@ -18,9 +18,9 @@ pub(in crate::emit) fn get(source: &Source<'_>) -> TokenStream {
 /// Puts the bits, and the value of the switch, where they belong.
 pub(in crate::emit) fn set(source: &Source<'_>) -> TokenStream {
     let words = source.words.iter().map(|word| store_word(source, word));
-    let switch = source.switch.as_ref().map(|Switch { place, as_int, get }| {
+    let switch = source.switch.as_ref().map(|Switch { place, element, get }| {
         let get = ident(get);
-        assign(place, &value_of(*as_int, &quote!(value.#get())))
+        assign(place, &value_of(*element, &quote!(value.#get())))
     });
     quote! {
         let bits = value.bits();
@@ -33,8 +33,8 @@ pub(in crate::emit) fn set(source: &Source<'_>) -> TokenStream {
 pub(super) fn joined(source: &Source<'_>) -> TokenStream {
     let storage = int(source.storage);
     let words = source.words.iter().map(|word| {
-        let number = number_in(word.as_int, &value_at(&word.place));
-        let number = if word.as_int.int == source.storage { number } else { quote!(#storage::from(#number)) };
+        let number = number_in(word.element, &value_at(&word.place));
+        let number = if word.element.int() == source.storage { number } else { quote!(#storage::from(#number)) };
         let at = Literal::of(word.at);
         if word.at == 0 { number } else { quote!((#number << #at)) }
     });
@@ -43,16 +43,16 @@ pub(super) fn joined(source: &Source<'_>) -> TokenStream {
 
 /// `self.data1 = (bits >> 32) as u32;`
 pub(super) fn store_word(source: &Source<'_>, word: &Word<'_>) -> TokenStream {
-    let (own, at) = (int(word.as_int.int), Literal::of(word.at));
+    let (own, at) = (int(word.element.int()), Literal::of(word.at));
     let bits = if word.at == 0 { quote!(bits) } else { quote!((bits >> #at)) };
-    let number = if word.as_int.int == source.storage { bits } else { quote!(#bits as #own) };
-    assign(&word.place, &value_of(word.as_int, &number))
+    let number = if word.element.int() == source.storage { bits } else { quote!(#bits as #own) };
+    assign(&word.place, &value_of(word.element, &number))
 }
 
 /// `EscStatus::from_bits(bits, self.data_version)`
 pub(super) fn view_of_bits(source: &Source<'_>) -> TokenStream {
     let view = ident(source.view);
-    let switch = source.switch.iter().map(|switch| number_in(switch.as_int, &value_at(&switch.place)));
+    let switch = source.switch.iter().map(|switch| number_in(switch.element, &value_at(&switch.place)));
     quote!(#view::from_bits(bits #(, #switch)*))
 }
 

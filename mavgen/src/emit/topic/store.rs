@@ -3,7 +3,7 @@
 use super::load::cut;
 use crate::emit::token::ident;
 use crate::emit::ty::number_in;
-use crate::rust::{Held, Move, Part, Plain, Row, Scalars, TopicSlot, TopicType};
+use crate::rust::{Element, Held, Move, Part, Plain, Row, Scalars, TopicSlot, TopicType};
 use crate::tokens::{TokenStream, quote};
 
 /// Statements that write a message into `p`; `source` is where it lies.
@@ -45,8 +45,8 @@ fn stored_as(slot: TopicSlot<'_>, scalars: Scalars, (source, unknown): (&TokenSt
     }
     if widens {
         value = match (slot.ty, len) {
-            (TopicType::Enum(one), Some(_)) => quote!(#value.map(|v| #{number_in(one.as_int(), &quote!(v))})),
-            (TopicType::Enum(one), None) => number_in(one.as_int(), &value),
+            (TopicType::Enum(one), Some(_)) => quote!(#value.map(|v| #{number_in(Element::Enum(one), &quote!(v))})),
+            (TopicType::Enum(one), None) => number_in(Element::Enum(one), &value),
             _ => value,
         };
         value = match len {

@@ -10,7 +10,7 @@ use super::Class;
 use crate::collect::CollectVec as _;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::internal::Internal;
-use crate::ir::{Entry, Enum, EnumId, Lifecycle, Name, Origin, Repr, enums_of_enum_mut};
+use crate::ir::{Entry, Enum, EnumId, Lifecycle, Origin, Repr, enums_of_enum_mut};
 use crate::lower::names::{EnumNames, drop_rivals};
 use crate::order;
 
@@ -35,9 +35,7 @@ impl Enums {
     ) -> Result<Vec<EnumId>, Internal> {
         let ids = self.ids(dialect, &enums, diagnostics);
         for ((mut enum_, names), id) in enums.into_iter().zip(&ids) {
-            let mut links = Links::new(&ids);
-            enums_of_enum_mut(&mut enum_, &mut |id| links.follow(id));
-            links.check(&enum_.name)?;
+            follow(&ids, |each| enums_of_enum_mut(&mut enum_, each))?;
             match self.list.get_mut(id.0) {
                 None => self.list.push(Class { item: enum_, names, roots: vec![root] }),
                 Some(class) => class.add(root, enum_, names),
@@ -73,33 +71,14 @@ impl Enums {
     }
 }
 
-/// What the enums of a dialect are now.
-pub(super) struct Links<'i> {
-    ids: &'i [EnumId],
-    lost: Option<EnumId>,
-}
-
-impl<'i> Links<'i> {
-    /// By what each was.
-    pub(super) fn new(ids: &'i [EnumId]) -> Self {
-        Self { ids, lost: None }
-    }
-
-    /// Points a mention of an enum to what it is now.
-    pub(super) fn follow(&mut self, id: &mut EnumId) {
-        match self.ids.get(id.0) {
-            Some(now) => *id = *now,
-            None => self.lost = Some(*id),
-        }
-    }
-
-    /// Whether everything that `of` names was there.
-    pub(super) fn check(&self, of: &Name) -> Result<(), Internal> {
-        match self.lost {
-            None => Ok(()),
-            Some(EnumId(lost)) => Err(Internal::new(format!("`{}` names an enum {lost} that there is not", of.text))),
-        }
-    }
+/// Points every mention of an enum, which `each` finds, to what that enum is now.
+pub(super) fn follow(ids: &[EnumId], each: impl FnOnce(&mut dyn FnMut(&mut EnumId))) -> Result<(), Internal> {
+    let mut lost = None;
+    each(&mut |id| match ids.get(id.0) {
+        Some(now) => *id = *now,
+        None => lost = Some(id.0),
+    });
+    lost.map_or(Ok(()), |lost| Err(Internal::new(format!("there is no enum {lost} in the dialect that names it"))))
 }
 
 impl Class<Enum, EnumNames> {

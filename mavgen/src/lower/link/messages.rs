@@ -2,11 +2,11 @@
 
 use std::collections::{HashMap, HashSet};
 
-use super::enums::{Enums, Links, join};
-use super::{Class, definition};
+use super::Class;
+use super::enums::{Enums, follow, join};
 use crate::collect::CollectVec as _;
 use crate::internal::Internal;
-use crate::ir::{Binding, EnumId, Meaning, Message, View, enums_of_message_mut};
+use crate::ir::{Binding, EnumId, Field, Meaning, Message, View, enums_of_message_mut};
 use crate::lower::names::MessageNames;
 use crate::lower::names::methods::{binding_methods, view_methods};
 
@@ -33,9 +33,7 @@ impl Messages {
         enums: &Enums,
     ) -> Result<Vec<usize>, Internal> {
         let mut take = |(mut message, names): (Message, MessageNames)| {
-            let mut links = Links::new(ids);
-            enums_of_message_mut(&mut message, &mut |id| links.follow(id));
-            links.check(&message.name)?;
+            follow(ids, |each| enums_of_message_mut(&mut message, each))?;
             Ok(self.take_one(root, message, names, enums))
         };
         messages.map(&mut take).try_collect_vec()
@@ -46,7 +44,7 @@ impl Messages {
         for &place in places.iter() {
             let Some(class) = self.list.get_mut(place) else { continue };
             let known = &class.item.message;
-            if definition::same(known, &message) && additions_agree((known, &class.names), (&message, &names), enums) {
+            if is_same(known, &message) && additions_agree((known, &class.names), (&message, &names), enums) {
                 class.add(root, message, names);
                 return place;
             }
@@ -136,4 +134,38 @@ fn enum_of(meaning: &Meaning) -> Option<EnumId> {
         Meaning::Values(id) => Some(*id),
         _ => None,
     }
+}
+
+/// Whether two messages are defined alike. Their enums are those of the union already.
+fn is_same(a: &Message, b: &Message) -> bool {
+    // Lengths and the checksum follow from the fields; what overlays add is joined.
+    let Message { id, name, fields, crc_extra: _, len_v1: _, len_v2: _, views: _, bindings: _, origin: _ } = a;
+    (*id, name, fields.len()) == (b.id, &b.name, b.fields.len())
+        && fields.iter().zip(&b.fields).all(|(a, b)| same_field(a, b))
+}
+
+fn same_field(a: &Field, b: &Field) -> bool {
+    let Field {
+        name,
+        ty,
+        offset,
+        extension,
+        values,
+        instance,
+        invalid,
+        units,
+        multiplier,
+        limits,
+        default,
+        print_format,
+        display_bitmask,
+        origin,
+    } = a;
+    let wire = (*ty, *offset, *extension, *values, *instance) == (b.ty, b.offset, b.extension, b.values, b.instance);
+    // What elements say beyond the wire; one element says the same as itself.
+    let meaning = || {
+        (units, multiplier, limits) == (&b.units, &b.multiplier, &b.limits)
+            && (default, print_format, *display_bitmask) == (&b.default, &b.print_format, b.display_bitmask)
+    };
+    wire && (name, invalid) == (&b.name, &b.invalid) && (origin.span == b.origin.span || meaning())
 }

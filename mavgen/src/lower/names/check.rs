@@ -48,7 +48,7 @@ pub(in crate::lower) fn dialect_type(
     types: &Namespace<'_>,
     diagnostics: &mut Diagnostics,
 ) -> String {
-    let own = spelling::dialect_type_name(name);
+    let own = spelling::type_name(name);
     let own = if types.get(&own).is_some() { spelling::suffixed(&own, suffix) } else { own };
     match types.get(&own) {
         Some(first) => diagnostics.push(collision::of_dialect(name, &own, first)),

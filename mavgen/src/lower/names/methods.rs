@@ -3,9 +3,10 @@
 use super::{MessageNames, ViewNames};
 use crate::collect::CollectVec as _;
 use crate::diag::Diagnostics;
-use crate::ir::{self, Access, Field, FieldIndex, Meaning, Member, Message, Record, Scalar, Values, View};
+use crate::ir::{Access, Field, FieldIndex, Meaning, Member, Message, Record, Scalar, Values, View};
 use crate::lower::namespace::{Claim, Collision, Namespace, Scope, What};
 use crate::lower::{collision, spelling};
+use crate::rust::Extent;
 
 /// Checks the methods of a message and of its views, and decides which fields have a getter and a setter.
 pub(super) fn check(message: &Message, names: &MessageNames, diagnostics: &mut Diagnostics) -> Vec<FieldIndex> {
@@ -46,8 +47,8 @@ fn has_accessors(field: &Field) -> bool {
 
 /// Whether the accessors of a field have an iterator over its elements beside them.
 fn iterates(field: &Field) -> bool {
-    let each = field.invalid.as_ref().is_some_and(|invalid| invalid.scope != ir::Scope::Whole);
-    field.ty.array.is_some() && each && !matches!(field.values, Some(Values::Converted(_)))
+    let extent = field.invalid.map(|invalid| Extent::of(invalid.scope, field.ty.array.map(|n| n.get().into())));
+    extent.is_some_and(Extent::is_indexed) && !matches!(field.values, Some(Values::Converted(_)))
 }
 
 /// The methods of a field that has some.

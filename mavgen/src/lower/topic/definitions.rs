@@ -23,29 +23,27 @@ pub(super) struct InDefinition<'d> {
 
 impl<'d> Topics<'d> {
     /// Those that differ, newest first.
-    pub(super) fn definitions(self, index: MessageIndex) -> Result<Vec<Definition<'d>>, Internal> {
-        let Named { model, .. } = self.message(index)?;
-        let distinct = model.known.iter().filter(|known| known.same_as.is_none());
-        distinct.map(|known| self.definition(index, known)).try_collect_vec()
+    pub(super) fn definitions(self, message: Named<'d>) -> Result<Vec<Definition<'d>>, Internal> {
+        let distinct = message.model.known.iter().filter(|known| known.same_as.is_none());
+        distinct.map(|known| self.definition(message, known)).try_collect_vec()
     }
 
-    fn definition(self, index: MessageIndex, known: &'d Known) -> Result<Definition<'d>, Internal> {
-        let Named { model, .. } = self.message(index)?;
+    fn definition(self, message: Named<'d>, known: &'d Known) -> Result<Definition<'d>, Internal> {
         let own = self.in_definition(known.definition, known.message)?;
-        let (names, one) = self.definition_names(known.definition)?;
-        let message = own.message;
-        let record_len = message.struct_len - message.struct_padding;
+        let (names, name) = self.definition_names(known.definition)?;
+        let model::Message { cdr_len, struct_len, struct_padding, hash, ref type_hash, .. } = *own.message;
+        let record_len = struct_len - struct_padding;
         Ok(Definition {
             constant: &names.constant,
             suffix: &names.suffix,
-            docs: docs::of_definition(one, message.cdr_len, record_len),
-            name: one,
-            message_hash: message.hash,
-            type_hash: &message.type_hash,
-            cdr_len: message.cdr_len,
+            docs: docs::of_definition(name, cdr_len, record_len),
+            name,
+            message_hash: hash,
+            type_hash,
+            cdr_len,
             record_len,
-            formats: formats(model, own),
-            cdr: self.part(index, own, &placed::in_cdr(own.package, message))?,
+            formats: formats(message.model, own),
+            cdr: self.part(message, own, &placed::in_cdr(own.package, own.message))?,
         })
     }
 
@@ -63,9 +61,9 @@ impl<'d> Topics<'d> {
     }
 
     /// Other names of these.
-    pub(super) fn same_definitions(self, index: MessageIndex) -> Result<Vec<SameDefinition<'d>>, Internal> {
-        let Named { model, .. } = self.message(index)?;
-        let same = model.known.iter().filter_map(|known| Some((known, model.known.get(known.same_as?)?)));
+    pub(super) fn same_definitions(self, message: Named<'d>) -> Result<Vec<SameDefinition<'d>>, Internal> {
+        let same =
+            message.model.known.iter().filter_map(|known| Some((known, message.model.known.get(known.same_as?)?)));
         let same = same.map(|(known, newer)| {
             let ((names, one), (of, newer)) =
                 (self.definition_names(known.definition)?, self.definition_names(newer.definition)?);
@@ -85,8 +83,8 @@ fn formats(message: &Message, own: InDefinition<'_>) -> Vec<String> {
 
 fn add_nested(message: &model::Message, package: &Package, formats: &mut Vec<String>) {
     for field in &message.fields {
-        let model::Element::Message(index) = field.element else { continue };
-        let Some(nested) = package.messages.get(index.0) else { continue };
+        let model::Element::Message(message) = field.element else { continue };
+        let Some(nested) = package.messages.get(message.0) else { continue };
         let format = format!("{}:{}", uorb::topic_name(&nested.name), uorb::log_format(nested, package));
         if !formats.contains(&format) {
             formats.push(format);

@@ -6,7 +6,7 @@ use crate::docs::line;
 use crate::internal::Internal;
 use crate::lower::docs;
 use crate::rust::{Cell, Definition, Docs, Paragraph, Part};
-use crate::uorb::model::{Constant, Element, MessageIndex};
+use crate::uorb::model::{Constant, Element};
 use crate::uorb::union::{Enum, Field};
 
 /// The topics that carry a message: "topic `esc_status`", "topics `a`, `b`".
@@ -17,26 +17,25 @@ pub(super) fn named_topics(topics: &[String]) -> String {
 
 impl<'d> Topics<'d> {
     /// What the file says, what carries it, and where the fields lie.
-    pub(super) fn topic_docs(self, index: MessageIndex, definitions: &[Definition<'d>]) -> Result<Docs<'d>, Internal> {
-        let Named { model, .. } = self.message(index)?;
-        let version = model.version.map(|version| format!(", version {version}")).unwrap_or_default();
-        let queue = model.queue.map(|queue| format!("; PX4 keeps {queue} of an instance")).unwrap_or_default();
-        let facts = format!("`{}`{version}: {}{queue}.", model.name, named_topics(&model.topics));
+    pub(super) fn topic_docs(self, message: Named<'d>, definitions: &[Definition<'d>]) -> Result<Docs<'d>, Internal> {
+        let version = message.model.version.map(|version| format!(", version {version}")).unwrap_or_default();
+        let queue = message.model.queue.map(|queue| format!("; PX4 keeps {queue} of an instance")).unwrap_or_default();
+        let facts = format!("`{}`{version}: {}{queue}.", message.model.name, named_topics(&message.model.topics));
         let head = match definitions {
             [_] => "The bytes of a CDR body and of a record in a log:".to_owned(),
             _ => "The bytes of a CDR body by definition, and of a record in a log of the newest:".to_owned(),
         };
         Ok(Docs(vec![
-            Paragraph::prose(model.text.as_str()),
+            Paragraph::prose(message.model.text.as_str()),
             Paragraph::line(facts),
             Paragraph::line(head),
-            self.layout(index, definitions)?,
+            self.layout(message, definitions)?,
         ]))
     }
 
     /// Where the definitions have the fields.
-    fn layout(self, index: MessageIndex, definitions: &[Definition<'d>]) -> Result<Paragraph<'d>, Internal> {
-        let fields = &self.message(index)?.model.fields;
+    fn layout(self, message: Named<'d>, definitions: &[Definition<'d>]) -> Result<Paragraph<'d>, Internal> {
+        let fields = &message.model.fields;
         let has_units = fields.iter().any(|field| field.docs.units.is_some());
         let mut head: Vec<&'d str> = match definitions {
             [_] => vec!["CDR"],
@@ -44,10 +43,10 @@ impl<'d> Topics<'d> {
         };
         head.extend(["record", "field", "type"]);
         head.extend(has_units.then_some("units"));
-        let record = self.record(index)?;
+        let record = self.record(message)?;
         let parts = || definitions.iter().map(|one| &one.cdr).chain([&record]);
         let rows = fields.iter().enumerate().map(|(at, field)| {
-            let slot = self.slot(index, at)?;
+            let slot = self.slot(message, at)?;
             let place = |part: &Part<'_>| {
                 let found = part.fields.iter().find(|one| one.slot.ident == slot.ident);
                 Cell::Plain(found.map(|one| one.at.to_string()).unwrap_or_default())

@@ -8,29 +8,27 @@ use crate::ir::Sentinel;
 use crate::lower::accessors::optional;
 use crate::lower::items::beside;
 use crate::rust::{self, Extent, Literal, Method, Plain, TopicField, TopicSlot, TopicType, Unknown};
-use crate::uorb::model::{Element, MessageIndex};
+use crate::uorb::model::Element;
 use crate::uorb::union::Field;
 
 impl<'d> Topics<'d> {
-    pub(super) fn fields(self, index: MessageIndex) -> Result<Vec<TopicField<'d>>, Internal> {
-        let Named { model, .. } = self.message(index)?;
-        (0..model.fields.len()).map(|at| self.field(index, at)).try_collect_vec()
+    pub(super) fn fields(self, message: Named<'d>) -> Result<Vec<TopicField<'d>>, Internal> {
+        (0..message.model.fields.len()).map(|at| self.field(message, at)).try_collect_vec()
     }
 
-    fn field(self, index: MessageIndex, at: usize) -> Result<TopicField<'d>, Internal> {
-        let ((field, _), slot) = (self.field_at(index, at)?, self.slot(index, at)?);
+    fn field(self, message: Named<'d>, at: usize) -> Result<TopicField<'d>, Internal> {
+        let ((field, _), slot) = (self.field_at(message, at)?, self.slot(message, at)?);
         let named = (slot.ident != slot.name).then_some(slot.name);
         Ok(TopicField { slot, docs: self.field_docs(field)?, named, was: field.was.as_deref() })
     }
 
-    fn field_at(self, index: MessageIndex, at: usize) -> Result<(&'d Field, &'d String), Internal> {
-        let Named { model, names } = self.message(index)?;
-        beside(&model.fields, &names.fields, at, "field")
+    fn field_at(self, message: Named<'d>, at: usize) -> Result<(&'d Field, &'d String), Internal> {
+        beside(&message.model.fields, &message.names.fields, at, "field")
     }
 
     /// A field by name and type.
-    pub(super) fn slot(self, index: MessageIndex, at: usize) -> Result<TopicSlot<'d>, Internal> {
-        let (field, ident) = self.field_at(index, at)?;
+    pub(super) fn slot(self, message: Named<'d>, at: usize) -> Result<TopicSlot<'d>, Internal> {
+        let (field, ident) = self.field_at(message, at)?;
         let ty = match (self.union.typed(field), field.element) {
             (Some(one), _) => TopicType::Enum(self.enum_type(one)?),
             (None, Element::Scalar(scalar)) => TopicType::Plain(definitions::plain(scalar)),
@@ -54,18 +52,17 @@ impl<'d> Topics<'d> {
                 Some(Unknown::Is(Literal::Float(value as f64)))
             }
             (TopicType::Plain(Plain::Int(int)), Sentinel::Integer(value)) => {
-                let as_int = rust::Element::Int(int).as_int();
-                Some(Unknown::Is(Literal::Number(as_int, value)))
+                Some(Unknown::Is(Literal::Number(rust::Element::Int(int), value)))
             }
             (TopicType::Enum(one), Sentinel::Integer(value)) => Some(Unknown::Is(self.enum_literal(one, value)?)),
             _ => None,
         })
     }
 
-    pub(super) fn accessors(self, index: MessageIndex) -> Result<Vec<Method<'d>>, Internal> {
+    pub(super) fn accessors(self, message: Named<'d>) -> Result<Vec<Method<'d>>, Internal> {
         let mut methods = Vec::new();
-        for &at in &self.message(index)?.names.accessors {
-            let ((field, _), slot) = (self.field_at(index, at)?, self.slot(index, at)?);
+        for &at in &message.names.accessors {
+            let ((field, _), slot) = (self.field_at(message, at)?, self.slot(message, at)?);
             let element = definitions::element(slot.ty);
             if let (Some(unknown), Some(element), Some(invalid)) = (slot.unknown, element, field.invalid) {
                 let extent = Extent::of(invalid.scope, slot.len);

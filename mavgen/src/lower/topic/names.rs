@@ -52,8 +52,7 @@ pub(crate) const CONSTANTS: [&str; 8] =
     ["ABSENT", "DEFINITIONS", "FIELDS", "NAME", "QUEUE", "TOPICS", "UNKNOWN", "VERSION"];
 
 /// Methods that every topic has beside those of messages.
-const METHODS: [&str; 9] =
-    ["from_cdr", "from_cdr_as", "is_blank", "read_cdr", "read_record", "store_cdr", "store_record", "to_cdr", "visit"];
+const METHODS: &str = "from_cdr from_cdr_as is_blank read_cdr read_record store_cdr store_record to_cdr visit";
 
 impl UnionNames {
     /// Names a package, and reports what collides.
@@ -121,7 +120,7 @@ fn types(union: &Union, messages: &[TopicNames], enums: &[EnumNames], diagnostic
 /// Decides which fields have a getter and a setter: those that may be unknown, if the names are free.
 fn accessors(message: &Message, names: &TopicNames, diagnostics: &mut Diagnostics) -> Vec<usize> {
     let mut taken = Namespace::of(Scope::Methods);
-    taken.reserve("a method of every topic", &METHODS);
+    taken.reserve("a method of every topic", METHODS);
     let mut with_accessors = Vec::new();
     for (at, (field, name)) in message.fields.iter().zip(&names.fields).enumerate() {
         if has_accessors(field) {

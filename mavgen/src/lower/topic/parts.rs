@@ -2,33 +2,33 @@
 
 use super::definitions::{InDefinition, plain};
 use super::{Named, Topics};
+use crate::collect::CollectVec as _;
 use crate::internal::Internal;
 use crate::rust::{Held, Move, Part, Plain, Row, Scalars, TopicSlot};
 use crate::uorb::Scalar;
 use crate::uorb::model::MessageIndex;
 use crate::uorb::placed::{self, Placed, Run};
-use crate::uorb::union::Known;
 
 impl<'d> Topics<'d> {
     /// How the newest definition is written as a record.
-    pub(super) fn record(self, index: MessageIndex) -> Result<Part<'d>, Internal> {
-        let Named { model, .. } = self.message(index)?;
-        let newest = model.known.first().ok_or_else(|| Internal::new("a topic without a definition"))?;
+    pub(super) fn record(self, message: Named<'d>) -> Result<Part<'d>, Internal> {
+        let newest = message.model.known.first().ok_or_else(|| Internal::new("a topic without a definition"))?;
         let own = self.in_definition(newest.definition, newest.message)?;
-        self.part(index, own, &placed::in_record(own.package, own.message))
+        self.part(message, own, &placed::in_record(own.package, own.message))
     }
 
     /// The fields of a topic that a definition has, and where.
     pub(super) fn part(
         self,
-        index: MessageIndex,
+        message: Named<'d>,
         own: InDefinition<'d>,
         placed: &[Placed],
     ) -> Result<Part<'d>, Internal> {
-        let (Named { model, names }, known) = (self.message(index)?, self.known(index, own.definition)?);
+        let known = message.model.known.iter().find(|known| known.definition == own.definition);
+        let known = known.ok_or_else(|| Internal::new(format!("a definition lacks {}", message.model.name)))?;
         let fields = placed.iter().map(|Placed { field, at, held }| {
             let union = known.fields.get(*field).ok_or_else(|| Internal::new("a field is none of the union's"))?;
-            let slot = self.slot(index, *union)?;
+            let slot = self.slot(message, *union)?;
             let held = match held {
                 placed::Held::Scalars(scalar, len) => Held::Scalars(scalars(slot, *scalar, *len)),
                 placed::Held::Messages(nested, runs) => {
@@ -37,36 +37,30 @@ impl<'d> Topics<'d> {
             };
             Ok(Move { slot, at: *at, later: is_later(&held), held })
         });
-        let fields = fields.collect::<Result<Vec<_>, Internal>>()?;
-        let lacks = fields.len() < model.fields.len() || fields.iter().any(|field| field.later);
-        Ok(Part { ident: &names.ty, fields, lacks })
+        let fields = fields.try_collect_vec()?;
+        let lacks = fields.len() < message.model.fields.len() || fields.iter().any(|field| field.later);
+        Ok(Part { ident: &message.names.ty, fields, lacks })
     }
 
     fn messages(self, slot: TopicSlot<'d>, nested: InDefinition<'d>, runs: &[Run]) -> Result<Held<'d>, Internal> {
         let at = self.union.messages.iter().position(|message| message.name == nested.message.name);
-        let index = MessageIndex(at.ok_or_else(|| Internal::new(format!("there is no {}", nested.message.name)))?);
+        let at = at.ok_or_else(|| Internal::new(format!("there is no {}", nested.message.name)))?;
+        let message = self.message(MessageIndex(at))?;
         let Some(len) = slot.len else {
             let run = runs.first().ok_or_else(|| Internal::new(format!("`{}` lies nowhere", slot.name)))?;
-            return Ok(Held::Message(self.part(index, nested, &moved(&run.fields, run.at))?));
+            return Ok(Held::Message(self.part(message, nested, &moved(&run.fields, run.at))?));
         };
         let rows = runs.iter().map(|run| {
             let Run { first: skip, at, stride, len: bytes, .. } = *run;
             let take = (skip + run.count < len).then_some(run.count);
-            Ok(Row { skip, take, at, stride, len: bytes, part: self.part(index, nested, &run.fields)? })
+            Ok(Row { skip, take, at, stride, len: bytes, part: self.part(message, nested, &run.fields)? })
         });
-        let mut rows = rows.collect::<Result<Vec<_>, Internal>>()?;
+        let mut rows = rows.try_collect_vec()?;
         let room = runs.iter().map(|run| run.count).sum();
         Ok(match rows.as_slice() {
             [row] if room == len && is_total(&row.part) => Held::Each(rows.remove(0)),
             _ => Held::Rows(rows, (room < len).then_some(room)),
         })
-    }
-
-    /// What a definition has of a message.
-    fn known(self, index: MessageIndex, definition: usize) -> Result<&'d Known, Internal> {
-        let mut known = self.message(index)?.model.known.iter();
-        let found = known.find(|known| known.definition == definition);
-        found.ok_or_else(|| Internal::new(format!("definition {definition} lacks message {}", index.0)))
     }
 }
 

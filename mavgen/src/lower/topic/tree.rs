@@ -141,7 +141,8 @@ fn module<'d, 'n>(
 }
 
 fn topic<'d>(topics: Topics<'d>, index: MessageIndex, options: &Options) -> Result<File<'d>, Internal> {
-    let (Named { model, names }, item) = (topics.message(index)?, topics.topic(index)?);
+    let message = topics.message(index)?;
+    let (Named { model, names }, item) = (message, topics.topic(message)?);
     let mut named = Mentioned { functions: BTreeSet::from(["get", "put"]), ..Mentioned::default() };
     named.topic(&item);
     let mut uses = named.imports();

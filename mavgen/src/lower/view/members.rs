@@ -2,6 +2,7 @@
 
 use super::super::items::{Items, NamedView};
 use super::super::{docs, spelling};
+use super::units;
 use crate::docs::line;
 use crate::internal::Internal;
 use crate::ir::{Meaning, Member, Presence, Scaled, SwitchOn};
@@ -28,7 +29,8 @@ impl<'d> Items<'d> {
             Meaning::Number { .. } | Meaning::Scaled(_) => Holds::Number,
         };
         let bits = bits(view, member, holds)?;
-        let (get_docs, indexed) = (member_docs(name, member), bits.repeat.is_some());
+        let (get_docs, indexed) =
+            (docs::of_part(&member.description, name, units(member), None), bits.repeat.is_some());
         let mut methods = match &member.meaning {
             Meaning::Scaled(scaled) => scaled_accessors(name, bits, scaled, [get_docs, setter_docs(name, true)]),
             _ => {
@@ -131,16 +133,6 @@ fn scale<'d>(name: &str, bits: &BitField<'d>, scaled: &'d Scaled) -> Scale<'d> {
         in_f32: largest(factor, bias) < EXACT_IN_F32 && i128::from(divisor) < EXACT_IN_F32,
         exact,
     }
-}
-
-/// What the overlay says of the bits, and the unit.
-fn member_docs<'d>(name: &str, member: &'d Member) -> Docs<'d> {
-    let units = match &member.meaning {
-        Meaning::Number { units } => units.as_deref(),
-        Meaning::Scaled(scaled) => scaled.units.as_deref(),
-        Meaning::Flag | Meaning::Values(_) => None,
-    };
-    docs::of_part(&member.description, name, units, None)
 }
 
 fn setter_docs<'d>(name: &str, fallible: bool) -> Docs<'d> {

@@ -1,7 +1,7 @@
 //! A view of each slot of arrays that lie side by side: the slot's type, an iterator, and setters for simulators.
 
 use super::super::docs;
-use super::super::items::{Items, NamedMessage, NamedSlots, NamedView};
+use super::super::items::{Items, NamedSlots, NamedView};
 use super::super::spelling::SLOT_VIEW;
 use super::source::{element, place};
 use super::summary;
@@ -15,13 +15,8 @@ use crate::rust::{
 
 impl<'d> Items<'d> {
     /// `escs()` and `esc(index)`; `set_esc`, `push_esc`, and what they share.
-    pub(super) fn slots(
-        self,
-        message: NamedMessage<'d>,
-        view: NamedView<'d>,
-        slots: NamedSlots<'d>,
-    ) -> Result<Vec<Method<'d>>, Internal> {
-        let slot = self.slot(message, view, slots)?;
+    pub(super) fn slots(self, slots: NamedSlots<'d>) -> Result<Vec<Method<'d>>, Internal> {
+        let (view, slot) = (slots.view, self.slot(slots)?);
         let (get, length) = (view.names.getter.as_str(), slots.model.length.get());
         let [set, push, store] = ["set", "push", "store"].map(|verb| format!("{verb}_{get}"));
         let ty = Ty::Named(slot.ident);
@@ -53,14 +48,9 @@ impl<'d> Items<'d> {
     }
 
     /// `pub struct Esc { … }`
-    pub(super) fn declared_slot(
-        self,
-        message: NamedMessage<'d>,
-        view: NamedView<'d>,
-        slots: NamedSlots<'d>,
-    ) -> Result<RecordType<'d>, Internal> {
-        let fields = view.keys().map(|(key, ident)| self.key_field(message, key, ident));
-        let mut fields = fields.try_collect_vec()?;
+    pub(super) fn declared_slot(self, slots: NamedSlots<'d>) -> Result<RecordType<'d>, Internal> {
+        let view = slots.view;
+        let mut fields = self.key_fields(view)?;
         let optional = view.model.condition.is_some() || !view.model.invalid.is_empty();
         fields.push(RecordField {
             ident: SLOT_VIEW,
@@ -70,56 +60,57 @@ impl<'d> Items<'d> {
                 false => "What the bits say.",
             }),
         });
-        let docs = Docs::line(format!("One slot of [`{}::{}`].", message.ty(), slots.names.items));
+        let docs = Docs::line(format!("One slot of [`{}::{}`].", view.message.ty(), slots.names.items));
         Ok(RecordType { ident: &slots.names.ty, docs, fields })
     }
 
-    fn slot(self, message: NamedMessage<'d>, view: NamedView<'d>, slots: NamedSlots<'d>) -> Result<Slot<'d>, Internal> {
+    fn slot(self, slots: NamedSlots<'d>) -> Result<Slot<'d>, Internal> {
+        let view = slots.view;
         let count = slots.model.count.map(|count| {
-            let field = message.field(count)?;
-            Ok(Count { field: field.ident, as_int: self.element(field)?.as_int() })
+            let field = view.message.field(count)?;
+            Ok(Count { field: field.ident, element: self.element(field)? })
         });
-        let keys = view.keys().map(|(key, ident)| self.key(message, key, ident));
         Ok(Slot {
             ident: &slots.names.ty,
-            source: self.source(message, view)?,
+            source: self.source(view)?,
             count: count.transpose()?,
-            elements: elements(message, view)?,
-            keys: keys.try_collect_vec()?,
-            sentinel: self.sentinel(message, view)?,
+            elements: elements(view)?,
+            keys: self.keys(view)?,
+            sentinel: self.sentinel(view)?,
         })
     }
 
-    /// The public field for a key or a value.
-    pub(super) fn key_field(
-        self,
-        message: NamedMessage<'d>,
-        key: &'d ir::Key,
-        ident: &'d str,
-    ) -> Result<RecordField<'d>, Internal> {
-        let ty = self.element(message.field(key.place.field)?)?.ty();
-        let unknown = key.invalid.map(|_| "`None` where it is not known.");
-        let docs = docs::of_part(&key.description, ident, key.units.as_deref(), unknown);
-        Ok(RecordField { ident, ty: ty.optional(key.invalid.is_some()), docs })
+    /// The public fields for keys or values.
+    pub(super) fn key_fields(self, view: NamedView<'d>) -> Result<Vec<RecordField<'d>>, Internal> {
+        let fields = view.keys().map(|(key, ident)| {
+            let ty = self.element(view.message.field(key.place.field)?)?.ty();
+            let unknown = key.invalid.map(|_| "`None` where it is not known.");
+            let docs = docs::of_part(&key.description, ident, key.units.as_deref(), unknown);
+            Ok(RecordField { ident, ty: ty.optional(key.invalid.is_some()), docs })
+        });
+        fields.try_collect_vec()
     }
 
-    /// Where a key or a value stands.
-    pub(super) fn key(self, message: NamedMessage<'d>, key: &'d ir::Key, ident: &'d str) -> Result<Key<'d>, Internal> {
-        let field = message.field(key.place.field)?;
-        let invalid = key.invalid.map(|invalid| self.literal(field, invalid)).transpose()?;
-        Ok(Key { ident, place: place(message, key.place)?, invalid })
+    /// Where keys or values stand.
+    pub(super) fn keys(self, view: NamedView<'d>) -> Result<Vec<Key<'d>>, Internal> {
+        let keys = view.keys().map(|(key, ident)| {
+            let field = view.message.field(key.place.field)?;
+            let invalid = key.invalid.map(|invalid| self.literal(field, invalid)).transpose()?;
+            Ok(Key { ident, place: place(view, key.place)?, invalid })
+        });
+        keys.try_collect_vec()
     }
 
     /// How a message says that the bits of a slot mean nothing: by words if it can, else by a field.
-    fn sentinel(self, message: NamedMessage<'d>, view: NamedView<'d>) -> Result<Stored<'d>, Internal> {
+    fn sentinel(self, view: NamedView<'d>) -> Result<Stored<'d>, Internal> {
         let words = view.model.invalid.iter().find_map(|sentinel| match sentinel {
             ViewSentinel::Words(value) => Some(*value),
             ViewSentinel::Field(..) => None,
         });
         match (words, view.model.invalid.first()) {
             (None, Some(ViewSentinel::Field(at, value))) => {
-                let literal = self.literal(message.field(at.field)?, *value)?;
-                Ok(Stored::Field(place(message, *at)?, literal))
+                let literal = self.literal(view.message.field(at.field)?, *value)?;
+                Ok(Stored::Field(place(view, *at)?, literal))
             }
             (words, _) => Ok(Stored::Words(words.unwrap_or_default())),
         }
@@ -127,7 +118,7 @@ impl<'d> Items<'d> {
 }
 
 /// Every array that slots have elements of, once, in the order of the fields.
-fn elements<'d>(message: NamedMessage<'d>, view: NamedView<'d>) -> Result<Vec<SlotElement<'d>>, Internal> {
+fn elements<'d>(view: NamedView<'d>) -> Result<Vec<SlotElement<'d>>, Internal> {
     let words = view.model.words.iter().filter_map(|word| match word {
         ir::Word::One(place) => Some(*place),
         ir::Word::Joined(_) => None,
@@ -144,5 +135,5 @@ fn elements<'d>(message: NamedMessage<'d>, view: NamedView<'d>) -> Result<Vec<Sl
     let mut fields = places.filter(|place| place.element).map(|place| place.field).collect_vec();
     order::sort_by_key(&mut fields, |field| field.0);
     fields.dedup();
-    fields.into_iter().map(|field| message.field(field).map(element)).try_collect_vec()
+    fields.into_iter().map(|field| view.message.field(field).map(element)).try_collect_vec()
 }

@@ -10,47 +10,47 @@ use crate::rust::{Int, Place, Shape, SlotElement, Source, Switch, Test, Word};
 const LOCALS: [&str; 4] = ["index", "bits", "status", "slot"];
 
 impl<'d> Items<'d> {
-    pub(super) fn source(self, message: NamedMessage<'d>, view: NamedView<'d>) -> Result<Source<'d>, Internal> {
+    pub(super) fn source(self, view: NamedView<'d>) -> Result<Source<'d>, Internal> {
         Ok(Source {
             view: view.ty(),
             storage: Int::of_bits(view.model.width, false),
-            words: self.words(message, view)?,
-            switch: self.switch(message, view)?,
-            when: self.tests(message, view)?,
+            words: self.words(view)?,
+            switch: self.switch(view)?,
+            when: self.tests(view)?,
         })
     }
 
-    fn words(self, message: NamedMessage<'d>, view: NamedView<'d>) -> Result<Vec<Word<'d>>, Internal> {
+    fn words(self, view: NamedView<'d>) -> Result<Vec<Word<'d>>, Internal> {
         let mut words = Vec::new();
         let mut at = 0;
         for word in &view.model.words {
-            let field = message.field(word_field(*word))?;
-            let as_int = self.element(field)?.as_int();
+            let field = view.message.field(word_field(*word))?;
+            let element = self.element(field)?;
             let places = match *word {
-                ir::Word::One(at) => vec![place(message, at)?],
+                ir::Word::One(at) => vec![place(view, at)?],
                 ir::Word::Joined(_) => elements_of(field),
             };
             for place in places {
-                words.push(Word { place, as_int, at });
-                at += as_int.int.bits();
+                words.push(Word { place, element, at });
+                at += element.int().bits();
             }
         }
         Ok(words)
     }
 
-    fn switch(self, message: NamedMessage<'d>, view: NamedView<'d>) -> Result<Option<Switch<'d>>, Internal> {
+    fn switch(self, view: NamedView<'d>) -> Result<Option<Switch<'d>>, Internal> {
         let Some(SwitchOn::Field(at, _)) = view.model.switch.as_ref().map(|switch| switch.on) else { return Ok(None) };
-        let as_int = self.element(message.field(at.field)?)?.as_int();
-        Ok(Some(Switch { place: place(message, at)?, as_int, get: view.switch_getter()? }))
+        let element = self.element(view.message.field(at.field)?)?;
+        Ok(Some(Switch { place: place(view, at)?, element, get: view.switch_getter()? }))
     }
 
-    fn tests(self, message: NamedMessage<'d>, view: NamedView<'d>) -> Result<Vec<Test<'d>>, Internal> {
-        let condition = view.model.condition.iter().map(|condition| self.holds(message, condition));
+    fn tests(self, view: NamedView<'d>) -> Result<Vec<Test<'d>>, Internal> {
+        let condition = view.model.condition.iter().map(|condition| self.holds(view.message, condition));
         let sentinels = view.model.invalid.iter().map(|sentinel| match *sentinel {
             ViewSentinel::Words(value) => Ok(Test::WordsAreNot(value)),
             ViewSentinel::Field(at, value) => {
-                let literal = self.literal(message.field(at.field)?, value)?;
-                Ok(Test::IsNot(place(message, at)?, literal))
+                let literal = self.literal(view.message.field(at.field)?, value)?;
+                Ok(Test::IsNot(place(view, at)?, literal))
             }
         });
         condition.chain(sentinels).try_collect_vec()
@@ -67,12 +67,8 @@ impl<'d> Items<'d> {
     }
 }
 
-/// The fields that a view is read from.
-pub(super) fn word_fields<'d>(message: NamedMessage<'d>, view: NamedView<'d>) -> Result<Vec<NamedField<'d>>, Internal> {
-    view.model.words.iter().map(|word| message.field(word_field(*word))).try_collect_vec()
-}
-
-fn word_field(word: ir::Word) -> FieldIndex {
+/// The field that a word is.
+pub(super) fn word_field(word: ir::Word) -> FieldIndex {
     match word {
         ir::Word::One(place) => place.field,
         ir::Word::Joined(field) => field,
@@ -84,8 +80,8 @@ fn elements_of(field: NamedField<'_>) -> Vec<Place<'_>> {
     (0..count).map(|index| Place::At(field.ident, index)).collect_vec()
 }
 
-pub(super) fn place<'d>(message: NamedMessage<'d>, at: ir::Place) -> Result<Place<'d>, Internal> {
-    let field = message.field(at.field)?;
+pub(super) fn place(view: NamedView<'_>, at: ir::Place) -> Result<Place<'_>, Internal> {
+    let field = view.message.field(at.field)?;
     Ok(if at.element { Place::Element(element(field)) } else { Place::Field(field.ident) })
 }
 
