@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use mavlink_autoquad::px4::{EscStatus, Motor};
-use mavlink_autoquad::wire::uorb::ulog::{End, Log, Samples};
+use mavlink_autoquad::wire::uorb::ulog::{End, Log, LogError, Samples};
 
 use crate::csv::finish_table;
 use crate::failure::Failure;
@@ -63,7 +63,10 @@ impl Px4Log {
         let input = Input::open(&self.log)?;
         let name = input.name.clone();
         let bytes = input.read_whole()?;
-        let log = Log::new(&bytes).map_err(|error| Failure::with(&name, error))?;
+        let log = Log::new(&bytes).map_err(|error| match error {
+            LogError::NotALog => Failure::with(&name, format!("{error}; `autoquad csv` reads tlogs")),
+            _ => Failure::with(&name, error),
+        })?;
         let mut statuses = log.read::<EscStatus>();
         if self.csv || self.out.is_some() {
             let out = self.out.as_deref().unwrap_or(Path::new("-"));

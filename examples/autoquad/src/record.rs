@@ -55,8 +55,10 @@ fn rotation_time(text: &str) -> Result<Duration, String> {
 impl Record {
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let run = self.running.start()?;
-        let rotation =
-            Rotation { bytes: self.rotate_size.map(|megabytes| megabytes * 1_000_000), time: self.rotate_time };
+        let rotation = Rotation {
+            bytes: self.rotate_size.map(|megabytes| megabytes.saturating_mul(1_000_000)),
+            time: self.rotate_time,
+        };
         let mut station = Station::connect(&self.address, self.asking)?;
         let read = self.address.strip_prefix("file:").map(PathBuf::from);
         let mut files = Files::create(&self.log, read, self.overwriting, rotation)?;

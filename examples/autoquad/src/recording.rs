@@ -5,13 +5,14 @@ use std::path::Path;
 
 use indicatif::{ProgressBar, ProgressBarIter};
 use mavlink_autoquad::autoquad::Autoquad;
-use mavlink_autoquad::wire::tlog::Reader;
+use mavlink_autoquad::wire::tlog::{self, Reader};
 use mavlink_autoquad::wire::uorb::ulog::{Log, LogError};
 use mavlink_autoquad::wire::{Dialect, Frame, FrameBuf};
 
 use crate::failure::Failure;
 use crate::input::Input;
 use crate::progress;
+use crate::time::END_US;
 
 /// As many bytes as the header of a log of PX4 has.
 const ULOG_HEADER: u64 = 16;
@@ -27,13 +28,19 @@ pub(crate) struct Recording {
     begun: bool,
 }
 
-/// A frame of a recording.
+/// A frame of a recording. One that claims to be of the year 10000 or later has no time.
 pub(crate) struct Entry<'r> {
     /// When it was received, as Unix time in µs, if it is known.
     pub(crate) time_us: Option<u64>,
     pub(crate) frame: Frame<'r>,
     /// Bytes in front of it that belong to no entry.
     pub(crate) skipped: u64,
+}
+
+impl<'r> From<tlog::Entry<'r>> for Entry<'r> {
+    fn from(tlog::Entry { time_us, frame, skipped, .. }: tlog::Entry<'r>) -> Self {
+        Self { time_us: time_us.filter(|&time_us| time_us < END_US), frame, skipped }
+    }
 }
 
 impl Recording {
@@ -50,7 +57,8 @@ impl Recording {
         let bar = progress::bar(length);
         let all: Box<dyn Read> = Box::new(Cursor::new(head.clone()).chain(bytes));
         let mut reader = Reader::new(bar.wrap_read(all), Autoquad::TABLE);
-        let first = reader.read().map_err(refused)?.map(|entry| (entry.time_us, entry.frame.into(), entry.skipped));
+        let first = reader.read().map_err(refused)?.map(Entry::from);
+        let first = first.map(|entry| (entry.time_us, entry.frame.into(), entry.skipped));
         let Some(first) = first else { return Err(no_recording(&name, reader.skipped_bytes(), &head)) };
         Ok(Self { name, reader, bar, first, begun: false })
     }
@@ -63,7 +71,7 @@ impl Recording {
             return Ok(Some(Entry { time_us: *time_us, frame: frame.as_frame(), skipped: *skipped }));
         }
         let entry = self.reader.read().map_err(|error| Failure::with(&self.name, error))?;
-        Ok(entry.map(|entry| Entry { time_us: entry.time_us, frame: entry.frame, skipped: entry.skipped }))
+        Ok(entry.map(Entry::from))
     }
 
     /// Ends the reading, and says what was no entry, if there was any.

@@ -11,10 +11,12 @@ pub(crate) fn now_us() -> u64 {
     u64::try_from(since.as_micros()).unwrap_or(u64::MAX)
 }
 
+/// Unix time in µs from which on nothing is a time: the year 10000. Sums of what lies before it do not overflow.
+pub(crate) const END_US: u64 = 253_402_300_800 * SECOND_US;
+
 /// Unix time in µs as ISO 8601 with microseconds; `None` past the year 9999.
 pub(crate) fn iso(time_us: u64) -> Option<String> {
-    const YEAR_10000_US: u64 = 253_402_300_800 * SECOND_US;
-    let time = UNIX_EPOCH.checked_add(Duration::from_micros(time_us)).filter(|_| time_us < YEAR_10000_US)?;
+    let time = UNIX_EPOCH.checked_add(Duration::from_micros(time_us)).filter(|_| time_us < END_US)?;
     Some(humantime::format_rfc3339_micros(time).to_string())
 }
 

@@ -211,13 +211,40 @@ fn a_reader_that_has_seen_enough_is_no_error() {
 #[test]
 fn a_recording_of_a_file_ends_with_it() {
     let folder = flight();
-    let record = ["record", "file:flight.tlog", "copy.tlog", "--listen-only"];
+    // No file is that large.
+    let rotation = ["--rotate-size", "18446744073709551615"];
+    let record = [&["record", "file:flight.tlog", "copy.tlog", "--listen-only"], &rotation[..]].concat();
     said(autoquad(&folder, &record), 0, "frames recorded");
     let frames = |name: &str| {
         let log = fs::read(folder.path().join(name)).unwrap();
         tlog::entries(&log, Autoquad::TABLE).map(|entry| entry.frame.bytes().to_vec()).collect::<Vec<_>>()
     };
     assert!(frames("copy.tlog") == frames("flight.tlog"));
+}
+
+/// A clock that is wrong, or damage, makes times of any number.
+#[test]
+fn no_time_of_a_recording_is_too_much() {
+    let folder = flight();
+    let log = fs::read(folder.path().join("flight.tlog")).unwrap();
+    let times: [fn(u64) -> u64; 5] =
+        [|_| u64::MAX, |_| 0, |n| u64::MAX - n, |n| 253_402_300_799_000_000 * (n % 2), |n| 1 << (n % 64)];
+    for (kind, time) in times.into_iter().enumerate() {
+        let entries = tlog::entries(&log, Autoquad::TABLE).zip(0..);
+        let entries = entries.flat_map(|(entry, n)| [&time(n).to_be_bytes(), entry.frame.bytes()].concat());
+        fs::write(folder.path().join("wrong.tlog"), entries.collect::<Vec<u8>>()).unwrap();
+        for arguments in [
+            &["csv", "wrong.tlog"][..],
+            &["csv", "wrong.tlog", "--epoch", "1e13"],
+            &["plot", "wrong.tlog", "--out", "-"],
+            &["ulog", "wrong.tlog", "--out", "-"],
+            &["monitor", "wrong.tlog", "--plain"],
+        ] {
+            let output = autoquad(&folder, arguments);
+            assert!(!output.stdout.is_empty(), "{kind} {arguments:?}");
+            said(output, 0, "");
+        }
+    }
 }
 
 /// `nohup` says that a hang-up is nothing to end for.

@@ -59,9 +59,11 @@ fn copies(folder: &Path) -> Result<Vec<PathBuf>, OutputError> {
 /// Refuses to lose what a person wrote.
 fn check(folder: &Path, file: &Copy, vendored: &Vendored) -> Result<(), OutputError> {
     let path = folder.join(&file.name);
-    // Fails where there is no such file, which then can be no source either.
-    let Ok(target) = fs::canonicalize(&path) else { return Ok(()) };
-    if fs::canonicalize(&file.source).is_ok_and(|source| source == target) {
+    // What is not there can be no source either.
+    if !path.exists() {
+        return Ok(());
+    }
+    if is_same(&path, &file.source) {
         return Err(refused(path, "this is the file that would be copied: choose another folder"));
     }
     // What is no text has been edited; the digest says so.
@@ -90,9 +92,19 @@ fn check(folder: &Path, file: &Copy, vendored: &Vendored) -> Result<(), OutputEr
 
 /// Whether the descriptions are those of the folder itself.
 fn is_here(folder: &Path, vendored: &Vendored) -> bool {
-    let same =
-        |from: &PathBuf| fs::canonicalize(from).ok().zip(fs::canonicalize(folder).ok()).is_some_and(|(a, b)| a == b);
-    vendored.words_from.as_ref().is_some_and(same)
+    vendored.words_from.as_ref().is_some_and(|from| is_same(from, folder))
+}
+
+/// Whether two paths lead to one file or folder, also by a hard link.
+fn is_same(one: &Path, other: &Path) -> bool {
+    #[cfg(unix)]
+    let identity = |path: &Path| {
+        use std::os::unix::fs::MetadataExt as _;
+        fs::metadata(path).map(|there| (there.dev(), there.ino()))
+    };
+    #[cfg(not(unix))]
+    let identity = |path: &Path| fs::canonicalize(path);
+    identity(one).ok().zip(identity(other).ok()).is_some_and(|(one, other)| one == other)
 }
 
 fn refused(path: PathBuf, text: &str) -> OutputError {

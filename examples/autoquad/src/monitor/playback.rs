@@ -11,7 +11,7 @@ use mavlink_autoquad::wire::{Dialect, Frame, FrameBuf};
 
 use crate::failure::Failure;
 use crate::input::is_standard;
-use crate::recording::Recording;
+use crate::recording::{Entry, Recording};
 use crate::time::SECOND_US;
 
 /// Bytes of the time in front of each frame.
@@ -132,7 +132,7 @@ impl Playback {
         loop {
             if self.next.is_none() {
                 let entry = self.reader.read().map_err(|error| Failure::file(&self.path, error))?;
-                let Some(entry) = entry else { return Ok(()) };
+                let Some(entry) = entry.map(Entry::from) else { return Ok(()) };
                 self.next = Some((entry.time_us.unwrap_or(time_us), FrameBuf::from(entry.frame)));
             }
             match self.next.take_if(|(due_us, _)| *due_us <= time_us) {
@@ -190,5 +190,23 @@ mod tests {
         assert!(playback.has_ended());
         playback.seek(0, |_, _| ()).unwrap();
         assert_eq!(playback.progress().0, 0);
+    }
+
+    #[test]
+    fn times_of_any_number_are_played() {
+        let (folder, _) = playback(20);
+        let path = folder.path().join("flight.tlog");
+        let log = std::fs::read(&path).unwrap();
+        let entries = mavlink_autoquad::wire::tlog::entries(&log, Autoquad::TABLE).zip(0..);
+        let wrong = entries.flat_map(|(entry, n): (_, u64)| {
+            let time = if n % 3 == 0 { u64::MAX } else { crate::time::END_US - n };
+            [&time.to_be_bytes(), entry.frame.bytes()].concat()
+        });
+        std::fs::write(&path, wrong.collect::<Vec<u8>>()).unwrap();
+        let mut playback = Playback::open(&path).unwrap();
+        for place in [u64::MAX, 0, crate::time::END_US] {
+            playback.seek(place, |time_us, _| assert!(time_us < crate::time::END_US)).unwrap();
+            playback.advance(Duration::from_secs(1_000), |_, _| ()).unwrap();
+        }
     }
 }

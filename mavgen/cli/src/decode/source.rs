@@ -52,7 +52,10 @@ pub(super) fn is_recording(path: &Path) -> bool {
     }
     let mut first = Vec::new();
     let is_xml = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("xml"));
-    // What cannot be read is told by the reader of definitions.
+    // What cannot be read is told by the reader of definitions, and what is read from a pipe is missing there.
+    if !path.is_file() {
+        return false;
+    }
     let read = File::open(path).and_then(|file| file.take(64).read_to_end(&mut first));
     !is_xml && read.is_ok() && !begins_xml(&first)
 }

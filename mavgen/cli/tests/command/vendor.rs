@@ -196,3 +196,21 @@ fn an_edited_copy_stays() {
     fs::remove_file(&copy).unwrap();
     assert!(vendor(folder.path(), &[]).status.success());
 }
+
+#[test]
+fn a_copy_is_not_made_of_itself_under_any_name() {
+    let folder = folder();
+    vendor(folder.path(), &[]);
+    fs::create_dir(folder.path().join("linked")).unwrap();
+    fs::hard_link(folder.path().join("xml/acme.xml"), folder.path().join("linked/acme.xml")).unwrap();
+    // Only Unix knows files from their links.
+    for out in if cfg!(unix) { &["xml", "./xml", "linked"][..] } else { &["xml"] } {
+        let refused = mavgen(folder.path(), &["vendor", "xml/acme.xml", "--out", out]);
+        let said = stderr(&refused);
+        assert!(
+            said.contains("acme.xml: this is the file that would be copied: choose another folder"),
+            "{out}: {said}"
+        );
+        assert_eq!(refused.status.code(), Some(2));
+    }
+}

@@ -236,6 +236,19 @@ fn wrong_input_is_2() {
     assert_eq!((nothing.status.code(), nothing.stdout.len()), (Some(0), 0));
 }
 
+/// As a shell makes it of `<(…)`: nothing of it can be read twice.
+#[cfg(unix)]
+#[test]
+fn a_dialect_comes_through_a_pipe() {
+    let mut bench = Bench::new();
+    let (frame, pipe) = (bench.sprayer(), bench.folder.path().join("pipe"));
+    assert!(std::process::Command::new("mkfifo").arg(&pipe).status().unwrap().success());
+    let writer = std::thread::spawn(move || fs::write(pipe, bench::ACME));
+    let output = bench.decode(&["pipe"], &frame);
+    writer.join().unwrap().unwrap();
+    assert!(output.status.success() && !output.stdout.is_empty(), "{}", stderr(&output));
+}
+
 /// Noise, among it frames with any payload.
 #[test]
 fn any_bytes_are_survived() {
