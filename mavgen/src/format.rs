@@ -3,8 +3,6 @@
 //! A build script writes plain lines, which take no time and no dependency. A tree that is committed and reviewed is formatted.
 
 mod blank_lines;
-#[cfg(feature = "format")]
-mod formatted;
 mod lines;
 
 use crate::internal::Internal;
@@ -31,10 +29,21 @@ impl Layout {
         let text = match self {
             Self::Lines => text,
             #[cfg(feature = "format")]
-            Self::Formatted => formatted::formatted(&text)?,
+            Self::Formatted => formatted(&text)?,
         };
         Ok(blank_lines::blank_lines(&text))
     }
+}
+
+/// The layout of a formatter: lines are broken at a width.
+///
+/// rustfmt would break some lines elsewhere (it fills 100 columns, prettyplease 89), and orders modules otherwise. A program
+/// cannot count on it: it may not be installed, it takes ten times as long, and its layout changes with the toolchain, where
+/// the same definitions have to give the same bytes.
+#[cfg(feature = "format")]
+fn formatted(lines: &str) -> Result<String, Internal> {
+    let file = syn::parse_file(lines).map_err(|error| Internal::new(format!("generated code is no Rust: {error}")))?;
+    Ok(prettyplease::unparse(&file))
 }
 
 /// Tokens as one line.

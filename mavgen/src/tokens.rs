@@ -88,21 +88,6 @@ impl TokenStream {
     pub(crate) fn len(&self) -> usize {
         self.0.len()
     }
-
-    /// Without the parentheses around all of it.
-    pub(crate) fn without_parentheses(self) -> Self {
-        let Some(inner) = self.0.strip_prefix("(\n").and_then(|inner| inner.strip_suffix(")\n")) else { return self };
-        let mut open = 0_usize;
-        for token in inner.lines() {
-            match token {
-                "(" => open += 1,
-                ")" if open == 0 => return self,
-                ")" => open -= 1,
-                _ => {}
-            }
-        }
-        Self(inner.to_owned())
-    }
 }
 
 /// Separated by spaces.
@@ -327,13 +312,6 @@ mod tests {
             &quote!(x #(if let Some(one) = Some(1_u8) => .f(#one)) #(if let Some(one) = none => .g(#one)) y),
             "x . f ( 1 ) y",
         );
-    }
-
-    #[test]
-    fn outer_parentheses_go() {
-        check(&quote!((a & (b))).without_parentheses(), "a & ( b )");
-        check(&quote!((a) & (b)).without_parentheses(), "( a ) & ( b )");
-        check(&quote!(a).without_parentheses(), "a");
     }
 
     #[test]

@@ -2,7 +2,6 @@
 
 pub(super) mod accessor;
 pub(super) mod bits;
-pub(super) mod record;
 pub(super) mod scaled;
 pub(super) mod slots;
 pub(super) mod source;

@@ -1,6 +1,6 @@
 //! A method: what its signature says, around the body of its kind.
 
-use super::body::{accessor, bits, record, scaled, slots, source};
+use super::body::{accessor, bits, scaled, slots, source};
 use super::token::ident;
 use super::ty::{number_in, value_of};
 use crate::rust::{Bind, Element, Kind, Method, Param, Receiver, Sig, Ty};
@@ -61,8 +61,8 @@ fn body(kind: &Kind<'_>) -> TokenStream {
         Kind::SlotSet { get, store } => slots::set(get, store),
         Kind::SlotPush { count, length, store } => slots::push(*count, *length, store),
         Kind::SlotStore(slot) => slots::store(slot),
-        Kind::RecordGet(of) => record::get(of),
-        Kind::RecordSet(of) => record::set(of),
+        Kind::RecordGet(of) => slots::get_record(of),
+        Kind::RecordSet(of) => slots::set_record(of),
         Kind::Params => params(),
         Kind::SentinelGet(sentinel) => accessor::get(sentinel),
         Kind::SentinelSet(sentinel) => accessor::set(sentinel),

@@ -106,9 +106,6 @@ pub(super) fn int(int: Int) -> Int {
 pub(super) fn ty(of: &Ty<'_>) -> TokenStream {
     of.to_token_stream()
 }
-pub(super) fn literal(literal: Literal<'_>) -> TokenStream {
-    literal.to_token_stream()
-}
 
 #[cfg(test)]
 mod tests {

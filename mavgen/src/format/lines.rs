@@ -10,7 +10,7 @@ use std::mem::take;
 
 use crate::collect::CollectVec as _;
 use crate::tokens::TokenStream;
-use token::{continues, documentation, is_before_value, is_table, is_word, joins};
+use token::{BEFORE_VALUE, continues, documentation, is_table, is_word, joins};
 
 /// The text of a file made of these items.
 pub(super) fn lines(items: &TokenStream) -> String {
@@ -61,13 +61,6 @@ struct Open {
     closure: bool,
 }
 
-/// How an operator stands: whether it follows what is before it without a space, and what is behind follows it so.
-struct Stand {
-    before: bool,
-    behind: bool,
-    last: Last,
-}
-
 impl<'t> Trees<'t> {
     fn next(&mut self) -> Option<&'t str> {
         let (first, rest) = self.0.split_first()?;
@@ -105,14 +98,13 @@ impl Lines {
             trees.0 = behind;
             return true;
         }
-        let signs = match trees.0 {
-            ["#", "[", ..] => 1,
-            ["#", "!", "[", ..] => 2,
+        let start = match trees.0 {
+            ["#", "[", ..] => 2,
+            ["#", "!", "[", ..] => 3,
             _ => return false,
         };
-        (0..signs).for_each(|_| self.out.extend(trees.next()));
-        trees.next();
-        self.enclosed("[", trees, "]");
+        (0..start).for_each(|_| self.out.extend(trees.next()));
+        self.enclosed(trees, false);
         true
     }
 
@@ -159,7 +151,7 @@ impl Lines {
         self.last = match word {
             "fn" => Last::Fn,
             "impl" => Last::Generic,
-            _ if word.starts_with('\'') || is_before_value(word) => Last::Keyword,
+            _ if word.starts_with('\'') || BEFORE_VALUE.contains(&word) => Last::Keyword,
             _ if self.last == Last::Fn || word.starts_with(char::is_uppercase) => Last::Generic,
             _ => Last::Word,
         };
@@ -181,35 +173,33 @@ impl Lines {
 
     fn operator(&mut self, operator: &str, behind: Option<&str>) {
         let would_join = self.would_join(operator, behind);
-        let stand = self.stand(operator);
-        self.space(!stand.before || would_join);
+        let (before, behind, last) = self.stand(operator);
+        self.space(!before || would_join);
         self.out.push_str(operator);
-        (self.last, self.tight) = (stand.last, stand.behind);
+        (self.last, self.tight) = (last, behind);
     }
 
-    /// How an operator stands, and what it opens or closes.
-    fn stand(&mut self, operator: &str) -> Stand {
+    /// How an operator stands: whether it follows what is before it without a space, whether what is behind follows it so, and
+    /// as what. Opens and closes what it does.
+    fn stand(&mut self, operator: &str) -> (bool, bool, Last) {
         let (is_behind_value, open) = (self.last.is_value(), &mut self.open);
-        let of = |before, behind| Stand { before, behind, last: Last::Operator };
-        let closing = |before| Stand { before, behind: false, last: Last::Close };
-        let prefix = of(self.tight, true);
+        let prefix = (self.tight, true, Last::Operator);
         match operator {
-            "," | ";" | ":" => of(true, false),
-            "." => of(true, true),
-            ".." | "..=" | "..." | "::" if is_behind_value => of(true, true),
-            "?" if is_behind_value => closing(true),
-            "!" if is_behind_value => of(true, true),
+            "," | ";" | ":" => (true, false, Last::Operator),
+            "." => (true, true, Last::Operator),
+            ".." | "..=" | "..." | "::" | "!" if is_behind_value => (true, true, Last::Operator),
+            "?" if is_behind_value => (true, false, Last::Close),
             "<" if !matches!(self.last, Last::Word | Last::Literal | Last::Close) => {
                 open.generics += 1;
-                of(self.tight || self.last == Last::Generic, true)
+                (self.tight || self.last == Last::Generic, true, Last::Operator)
             }
             ">" | ">>" if open.generics >= operator.len() => {
                 open.generics -= operator.len();
-                closing(true)
+                (true, false, Last::Close)
             }
             "|" if open.closure => {
                 open.closure = false;
-                of(true, false)
+                (true, false, Last::Operator)
             }
             "|" if !is_behind_value => {
                 open.closure = true;
@@ -217,7 +207,7 @@ impl Lines {
             }
             "&" | "&&" | "*" | "-" if !is_behind_value => prefix,
             "!" | "?" | "#" | "$" | "::" | ".." | "..=" | "..." => prefix,
-            _ => of(self.tight, false),
+            _ => (self.tight, false, Last::Operator),
         }
     }
 
@@ -239,42 +229,32 @@ impl Lines {
     fn group(&mut self, start: &str, content: &mut Trees<'_>) {
         let is_called = self.last.is_value() || self.last == Last::Fn;
         self.space(!self.tight && (start == "{" || !is_called));
+        let has_lines = match start {
+            "{" => !self.out.ends_with("::"),
+            "[" => is_table(content.0),
+            _ => false,
+        };
         let outside = take(&mut self.open);
-        match start {
-            "{" if self.out.ends_with("::") => self.enclosed("{", content, "}"),
-            "{" => self.enclosed_lines("{", content, "}"),
-            "[" if is_table(content.0) => self.enclosed_lines("[", content, "]"),
-            "[" => self.enclosed("[", content, "]"),
-            _ => self.enclosed("(", content, ")"),
-        }
+        self.out.push_str(start);
+        self.enclosed(content, has_lines);
         self.open = outside;
     }
 
-    /// What is in parentheses or brackets, on the same line.
-    fn enclosed(&mut self, start: &str, content: &mut Trees<'_>, end: &str) {
-        self.out.push_str(start);
+    /// What a group has, on lines of its own or on the same line, and its end.
+    fn enclosed(&mut self, content: &mut Trees<'_>, has_lines: bool) {
         (self.last, self.tight) = (Last::Nothing, true);
-        while let Some(token) = content.peek() {
-            content.next();
-            self.token(token, content);
-        }
-        content.next();
-        self.out.push_str(end);
-        (self.last, self.tight) = (Last::Close, false);
-    }
-
-    /// What is in braces, on lines of its own.
-    fn enclosed_lines(&mut self, start: &str, content: &mut Trees<'_>, end: &str) {
-        self.out.push_str(start);
-        if content.peek().is_some() {
+        if has_lines && content.peek().is_some() {
             self.out.push('\n');
             self.indent += 1;
             self.block(content);
             self.indent -= 1;
             self.indentation();
         }
-        content.next();
-        self.out.push_str(end);
+        while let Some(token) = content.peek() {
+            content.next();
+            self.token(token, content);
+        }
+        self.out.extend(content.next());
         (self.last, self.tight) = (Last::Close, false);
     }
 }

@@ -9,7 +9,7 @@ use std::ops::Range;
 use sha2::{Digest, Sha256};
 
 use super::tree::{Element, place};
-use crate::read::grammar::{Filling, filling};
+use crate::read::grammar::Filling;
 
 /// So many bytes are enough to tell an edit; nobody is meant to be deceived.
 const LENGTH: usize = 8;
@@ -48,7 +48,7 @@ impl Sum {
             self.add(name);
             self.add(value);
         }
-        match filling(element.name) {
+        match element.filling() {
             Filling::Prose => {}
             Filling::Fact | Filling::Nothing => self.add(element.inner.trim()),
             Filling::Elements => {
@@ -63,8 +63,12 @@ impl Sum {
     }
 
     fn hexadecimal(self) -> String {
-        self.0.finalize().iter().take(LENGTH).map(|byte| format!("{byte:02x}")).collect()
+        hexadecimal(self.0.finalize().get(..LENGTH).unwrap_or_default())
     }
+}
+
+pub(super) fn hexadecimal(bytes: &[u8]) -> String {
+    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 /// What of a part of a text stands outside of some pieces of it, without blanks.

@@ -28,7 +28,7 @@ pub(super) fn write(root: &Element<'_>, includes: &[String], describe: &mut Desc
 
 /// The children that the grammar has; of messages, enums and entries the stage of life first. Descriptions are no facts.
 fn children<'e, 't>(element: &'e Element<'t>) -> impl Iterator<Item = &'e Element<'t>> {
-    let known = grammar::Element::named(element.name).filter(|_| filling(element) == Filling::Elements);
+    let known = grammar::Element::named(element.name).filter(|_| element.filling() == Filling::Elements);
     let is_known = |child: &&Element<'_>| known.is_some_and(|known| known.child(child.name).is_some());
     let mut children: Vec<_> =
         element.children.iter().filter(|child| is_known(child) && child.name != DESCRIPTION).collect();
@@ -42,13 +42,9 @@ fn is_stage(element: &Element<'_>) -> bool {
     matches!(element.name, "wip" | "superseded" | "deprecated")
 }
 
-fn filling(element: &Element<'_>) -> Filling {
-    grammar::filling(element.name)
-}
-
 /// Whether the grammar has a description in an element, and whether it demands one, be it empty.
 fn description(element: &Element<'_>) -> Option<Times> {
-    let known = grammar::Element::named(element.name).filter(|_| filling(element) == Filling::Elements)?;
+    let known = grammar::Element::named(element.name).filter(|_| element.filling() == Filling::Elements)?;
     known.child(DESCRIPTION).map(|child| child.times)
 }
 
@@ -76,13 +72,13 @@ impl Writer<'_, '_> {
     fn element(&mut self, element: &Element<'_>, depth: usize, known: Known) {
         known.words.above.iter().for_each(|comment| self.line(depth, comment));
         let tag = format!("{}{}", element.name, attributes(element));
-        match filling(element) {
+        match element.filling() {
             Filling::Elements => self.container(element, depth, &tag, known),
             Filling::Fact if element.name == "include" => {
                 let path = self.includes.next().cloned().unwrap_or_default();
                 self.leaf(depth, element.name, &tag, &escaped(&path));
             }
-            Filling::Fact => self.leaf(depth, element.name, &tag, &fact(element.inner)),
+            Filling::Fact => self.leaf(depth, element.name, &tag, &fact(element)),
             Filling::Prose => {
                 self.leaf(depth, element.name, &tag, &known.words.text);
                 self.note(element, known.key, &known.words.text);
@@ -164,14 +160,8 @@ fn attributes(element: &Element<'_>) -> String {
 }
 
 /// A number or a name as it stands in its element, without comments.
-fn fact(inner: &str) -> String {
-    let mut fact = String::new();
-    let mut rest = inner;
-    while let Some((before, comment)) = rest.split_once("<!--") {
-        fact.push_str(before);
-        rest = comment.split_once("-->").map_or("", |(_, rest)| rest);
-    }
-    fact.push_str(rest);
+fn fact(element: &Element<'_>) -> String {
+    let fact = element.below.iter().fold(element.inner.to_owned(), |fact, comment| fact.replace(comment, ""));
     fact.trim().to_owned()
 }
 

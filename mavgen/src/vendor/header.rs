@@ -41,7 +41,8 @@ pub(super) struct Share {
 /// The header of a file that was made of the text of the file `name`.
 pub(super) fn header(name: &str, text: &str, what: &What) -> String {
     let share = what.share.map(|share| format!("a part, {share}: ")).unwrap_or_default();
-    let (version, source, digest) = (env!("CARGO_PKG_VERSION"), hexadecimal(&Sha256::digest(text)), &what.digest);
+    let (version, digest) = (env!("CARGO_PKG_VERSION"), &what.digest);
+    let source = digest::hexadecimal(&Sha256::digest(text));
     format!("{MARK}{version} from {}, SHA-256 {source}: {share}{}{DIGEST}{digest}. -->", in_comment(name), what.kind)
 }
 
@@ -96,10 +97,6 @@ impl Ours<'_> {
 fn in_comment(name: &str) -> String {
     let name = name.replace(|character: char| character.is_control(), "?");
     name.replace("--", "- -").replace("--", "- -")
-}
-
-fn hexadecimal(bytes: &[u8]) -> String {
-    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use super::tree::Element;
 use super::{Unplaced, header};
-use crate::read::grammar::{Filling, filling};
+use crate::read::grammar::Filling;
 
 /// What people wrote about one element.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -95,7 +95,7 @@ impl Prose {
         let own = element.above.iter().filter(|comment| !header::is_mark(comment));
         let mut words =
             Words { text: String::new(), above: own.map(|comment| text(comment)).collect(), below: Vec::new() };
-        match filling(element.name) {
+        match element.filling() {
             Filling::Prose => words.text = text(element.inner),
             Filling::Elements => {
                 words.below = element.below.iter().map(|comment| text(comment)).collect();

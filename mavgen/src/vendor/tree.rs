@@ -11,6 +11,7 @@ use quick_xml::events::{BytesStart, Event};
 use quick_xml::reader::Reader;
 
 use crate::read::MAX_DEPTH;
+use crate::read::grammar::{self, Filling};
 
 /// An element.
 #[derive(Clone)]
@@ -33,6 +34,11 @@ impl<'t> Element<'t> {
     /// The root element of a text, if it has one.
     pub(super) fn root(text: &'t str) -> Option<Self> {
         Builder { text, reader: Reader::from_str(text), comments: Vec::new(), open: Vec::new() }.root()
+    }
+
+    /// What stands in it.
+    pub(super) fn filling(&self) -> Filling {
+        grammar::filling(self.name)
     }
 
     /// An attribute.

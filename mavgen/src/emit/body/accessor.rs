@@ -24,15 +24,11 @@ use crate::tokens::{TokenStream, quote};
 pub(in crate::emit) fn get(Sentinel { field, unknown, extent }: &Sentinel<'_>) -> TokenStream {
     let (field, known) = (ident(field), is_known(*unknown));
     match extent {
-        Extent::Scalar => {
-            let unknown = is_unknown(*unknown, &quote!(self.#field));
-            quote!(if #unknown { None } else { Some(self.#field) })
-        }
         Extent::Each => quote!(self.#field.get(index).copied().filter(|&v| #known)),
         Extent::First => quote!(self.#field.get(index).copied().filter(|&v| index != 0 || #known)),
-        Extent::Whole(_) => {
-            let unknown = is_unknown(*unknown, &quote!(self.#field[0]));
-            quote!(if #unknown { None } else { Some(self.#field) })
+        Extent::Scalar | Extent::Whole(_) => {
+            let value = quote!(self.#field #(if *extent != Extent::Scalar => [0]));
+            quote!(if #{is_unknown(*unknown, &value)} { None } else { Some(self.#field) })
         }
     }
 }

@@ -80,14 +80,20 @@ fn store(bits: &BitField<'_>) -> TokenStream {
 
 /// The raw number: `((self.bits >> 29) & 0x7fff) as u16`.
 fn read(storage: Int, place: &Option<TokenStream>, width: u8, raw: Int) -> TokenStream {
-    let shifted = shifted(&quote!(self.bits), &quote!(>>), place);
+    let (bits, unsigned) = (quote!(self.bits), raw.unsigned());
     // An integer that is exactly as wide takes no more bits than it should: the cast drops the others.
-    let number = if width == raw.bits() { shifted } else { quote!((#shifted & #{mask_of(width)})) };
-    let unsigned = raw.unsigned();
-    let number = if unsigned == storage { number } else { quote!((#number as #unsigned)) };
+    let number = match place {
+        _ if width != raw.bits() => quote!(#{shifted(&bits, &quote!(>>), place)} & #{mask_of(width)}),
+        Some(place) => quote!(self.bits >> #place),
+        None => bits.clone(),
+    };
+    let inner = if number == bits { bits } else { quote!((#number)) };
+    if !raw.is_signed() {
+        return if unsigned == storage { number } else { quote!(#inner as #unsigned) };
+    }
+    let number = if unsigned == storage { inner } else { quote!((#inner as #unsigned)) };
     // Two's complement: the sign bit goes to the top, and comes back with its copies.
     match raw.bits() - width {
-        _ if !raw.is_signed() => number.without_parentheses(),
         0 => quote!(#number as #raw),
         spare => quote!(((#number << #spare) as #raw) >> #spare),
     }

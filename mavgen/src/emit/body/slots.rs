@@ -9,11 +9,13 @@
 //!     fn store_esc(&mut self, index: usize, slot: Esc) -> Option<()> { … }
 //! }
 //! ```
+//!
+//! And a record of values, which are read from fields of a message in the same way: `gps`, `set_gps`.
 
-use super::source::{all_hold, array, assign, joined, store_word, value_at, view_of_bits};
+use super::source::{array, assign, if_all_hold, joined, store_word, value_at, view_of_bits};
 use crate::emit::token::ident;
 use crate::emit::ty::{number_in, value_of};
-use crate::rust::{Count, Key, Place, Slot, Stored, Switch};
+use crate::rust::{Count, Key, Place, Record, Slot, Stored, Switch, Test};
 use crate::tokens::{TokenStream, quote};
 
 /// `(0..4).map_while(|index| self.esc(index))`
@@ -24,22 +26,17 @@ pub(in crate::emit) fn all(get: &str, length: u8) -> TokenStream {
 /// The slot of an index, if it is in use.
 pub(in crate::emit) fn get(slot: &Slot<'_>) -> TokenStream {
     let Slot { ident: name, source, count, elements, keys, .. } = slot;
-    let view = view_of_bits(source);
-    let status = match source.when.as_slice() {
-        [] => view,
-        when => quote!(if #{all_hold(when)} { Some(#view) } else { None }),
-    };
     quote! {
         #(if let Some(count) = count => if index >= #{used(*count)} { return None; })
         #(for element in elements => let #{ident(&element.local)} = *#{array(element)}.get(index)?;)*
         let bits = #{joined(source)};
-        let status = #status;
+        let status = #{if_all_hold(&source.when, &view_of_bits(source))};
         Some(#{ident(name)} { #(for one in keys => #{key(one)},)* status })
     }
 }
 
 /// `id: escid`, `age_ms: Some(status_age).filter(|&v| v != 65535)`
-pub(super) fn key(key: &Key<'_>) -> TokenStream {
+fn key(key: &Key<'_>) -> TokenStream {
     let (name, value) = (ident(key.ident), value_at(&key.place));
     match (key.invalid, &key.place) {
         (Some(invalid), _) => quote!(#name: Some(#value).filter(|&v| v != #invalid)),
@@ -106,7 +103,20 @@ pub(in crate::emit) fn store(slot: &Slot<'_>) -> TokenStream {
 }
 
 /// `self.value1 = value.pdop;`
-pub(super) fn stored(key: &Key<'_>, record: &TokenStream) -> TokenStream {
+fn stored(key: &Key<'_>, record: &TokenStream) -> TokenStream {
     let unwrap = key.invalid.map(|invalid| quote!(.unwrap_or(#invalid)));
     assign(&key.place, &quote!(#record.#{ident(key.ident)} #unwrap))
+}
+
+/// The values of a record, if the condition holds: `if self.index == 4 { Some(AqGps { pdop: self.value1 }) } else { None }`.
+pub(in crate::emit) fn get_record(Record { ident: name, values, when }: &Record<'_>) -> TokenStream {
+    if_all_hold(when.as_slice(), &quote!(#{ident(name)} { #(for value in values => #{key(value)}),* }))
+}
+
+/// Puts the values of a record into their fields, and makes the condition hold.
+pub(in crate::emit) fn set_record(Record { values, when, .. }: &Record<'_>) -> TokenStream {
+    quote! {
+        #(if let Some(Test::Is(place, value)) = when => #{assign(place, &quote!(#value))})
+        #(for value in values => #{stored(value, &quote!(value))})*
+    }
 }

@@ -53,24 +53,7 @@ pub(super) fn joins(before: char, first: char) -> bool {
 }
 
 /// The keywords before a value, a pattern or a type: an operator behind them stands before that alone.
-pub(super) fn is_before_value(word: &str) -> bool {
-    matches!(
-        word,
-        "as" | "break"
-            | "const"
-            | "dyn"
-            | "else"
-            | "for"
-            | "if"
-            | "in"
-            | "let"
-            | "match"
-            | "move"
-            | "mut"
-            | "ref"
-            | "return"
-            | "use"
-            | "where"
-            | "while"
-    )
-}
+pub(super) const BEFORE_VALUE: [&str; 17] = [
+    "as", "break", "const", "dyn", "else", "for", "if", "in", "let", "match", "move", "mut", "ref", "return", "use",
+    "where", "while",
+];
