@@ -145,6 +145,12 @@ impl Diagnostics {
         self.list.retain(|diagnostic| diagnostic.severity() == Severity::Error || !is_echo(diagnostic));
     }
 
+    /// Adds a diagnostic of what leaves nothing to go on with.
+    pub(crate) fn refuse<T>(&mut self, diagnostic: Diagnostic) -> Option<T> {
+        self.push(diagnostic);
+        None
+    }
+
     /// Adds several, or the one that there may be.
     pub fn extend(&mut self, diagnostics: impl IntoIterator<Item = Diagnostic>) {
         diagnostics.into_iter().for_each(|diagnostic| self.push(diagnostic));

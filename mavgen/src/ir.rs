@@ -26,6 +26,7 @@ pub(crate) use message::{LARGEST_ID, MOST_FIELDS};
 pub use name::Name;
 pub use partial::{LostMessage, LostView, Partial};
 pub use validate::{Fault, Valid};
+pub(crate) use values::PARAMS;
 pub use values::{Command, Entry, Enum, Param, Repr};
 pub use view::{
     Access, Binding, Condition, Exact, FieldIndex, Key, Meaning, Member, Place, Presence, Record, Repeat, Scaled,

@@ -73,7 +73,7 @@ pub mod overlay {}
 mod problems;
 mod provenance;
 pub mod read;
-pub mod resolve;
+mod resolve;
 mod resolved;
 mod roots;
 mod rust;

@@ -2,8 +2,6 @@
 //!
 //! It works on the resolved model. So what is kept is what it is in the whole dialect: the same types, the same bytes.
 
-mod pattern;
-
 #[cfg(test)]
 mod tests;
 
@@ -11,8 +9,6 @@ use crate::collect::CollectVec as _;
 use crate::diag::nearest;
 use crate::ir::{Dialect, Kept, Message};
 use crate::order;
-
-use pattern::Pattern;
 
 /// Which messages to keep: names, and patterns in which `*` stands for any characters.
 #[derive(Clone, Debug)]
@@ -94,5 +90,39 @@ impl std::fmt::Display for Selection {
             write!(f, "{comma}{}", pattern.text())?;
         }
         Ok(())
+    }
+}
+
+/// A message name, or a pattern in which `*` stands for any characters, also none.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+struct Pattern(String);
+
+impl Pattern {
+    fn new(text: &str) -> Self {
+        Self(text.to_owned())
+    }
+
+    /// As it was given.
+    fn text(&self) -> &str {
+        &self.0
+    }
+
+    fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// Whether it means this name; letter case counts, as it does in the XML.
+    fn matches(&self, name: &str) -> bool {
+        let Some((first, rest)) = self.0.split_once('*') else { return self.0 == name };
+        let (middle, last) = rest.rsplit_once('*').unwrap_or(("", rest));
+        let Some(mut name) = name.strip_prefix(first).and_then(|name| name.strip_suffix(last)) else { return false };
+        // The earliest place for each part leaves the most room for the others.
+        middle.split('*').all(|part| match name.split_once(part) {
+            Some((_, after)) => {
+                name = after;
+                true
+            }
+            None => false,
+        })
     }
 }

@@ -4,10 +4,10 @@
 
 use std::path::Path;
 
+use mavgen::Resolved;
 use mavgen::diag::{Code, Diagnostics};
 use mavgen::ir::{Dialect, Enum, Message, Repr, Values};
 use mavgen::read::load;
-use mavgen::resolve::resolve;
 use mavgen::source::Sources;
 
 /// Name, id, crc_extra, length in MAVLink 1, length in MAVLink 2.
@@ -60,9 +60,10 @@ const MESSAGES: [(&str, u32, u8, u8, u8); 43] = [
 fn autoquad() -> (Dialect, Vec<(Code, String)>) {
     let (mut sources, mut diagnostics) = (Sources::default(), Diagnostics::default());
     let loaded = load(Path::new("../xml/autoquad.xml"), &[], &[], &mut sources, &mut diagnostics);
-    let dialect = resolve(&loaded, &sources, &mut diagnostics).unwrap();
-    let problems = diagnostics.iter().map(|problem| (problem.code, problem.message.clone()));
-    (dialect, problems.collect())
+    let resolved = Resolved::of(loaded, sources, diagnostics).unwrap();
+    let problems = resolved.diagnostics.iter().map(|problem| (problem.code, problem.message.clone()));
+    let problems = problems.collect();
+    (resolved.dialect, problems)
 }
 
 fn message<'d>(dialect: &'d Dialect, name: &str) -> &'d Message {

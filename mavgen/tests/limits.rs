@@ -7,17 +7,22 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use mavgen::Resolved;
 use mavgen::diag::{Code, Diagnostics};
 use mavgen::read::{load, read};
-use mavgen::resolve::resolve;
 use mavgen::source::Sources;
 
 /// The problems of a file, and all paths that were looked at.
 fn problems(top: &Path) -> (Diagnostics, Vec<PathBuf>) {
     let (mut sources, mut diagnostics) = (Sources::default(), Diagnostics::default());
     let loaded = load(top, &[], &[], &mut sources, &mut diagnostics);
-    assert!(resolve(&loaded, &sources, &mut diagnostics).is_none() == diagnostics.has_errors());
-    (diagnostics, loaded.watched)
+    match Resolved::of(loaded, sources, diagnostics) {
+        Ok(resolved) => (resolved.diagnostics, resolved.watched),
+        Err(problems) => {
+            assert!(problems.diagnostics.has_errors());
+            (problems.diagnostics, problems.watched)
+        }
+    }
 }
 
 /// The problems of a text, as `M304`, each once in a row.

@@ -2,10 +2,10 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may panic")]
 
+use mavgen::Resolved;
 use mavgen::diag::Diagnostics;
 use mavgen::ir::Dialect;
 use mavgen::read::{Loaded, read};
-use mavgen::resolve::resolve;
 use mavgen::source::Sources;
 
 const PLAIN: &str = "\
@@ -35,9 +35,9 @@ fn meaning(text: &str) -> String {
     let file = read(sources.add("a.xml", text), &sources, &mut diagnostics);
     let loaded =
         Loaded { name: "a".to_owned(), files: vec![file.into()], includes: vec![Vec::new()], ..Loaded::default() };
-    let dialect = resolve(&loaded, &sources, &mut diagnostics);
-    assert!(diagnostics.is_empty(), "{diagnostics:?}\n{text}");
-    facts(&dialect.unwrap())
+    let resolved = Resolved::of(loaded, sources, diagnostics).unwrap();
+    assert!(resolved.diagnostics.is_empty(), "{:?}\n{text}", resolved.diagnostics);
+    facts(&resolved.dialect)
 }
 
 fn facts(dialect: &Dialect) -> String {

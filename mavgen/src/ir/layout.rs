@@ -6,43 +6,47 @@ use super::FieldType;
 use crate::collect::CollectVec as _;
 use crate::order::sort_by_key;
 
-/// Where the fields of a message lie, before anybody has checked that they can.
+/// Where the fields of a message lie on the wire.
 pub(crate) struct Layout {
     /// The first byte of each field, in the order of the XML.
-    pub(crate) offsets: Vec<usize>,
+    pub(crate) offsets: Vec<u8>,
     /// Bytes of the payload without extension fields.
-    pub(crate) v1: usize,
+    pub(crate) len_v1: u8,
     /// Bytes of the payload with them.
-    pub(crate) v2: usize,
+    pub(crate) len_v2: u8,
     /// The checksum over the definition, which seeds the checksum of frames (MAVLink guide, "CRC_EXTRA calculation").
     pub(crate) crc_extra: u8,
 }
 
 impl Layout {
-    /// Places the fields of a message, each given by its name, its type and whether it is an extension.
+    /// Places the fields of a message, each given by its name, its type and whether it is an extension; the bytes without and
+    /// with extension fields are the error, if they are more than a payload can have.
     ///
     /// The larger elements come first, equal ones in the order of the XML; extension fields follow as the XML has them. Nothing
     /// is padded (MAVLink guide, "Field reordering").
-    pub(crate) fn of(message: &str, fields: &[(&str, FieldType, bool)]) -> Self {
+    pub(crate) fn of(message: &str, fields: &[(&str, FieldType, bool)]) -> Result<Self, (usize, usize)> {
         let mut order = fields.iter().enumerate().collect_vec();
         sort_by_key(&mut order, |(_, (_, ty, extension))| {
             (*extension, Reverse(if *extension { 0 } else { ty.scalar.size() }))
         });
-        let mut layout = Self { offsets: vec![0; fields.len()], v1: 0, v2: 0, crc_extra: 0 };
+        let mut placed = Vec::with_capacity(fields.len());
+        let (mut v1, mut v2) = (0, 0);
         let mut crc = Crc::default();
         crc.word(message);
         for (index, (name, ty, extension)) in order {
-            layout.offsets.get_mut(index).into_iter().for_each(|offset| *offset = layout.v2);
-            layout.v2 += ty.size();
+            placed.push((index, v2));
+            v2 += ty.size();
             if !extension {
-                layout.v1 = layout.v2;
+                v1 = v2;
                 crc.word(ty.scalar.wire_name());
                 crc.word(name);
                 ty.array.into_iter().for_each(|length| crc.byte(length.get()));
             }
         }
-        layout.crc_extra = crc.folded();
-        layout
+        sort_by_key(&mut placed, |(index, _)| *index);
+        let byte = |bytes: usize| u8::try_from(bytes).map_err(|_| (v1, v2));
+        let offsets = placed.into_iter().map(|(_, offset)| byte(offset)).try_collect_vec()?;
+        Ok(Self { offsets, len_v1: byte(v1)?, len_v2: byte(v2)?, crc_extra: crc.folded() })
     }
 }
 

@@ -1,6 +1,5 @@
 //! Names, as the definitions spell them.
 
-use std::cmp::Ordering;
 use std::fmt;
 use std::hash::{Hash, Hasher};
 
@@ -42,18 +41,6 @@ impl PartialEq for Name {
 }
 
 impl Eq for Name {}
-
-impl PartialOrd for Name {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for Name {
-    fn cmp(&self, other: &Self) -> Ordering {
-        self.text.cmp(&other.text)
-    }
-}
 
 impl Hash for Name {
     fn hash<H: Hasher>(&self, state: &mut H) {

@@ -60,94 +60,100 @@ impl Dialect {
     /// # Errors
     /// With every fault.
     pub fn validate(&self) -> Result<Valid<'_>, Vec<Fault>> {
-        let mut faults = Faults { dialect: self, list: Vec::new() };
-        check_files(&mut faults);
-        enums::check(&mut faults);
-        messages::check(&mut faults);
-        if faults.list.is_empty() { Ok(Valid(self)) } else { Err(faults.list) }
+        let mut faults = Vec::new();
+        let path = format!("dialect `{}`", self.name);
+        let mut item = Item { dialect: self, faults: &mut faults, path, span: None };
+        check_files(&mut item);
+        enums::check(&mut item);
+        messages::check(&mut item);
+        if faults.is_empty() { Ok(Valid(self)) } else { Err(faults) }
     }
 }
 
-/// The faults found so far, and the model that they are looked for in.
-struct Faults<'d> {
-    dialect: &'d Dialect,
-    list: Vec<Fault>,
-}
-
-/// An item that is looked at.
-struct Item {
+/// An item that is looked at, the model that it is in, and the faults found so far.
+struct Item<'f> {
+    dialect: &'f Dialect,
+    faults: &'f mut Vec<Fault>,
     path: String,
     span: Option<Span>,
 }
 
-impl Item {
-    fn named(kind: &str, name: &Name) -> Self {
-        Self { path: format!("{kind} `{}`", name.text), span: Some(name.span) }
+impl Item<'_> {
+    /// Another item, whose faults are listed with those of this one.
+    fn other(&mut self, path: String, span: Option<Span>) -> Item<'_> {
+        Item { dialect: self.dialect, faults: self.faults, path, span }
     }
 
-    /// A part of it.
-    fn part(&self, kind: &str, name: &Name) -> Self {
-        Self { path: format!("{}, {kind} `{}`", self.path, name.text), span: Some(name.span) }
+    /// An item of the dialect; its name is checked.
+    fn named(&mut self, kind: &str, name: &Name) -> Item<'_> {
+        let mut item = self.other(format!("{kind} `{}`", name.text), Some(name.span));
+        item.check_name(name);
+        item
     }
-}
 
-impl Faults<'_> {
-    fn push(&mut self, item: &Item, problem: impl Into<String>) {
-        self.list.push(Fault { item: item.path.clone(), problem: problem.into(), span: item.span });
+    /// A part of it; its name is checked.
+    fn part(&mut self, kind: &str, name: &Name) -> Item<'_> {
+        let mut item = self.other(format!("{}, {kind} `{}`", self.path, name.text), Some(name.span));
+        item.check_name(name);
+        item
+    }
+
+    fn push(&mut self, problem: impl Into<String>) {
+        self.faults.push(Fault { item: self.path.clone(), problem: problem.into(), span: self.span });
     }
 
     /// Reports a problem unless it is none.
-    fn unless(&mut self, legal: bool, item: &Item, problem: &str) {
+    fn unless(&mut self, legal: bool, problem: &str) {
         if !legal {
-            self.push(item, problem);
+            self.push(problem);
         }
     }
 
-    fn check_name(&mut self, item: &Item, name: &Name) {
+    fn check_name(&mut self, name: &Name) {
         if let Some(fault) = Name::fault(&name.text) {
-            self.push(item, format!("its name is none: {fault}"));
+            self.push(format!("its name is none: {fault}"));
         }
     }
 
     /// Reports names that stand there twice.
-    fn check_once<'n>(&mut self, item: &Item, kind: &str, names: impl IntoIterator<Item = &'n str>) {
+    fn check_once(&mut self, kind: &str, names: &mut dyn Iterator<Item = &Name>) {
         let mut seen = HashSet::new();
-        for name in names.into_iter().filter(|name| !seen.insert(*name)) {
-            self.push(item, format!("{kind} `{name}` stands twice"));
+        for name in names.filter(|name| !seen.insert(*name)) {
+            self.push(format!("{kind} `{}` stands twice", name.text));
         }
     }
 
-    fn check_file(&mut self, item: &Item, file: FileIndex) {
-        self.unless(self.dialect.files.get(file.0).is_some(), item, "it is of a file that does not exist");
+    fn check_file(&mut self, file: FileIndex) {
+        self.unless(self.dialect.file(file).is_some(), "it is of a file that does not exist");
     }
 
-    fn check_origin(&mut self, item: &Item, origin: &Origin) {
-        self.check_file(item, origin.file);
-        let is_overlay = |file: &FileIndex| self.dialect.files.get(file.0).is_some_and(|file| file.overlay);
-        self.unless(origin.overlays.iter().all(is_overlay), item, "an overlay of it is none");
+    fn check_origin(&mut self, origin: &Origin) {
+        self.check_file(origin.file);
+        let is_overlay = |file: &FileIndex| self.dialect.file(*file).is_some_and(|file| file.overlay);
+        self.unless(origin.overlays.iter().all(is_overlay), "an overlay of it is none");
     }
 
-    fn check_enum(&mut self, item: &Item, id: Option<EnumId>) {
-        let exists = id.is_none_or(|id| self.dialect.enums.get(id.0).is_some());
-        self.unless(exists, item, "it names an enum that does not exist");
+    fn check_enum(&mut self, id: Option<EnumId>) {
+        let exists = id.is_none_or(|id| self.dialect.enum_by_id(id).is_some());
+        self.unless(exists, "it names an enum that does not exist");
     }
 
-    fn check_limits(&mut self, item: &Item, limits: Limits) {
+    fn check_limits(&mut self, limits: Limits) {
         let Limits { min, max, increment } = limits;
         let finite = [min, max, increment].into_iter().flatten().all(f64::is_finite);
-        self.unless(finite, item, "a limit is not finite");
+        self.unless(finite, "a limit is not finite");
     }
 }
 
 /// The files: definitions before overlays, and none that includes what there is not.
-fn check_files(faults: &mut Faults<'_>) {
-    let files = &faults.dialect.files;
-    let item = Item { path: format!("dialect `{}`", faults.dialect.name), span: None };
-    faults.unless(files.first().is_some_and(|file| !file.overlay), &item, "its first file is no definition");
-    faults.unless(files.is_sorted_by_key(|file| file.overlay), &item, "a definition stands behind an overlay");
+fn check_files(item: &mut Item<'_>) {
+    let dialect = item.dialect;
+    let files = &dialect.files;
+    item.unless(files.first().is_some_and(|file| !file.overlay), "its first file is no definition");
+    item.unless(files.is_sorted_by_key(|file| file.overlay), "a definition stands behind an overlay");
     for file in files {
-        let item = Item { path: format!("file `{}`", file.name), span: None };
-        let exist = file.includes.iter().all(|include| files.get(include.0).is_some());
-        faults.unless(exist, &item, "it includes a file that does not exist");
+        let exist = file.includes.iter().all(|include| dialect.file(*include).is_some());
+        let mut item = item.other(format!("file `{}`", file.name), None);
+        item.unless(exist, "it includes a file that does not exist");
     }
 }

@@ -1,5 +1,7 @@
 //! Enums, entries and command parameters of the resolved dialect.
 
+use std::ops::RangeInclusive;
+
 use super::{EnumId, FileIndex, Limits, Name, Origin};
 use crate::order;
 
@@ -63,6 +65,9 @@ pub struct Command {
     /// `missionOnly`: not to be sent as a command.
     pub mission_only: bool,
 }
+
+/// The indices of the params that commands carry.
+pub(crate) const PARAMS: RangeInclusive<u8> = 1..=7;
 
 /// A parameter of a command.
 #[derive(Clone, Debug)]

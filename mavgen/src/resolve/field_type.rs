@@ -57,8 +57,7 @@ fn length(text: &Text, scalar: Scalar, rest: &str, diagnostics: &mut Diagnostics
             None => problem.label("not a length"),
         }
     };
-    diagnostics.push(problem);
-    None
+    diagnostics.refuse(problem)
 }
 
 /// The element type of that name; pymavlink takes the names without `_t` as well.

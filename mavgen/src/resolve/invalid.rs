@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::enums::Enums;
-use super::field::DraftField;
+use super::message::DraftField;
 use super::{field_type, number};
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{FieldType, Invalid, Scalar, Scope, Sentinel};

@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 
-use super::spelling;
+use super::names;
 use crate::collect::CollectVec as _;
 use crate::ir::{Dialect, FileIndex, LostMessage, LostView};
 use crate::read::Loaded;
@@ -14,8 +14,8 @@ pub(super) fn messages(loaded: &Loaded, dialect: &Dialect) -> Vec<LostMessage> {
     let mut all = Vec::new();
     for (index, file) in loaded.files.iter().enumerate() {
         for message in file.messages.iter().filter(|message| !resolved.contains(&message.span)) {
-            let fields = message.fields.iter().map(|field| spelling::name(&field.name)).collect_vec();
-            all.push(LostMessage { name: spelling::name(&message.name), file: FileIndex(index), fields });
+            let fields = message.fields.iter().map(|field| names::name(&field.name)).collect_vec();
+            all.push(LostMessage { name: names::name(&message.name), file: FileIndex(index), fields });
         }
     }
     all
@@ -31,10 +31,10 @@ pub(super) fn views(loaded: &Loaded, dialect: &Dialect) -> Vec<LostView> {
     for (file, overlay) in loaded.numbered_overlays() {
         for message in &overlay.messages {
             for view in message.views.iter().filter(|view| !resolved.contains(&view.span)) {
-                lost.push(LostView { name: spelling::name(&view.name), file });
+                lost.push(LostView { name: names::name(&view.name), file });
                 // Where there are slots, the type of one.
                 let item = view.item.as_ref().filter(|_| view.items.is_some());
-                lost.extend(item.map(|name| LostView { name: spelling::name(name), file }));
+                lost.extend(item.map(|name| LostView { name: names::name(name), file }));
             }
         }
     }

@@ -2,17 +2,17 @@
 
 use std::collections::HashMap;
 
-use super::field::{self, DraftField, Surroundings};
-use super::number;
+use super::boolean::{self, Attribute};
 use super::origin::{lifecycle, origin};
 use super::poisoned::Poisoned;
 use super::version::Version;
+use super::{field_type, limits, number, units};
 use crate::collect::CollectVec as _;
 use crate::diag::{Code, Diagnostic, Diagnostics};
-use crate::ir::{FileIndex, LARGEST_ID, Layout, MOST_FIELDS, Origin, Scalar};
+use crate::ir::{FieldType, FileIndex, LARGEST_ID, Layout, Limits, MOST_FIELDS, Origin, Scalar};
 use crate::order;
 use crate::read::Loaded;
-use crate::syntax::Message;
+use crate::syntax::{Field, Message};
 
 /// Payload lengths have 8 bits.
 const LONGEST_PAYLOAD: usize = 255;
@@ -23,17 +23,19 @@ pub(super) struct Draft<'a> {
     pub(super) id: u32,
     /// In the order of the XML; as many as in `syntax`.
     pub(super) fields: Vec<DraftField<'a>>,
-    pub(super) wire: Wire,
+    pub(super) layout: Layout,
     pub(super) origin: Origin,
 }
 
-/// Where the fields of a message lie on the wire.
-pub(super) struct Wire {
-    /// In the order of the XML.
-    pub(super) offsets: Vec<u8>,
-    pub(super) len_v1: u8,
-    pub(super) len_v2: u8,
-    pub(super) crc_extra: u8,
+/// What a field says for itself. What needs the other fields or the enums is worked out later.
+pub(super) struct DraftField<'a> {
+    pub(super) syntax: &'a Field,
+    pub(super) ty: FieldType,
+    pub(super) extension: bool,
+    pub(super) limits: Limits,
+    pub(super) display_bitmask: bool,
+    pub(super) instance: bool,
+    pub(super) origin: Origin,
 }
 
 /// The messages of all files.
@@ -54,11 +56,10 @@ pub(super) fn drafts<'a>(
     let mut drafts = Drafts::default();
     for ((index, file), version) in loaded.files.iter().enumerate().zip(versions) {
         for (position, syntax) in file.messages.iter().enumerate() {
-            let around = Surroundings { file: FileIndex(index), version: version.seen_by(position), extension: false };
             if !poisoned.near(syntax.span) {
                 check_presence(syntax, diagnostics);
             }
-            match resolve(syntax, around, diagnostics) {
+            match resolve(syntax, (FileIndex(index), version.seen_by(position)), diagnostics) {
                 Ok(draft) => drafts.messages.push(draft),
                 Err(fields) => drafts.lost.extend(fields),
             }
@@ -70,26 +71,25 @@ pub(super) fn drafts<'a>(
 /// Reads a message; the fields that can be read are the error.
 fn resolve<'a>(
     syntax: &'a Message,
-    around: Surroundings,
+    around: (FileIndex, u8),
     diagnostics: &mut Diagnostics,
 ) -> Result<Draft<'a>, Vec<DraftField<'a>>> {
     let id = id(syntax, diagnostics);
     let base = base_count(syntax, diagnostics);
     let mut fields = Vec::new();
-    for (position, field) in syntax.fields.iter().enumerate() {
-        let around = Surroundings { extension: position >= base, ..around };
-        fields.extend(field::resolve(field, around, diagnostics));
+    for (position, element) in syntax.fields.iter().enumerate() {
+        fields.extend(field(element, around, position >= base, diagnostics));
     }
     check_fields(syntax, diagnostics);
     let lifecycle = lifecycle(&syntax.lifecycle, diagnostics);
-    let origin = origin(around.file, syntax.span, &syntax.description, lifecycle);
+    let origin = origin(around.0, syntax.span, &syntax.description, lifecycle);
     if fields.len() < syntax.fields.len() {
         return Err(fields);
     }
     check_version_fields(syntax, &fields, diagnostics);
     check_instances(syntax, &fields, diagnostics);
-    match (id, wire(syntax, &fields, diagnostics)) {
-        (Some(id), Some(wire)) => Ok(Draft { syntax, id, fields, wire, origin }),
+    match (id, layout(syntax, &fields, diagnostics)) {
+        (Some(id), Some(layout)) => Ok(Draft { syntax, id, fields, layout, origin }),
         _ => Err(fields),
     }
 }
@@ -174,24 +174,18 @@ fn check_instances(syntax: &Message, fields: &[DraftField<'_>], diagnostics: &mu
 }
 
 /// Places the fields and checks that the payload is one.
-fn wire(syntax: &Message, fields: &[DraftField<'_>], diagnostics: &mut Diagnostics) -> Option<Wire> {
-    let name = syntax.name.value.as_str();
+fn layout(syntax: &Message, fields: &[DraftField<'_>], diagnostics: &mut Diagnostics) -> Option<Layout> {
+    let name = &syntax.name;
     let placed = fields.iter().map(|field| (field.syntax.name.value.as_str(), field.ty, field.extension));
-    let layout = Layout::of(name, &placed.collect_vec());
-    let (v1, v2) = (layout.v1, layout.v2);
-    if v2 > LONGEST_PAYLOAD {
-        let what = if v1 > LONGEST_PAYLOAD || v1 == v2 { "" } else { " with its extensions" };
-        let message = format!("the payload of `{name}` is {v2} bytes long{what}; {LONGEST_PAYLOAD} are allowed");
-        let problem = Diagnostic::new(Code::PayloadTooLong, syntax.name.span, message);
-        diagnostics.push(problem.label(sum(fields, v2)));
+    match Layout::of(&name.value, &placed.collect_vec()) {
+        Ok(layout) => Some(layout),
+        Err((v1, v2)) => {
+            let what = if v1 > LONGEST_PAYLOAD || v1 == v2 { "" } else { " with its extensions" };
+            let message =
+                format!("the payload of `{}` is {v2} bytes long{what}; {LONGEST_PAYLOAD} are allowed", name.value);
+            diagnostics.refuse(Diagnostic::new(Code::PayloadTooLong, name.span, message).label(sum(fields, v2)))
+        }
     }
-    let offsets = layout.offsets.iter().map(|&offset| u8::try_from(offset).ok());
-    Some(Wire {
-        offsets: offsets.collect::<Option<_>>()?,
-        len_v1: u8::try_from(v1).ok()?,
-        len_v2: u8::try_from(v2).ok()?,
-        crc_extra: layout.crc_extra,
-    })
 }
 
 /// How a length comes about: `2 × uint64_t + 200 × uint8_t = 16 + 200 = 216`.
@@ -212,4 +206,55 @@ fn sum(fields: &[DraftField<'_>], total: usize) -> String {
         return format!("{} = {total} bytes", counts.concat());
     }
     format!("{} = {} = {total} bytes", counts.join(" + "), bytes.join(" + "))
+}
+
+/// Reads a field of a file, in whose version it stands.
+fn field<'a>(
+    field: &'a Field,
+    (file, version): (FileIndex, u8),
+    extension: bool,
+    diagnostics: &mut Diagnostics,
+) -> Option<DraftField<'a>> {
+    let limits = limits::resolve([&field.min, &field.max, &field.increment], f64::is_finite, diagnostics);
+    let instance = boolean::read(&field.instance, Attribute::AnyText("instance"), diagnostics);
+    units::check(&field.units, diagnostics);
+    let ty = field_type::resolve(&field.ty, version, diagnostics)?;
+    check_target(field, ty, diagnostics);
+    Some(DraftField {
+        syntax: field,
+        ty,
+        extension,
+        limits,
+        display_bitmask: display_bitmask(field, ty, diagnostics),
+        instance,
+        origin: origin(file, field.span, &field.description, None),
+    })
+}
+
+/// Reads `display`, whose only value is `bitmask`, which only integers can be shown as.
+fn display_bitmask(field: &Field, ty: FieldType, diagnostics: &mut Diagnostics) -> bool {
+    let Some(display) = field.display.as_ref().filter(|display| !display.value.is_empty()) else {
+        return false;
+    };
+    let reason = if display.value != "bitmask" {
+        format!("`{}` is no way to display a field", display.value)
+    } else if ty.scalar.is_float() || ty.scalar == Scalar::Char {
+        format!("a field of type `{}` cannot be displayed as a bitmask", field.ty.value)
+    } else {
+        return true;
+    };
+    let problem = Diagnostic::new(Code::Display, display.span, reason).label("ignored");
+    diagnostics.push(problem.help("the only one is `display=\"bitmask\"`, for integers"));
+    false
+}
+
+/// Frames are addressed by these two fields, and addresses are one byte.
+fn check_target(field: &Field, ty: FieldType, diagnostics: &mut Diagnostics) {
+    let name = field.name.value.as_str();
+    let plain = FieldType { scalar: Scalar::U8, array: None };
+    if matches!(name, "target_system" | "target_component") && ty != plain {
+        let message = format!("`{name}` is a `{}` and will not be taken for an address", field.ty.value);
+        let problem = Diagnostic::new(Code::TargetType, field.ty.span, message);
+        diagnostics.push(problem.help("system and component ids are `uint8_t`"));
+    }
 }

@@ -1,20 +1,15 @@
-//! What the overlay's words about a message can refer to: its fields, and the enums.
-
-mod condition;
-mod enum_use;
+//! What the overlay's words about a message can refer to: its fields, and the enums; and what every one of them can have: a
+//! condition, `if="autopilot" is="MAV_AUTOPILOT_AUTOQUAD"`.
 
 use super::enums::Enums;
-use super::field::DraftField;
 use super::invalid::Entries;
-use super::message::Draft;
-use super::suggest;
+use super::message::{Draft, DraftField};
+use super::uses::EnumUse;
+use super::{number, suggest};
 use crate::diag::{Code, Diagnostic, Diagnostics};
-use crate::ir::{EnumId, FieldIndex, FileIndex, Repr};
+use crate::ir::{Condition, EnumId, FieldIndex, FileIndex, Repr};
 use crate::source::Span;
-use crate::syntax::{self, Text};
-
-pub(super) use condition::resolve as condition;
-pub(super) use enum_use::{EnumUse, UsePlace, check as check_enum_uses};
+use crate::syntax::{self, Text, overlay};
 
 /// A message that an overlay speaks of, and what is found in reading what it says.
 pub(super) struct MessageScope<'s, 'a> {
@@ -49,6 +44,11 @@ impl<'s, 'a: 's> MessageScope<'s, 'a> {
         self.diagnostics.push(problem);
     }
 
+    /// Reports what leaves nothing to go on with.
+    pub(super) fn refuse<T>(&mut self, problem: Diagnostic) -> Option<T> {
+        self.diagnostics.refuse(problem)
+    }
+
     /// The name of the message.
     pub(super) fn name(&self) -> &'a str {
         &self.draft.syntax.name.value
@@ -71,10 +71,16 @@ impl<'s, 'a: 's> MessageScope<'s, 'a> {
     }
 
     /// Reports a field that cannot be what it is named for, because of its type: `which` says so.
-    pub(super) fn report_type(&mut self, code: Code, at: Span, found: Found<'_>, (which, help): (&str, &str)) {
+    pub(super) fn refuse_type<T>(
+        &mut self,
+        code: Code,
+        at: Span,
+        found: Found<'_>,
+        (which, help): (&str, &str),
+    ) -> Option<T> {
         let (ty, field) = (&found.syntax.ty, &found.syntax.name.value);
         let message = format!("`{}.{field}` is `{}`, which {which}", self.name(), ty.value);
-        self.report(Diagnostic::new(code, at, message).related(ty.span, "the field").help(help));
+        self.refuse(Diagnostic::new(code, at, message).related(ty.span, "the field").help(help))
     }
 
     /// The enum that a field carries, as the definitions say.
@@ -95,4 +101,44 @@ impl<'s, 'a: 's> MessageScope<'s, 'a> {
         let mut names = merged.into_iter().flat_map(|merged| merged.entry_names());
         suggest::report(problem, value, &mut names, self.diagnostics);
     }
+
+    /// Resolves a condition: nothing if there is none. What is wrong with one is reported.
+    pub(super) fn condition(&mut self, condition: &overlay::Condition) -> Option<Condition> {
+        let (name, text) = (condition.field.as_ref()?, condition.value.as_ref()?);
+        let found = self.field(name)?;
+        let Some(repr) = found.scalar_repr() else {
+            let why = ("no condition can ask", "a condition asks a scalar integer");
+            return self.refuse_type(Code::Condition, name.span, found, why);
+        };
+        let enum_ = self.enum_of(found.syntax);
+        let entry = || enum_.and_then(|enum_| self.entry(enum_, &text.value));
+        match number::unsigned(&text.value).ok().or_else(entry) {
+            Some(value) if value <= repr.highest() => return Some(Condition { field: found.index, value, enum_ }),
+            Some(value) => {
+                let (ty, field) = (&found.syntax.ty, &found.syntax.name.value);
+                let message = format!("`{}.{field}` is never {value}: it is `{}`", self.name(), ty.value);
+                let problem = Diagnostic::new(Code::Condition, text.span, message).related(ty.span, "the field");
+                self.report(problem.help("the condition would never hold"));
+            }
+            None if !self.entries.complete => {}
+            None => self.report_value(not_a_value(self.name(), text, found), &text.value, enum_),
+        }
+        None
+    }
+}
+
+fn not_a_value(message: &str, text: &Text, found: Found<'_>) -> Diagnostic {
+    let field = &found.syntax.name;
+    let (problem, place, label) = match &found.syntax.enum_ {
+        Some(enum_) => {
+            let problem = format!("`{}` is neither a number nor an entry of `{}`", text.value, enum_.value);
+            (problem, enum_.span, "the enum of the field".to_owned())
+        }
+        None => {
+            let label = format!("`{message}.{}` carries no enum", field.value);
+            (format!("`{}` is not a number from 0", text.value), field.span, label)
+        }
+    };
+    let problem = Diagnostic::new(Code::Condition, text.span, problem).related(place, label);
+    problem.help("write a number, or an entry of the enum that the field carries")
 }

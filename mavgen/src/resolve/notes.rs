@@ -108,8 +108,7 @@ fn subject<'n>(note: &'n Note, diagnostics: &mut Diagnostics) -> Option<Subject<
         (Some(_), _, Some(_), _) => "a note is about a message and an enum",
     };
     let problem = Diagnostic::new(Code::Note, note.span, wrong);
-    diagnostics.push(problem.help("write `message=`, with or without `field=`, or `enum=`, with or without `entry=`"));
-    None
+    diagnostics.refuse(problem.help("write `message=`, with or without `field=`, or `enum=`, with or without `entry=`"))
 }
 
 /// The place of a whole, if it exists, and the names of its parts.

@@ -1,7 +1,6 @@
 //! Overlays: what they add to the model. They change nothing on the wire.
 
 mod bind;
-mod command;
 mod head;
 mod refine;
 
@@ -10,8 +9,9 @@ use std::collections::{HashMap, HashSet};
 use super::enums::Enums;
 use super::invalid::Entries;
 use super::message::Draft;
-use super::message_scope::{EnumUse, MessageScope};
+use super::message_scope::MessageScope;
 use super::poisoned::Poisoned;
+use super::uses::EnumUse;
 use super::{suggest, view};
 use crate::collect::CollectVec as _;
 use crate::diag::{Code, Diagnostic, Diagnostics};
@@ -20,7 +20,6 @@ use crate::read::Loaded;
 use crate::source::{FileId, Span};
 use crate::syntax::Text;
 
-pub(super) use command::Commands;
 pub(super) use head::check as check_heads;
 pub(super) use refine::apply as refine;
 

@@ -1,12 +1,12 @@
-//! Uses: which fields carry which enum.
+//! Uses: which fields carry which enum, and which bits and bindings of overlays.
 
 use super::enums::Enums;
-use super::field::DraftField;
-use super::message::Drafts;
+use super::message::{DraftField, Drafts};
 use crate::collect::CollectVec as _;
 use crate::diag::{Code, Diagnostic, Diagnostics};
-use crate::ir::{EnumId, FileIndex, Repr};
+use crate::ir::{EnumId, FileIndex, Repr, largest_of_bits};
 use crate::read::Loaded;
+use crate::source::Span;
 use crate::syntax::{self, Text};
 
 /// A field that carries an enum.
@@ -19,6 +19,34 @@ pub(super) struct Use<'a> {
     pub(super) field: &'a syntax::Field,
     /// The `enum` attribute.
     pub(super) name: &'a Text,
+}
+
+/// Bits or a field that an overlay gives an enum to.
+pub(super) struct EnumUse<'a> {
+    pub(super) enum_: EnumId,
+    /// Where it is named.
+    pub(super) name: &'a Text,
+    /// What carries it, and where its width or its type stands.
+    pub(super) place: (UsePlace, Span),
+}
+
+/// What carries an enum.
+#[derive(Clone, Copy)]
+pub(super) enum UsePlace {
+    /// So many bits, 1 to 64.
+    Bits(u8),
+    /// A field.
+    Field(Repr),
+}
+
+impl EnumUse<'_> {
+    /// The integer that suits it.
+    pub(super) fn repr(&self) -> Repr {
+        match self.place.0 {
+            UsePlace::Bits(width) => Repr::smallest_for(largest_of_bits(width)),
+            UsePlace::Field(repr) => repr,
+        }
+    }
 }
 
 /// Reports fields whose enum does not exist, also those of messages that are wrong in other ways.

@@ -13,8 +13,8 @@ mod sentinel;
 mod switch;
 mod words;
 
-use super::message_scope::{MessageScope, condition};
-use super::{origin, spelling};
+use super::message_scope::MessageScope;
+use super::{names, origin};
 use crate::diag::{Code, Diagnostic};
 use crate::ir::View;
 use crate::syntax::overlay::{self, Part, Piece};
@@ -22,8 +22,8 @@ use crate::syntax::overlay::{self, Part, Piece};
 /// Resolves a view; what is wrong with it is reported. Where the words are not clear, the rest is not looked at.
 pub(super) fn resolve<'a>(scope: &mut MessageScope<'_, 'a>, element: &'a overlay::View) -> Option<View> {
     check_members(scope, element);
-    let condition = condition(scope, &element.condition);
-    let name = spelling::name(&element.name);
+    let condition = scope.condition(&element.condition);
+    let name = names::name(&element.name);
     let origin = origin::origin(scope.file, element.span, &element.description, None);
     let Some(words) = &element.words else {
         let access = access::of_values(scope, element, condition)?;
@@ -61,7 +61,7 @@ fn bits(piece: &Piece) -> Option<&overlay::Bits> {
 /// A view has something to say, and its names are names.
 fn check_members(scope: &mut MessageScope<'_, '_>, element: &overlay::View) {
     let bits = all_bits(element);
-    spelling::check(&element.name, "a view", scope.diagnostics);
+    names::check(&element.name, "a view", scope.diagnostics);
     if scope.whole && bits.is_empty() && element.values.is_empty() {
         let message = format!("view `{}` has no members", element.name.value);
         let problem = Diagnostic::new(Code::EmptyView, element.name.span, message);
@@ -81,5 +81,5 @@ fn check_members(scope: &mut MessageScope<'_, '_>, element: &overlay::View) {
     names.extend(element.values.iter().map(|value| (&value.name, "a value")));
     names.extend(element.item.iter().map(|name| (name, "an item")));
     names.extend(element.items.iter().map(|name| (name, "an iterator")));
-    names.into_iter().for_each(|(name, what)| spelling::check(name, what, scope.diagnostics));
+    names.into_iter().for_each(|(name, what)| names::check(name, what, scope.diagnostics));
 }

@@ -1,9 +1,11 @@
-//! Width and sign of the integer behind an enum.
+//! Which of several files that define an enum decides on its type, and width and sign of the integer behind it.
 
-use super::enums::{Merged, ValuedEntry};
-use super::uses::Use;
+use super::enums::{Enums, Merged, ValuedEntry};
+use super::uses::{EnumUse, Use};
+use crate::collect::CollectVec as _;
 use crate::diag::{Code, Diagnostic, Diagnostics};
-use crate::ir::{FileIndex, Repr};
+use crate::ir::{EnumId, FileIndex, Repr};
+use crate::read::Loaded;
 
 /// Who decides on the integer behind an enum, and which one it is.
 #[derive(Clone, Copy, Debug)]
@@ -17,24 +19,30 @@ pub(super) struct Width {
 }
 
 impl Width {
-    /// Decides, from the fields and entries of the file that owns the enum.
+    /// Decides for every enum, from the fields and entries of the file that owns it, or from the bits and bindings of the
+    /// overlay.
     ///
     /// Entries of other files that do not fit make it wider, which is said: it changes a type of the file they include.
-    ///
-    /// `asked` are the integers that the bits and bindings of an overlay ask its own enums to be.
-    pub(super) fn of(
-        merged: &Merged<'_>,
-        defining_file: FileIndex,
-        uses: &[Use<'_>],
-        asked: &[Repr],
+    pub(super) fn of_all(
+        loaded: &Loaded,
+        enums: &Enums<'_>,
+        uses: &[Vec<Use<'_>>],
+        enum_uses: &[EnumUse<'_>],
         diagnostics: &mut Diagnostics,
-    ) -> Self {
-        let own = own_repr(merged, defining_file, uses, asked);
-        let width = Self { defining_file, own, repr: widened(own, merged.largest()) };
-        if let Some(entry) = merged.entries.iter().find(|entry| width.is_widened_by(entry)) {
-            diagnostics.push(width.widening(merged, entry));
-        }
-        width
+    ) -> Vec<Self> {
+        let mut includes = Includes { direct: &loaded.includes, reached: vec![None; loaded.files.len()] };
+        let each = enums.list.iter().zip(uses).enumerate().map(|(index, (merged, uses))| {
+            let defining_file = defining_file(merged, uses, &mut includes);
+            let is_of_overlay = defining_file.0 >= loaded.files.len();
+            let asked = enum_uses.iter().filter(|enum_use| is_of_overlay && enum_use.enum_ == EnumId(index));
+            let own = own_repr(merged, defining_file, uses, &asked.map(EnumUse::repr).collect_vec());
+            let width = Self { defining_file, own, repr: widened(own, merged.largest()) };
+            if let Some(entry) = merged.entries.iter().find(|entry| width.is_widened_by(entry)) {
+                diagnostics.push(width.widening(merged, entry));
+            }
+            width
+        });
+        each.collect_vec()
     }
 
     /// Whether the entry is one that made the enum wider.
@@ -49,6 +57,54 @@ impl Width {
         let problem = Diagnostic::new(Code::WidenedEnum, name.span, message);
         problem.related(merged.defining_span(self.defining_file), format!("the enum is {from} here"))
     }
+}
+
+/// Which files include which, however indirectly; worked out when first asked, file by file.
+struct Includes<'l> {
+    direct: &'l [Vec<FileIndex>],
+    reached: Vec<Option<Vec<bool>>>,
+}
+
+impl Includes<'_> {
+    /// Whether `file` includes `other`, directly or through others.
+    fn reaches(&mut self, file: FileIndex, other: FileIndex) -> bool {
+        let Some(slot) = self.reached.get_mut(file.0) else { return false };
+        let reached = slot.get_or_insert_with(|| reached_from(file, self.direct));
+        reached.get(other.0).copied().unwrap_or_default()
+    }
+}
+
+/// The files that `file` includes, however indirectly, each marked.
+fn reached_from(file: FileIndex, direct: &[Vec<FileIndex>]) -> Vec<bool> {
+    let mut reached = vec![false; direct.len()];
+    let mut open = vec![file];
+    while let Some(FileIndex(index)) = open.pop() {
+        for &include in direct.get(index).into_iter().flatten() {
+            if let Some(mark) = reached.get_mut(include.0).filter(|mark| !**mark) {
+                *mark = true;
+                open.push(include);
+            }
+        }
+    }
+    reached
+}
+
+/// The file that owns an enum: of all that define it, the one that most of the others include; then one whose own messages
+/// use it; then the first.
+///
+/// A dialect that adds entries to an enum of the file it includes is thereby never the one.
+fn defining_file(merged: &Merged<'_>, uses: &[Use<'_>], includes: &mut Includes<'_>) -> FileIndex {
+    let mut files = merged.blocks.iter().map(|block| block.file).collect_vec();
+    files.dedup();
+    let mut best = (0, false, merged.file);
+    for &file in &files {
+        let includers = files.iter().filter(|&&other| other != file && includes.reaches(other, file)).count();
+        let used = uses.iter().any(|one| one.file == file);
+        if (includers, used) > (best.0, best.1) {
+            best = (includers, used, file);
+        }
+    }
+    best.2
 }
 
 /// The widest field of the messages of the file that owns it, unsigned before signed, or else the smallest unsigned; wide enough for the
@@ -90,5 +146,13 @@ mod tests {
         ] {
             assert_eq!(widened(repr, value), wide, "{repr:?} {value}");
         }
+    }
+
+    #[test]
+    fn includes_are_followed_through_others_and_around() {
+        let direct = [vec![FileIndex(1)], vec![FileIndex(2)], vec![FileIndex(1)], vec![]];
+        assert_eq!(reached_from(FileIndex(0), &direct), [false, true, true, false]);
+        assert_eq!(reached_from(FileIndex(2), &direct), [false, true, true, false]);
+        assert_eq!(reached_from(FileIndex(3), &direct), [false; 4]);
     }
 }

@@ -154,3 +154,28 @@ fn every_message_of_a_real_dialect_finds_its_enums_alone() {
     }
     assert!(carrying > 50, "{carrying}");
 }
+
+#[test]
+fn stars_stand_for_any_characters() {
+    for (pattern, name, expected) in [
+        ("PARAM_SET", "PARAM_SET", true),
+        ("PARAM_SET", "PARAM_SET_2", false),
+        ("param_set", "PARAM_SET", false),
+        ("PARAM_*", "PARAM_SET", true),
+        ("PARAM_*", "PARAM_", true),
+        ("PARAM_*", "XPARAM_SET", false),
+        ("*", "ANY", true),
+        ("*_INT", "GPS_RAW_INT", true),
+        ("*_INT", "GPS_INTEGER", false),
+        ("GPS*INT", "GPS_RAW_INT", true),
+        ("GPS*SINT", "GPSINT", false),
+        ("*GPS*", "RAW_GPS_INT", true),
+        ("A*B*C*D", "A_B_C_D", true),
+        ("A*B*C*D", "A_C_B_D", false),
+        ("A**A", "AA", true),
+        ("A**A", "A", false),
+        ("*A*A*", "A", false),
+    ] {
+        assert_eq!(Pattern::new(pattern).matches(name), expected, "{pattern} and {name}");
+    }
+}

@@ -9,7 +9,7 @@ use crate::ir::{
     Scope, Sentinel, Slots, SwitchOn, Values, View, ViewSentinel, Word,
 };
 use crate::read::{Loaded, read, read_overlay};
-use crate::resolve::resolve;
+use crate::resolve::passes;
 use crate::source::Sources;
 
 const DEFINITION: &str = "<mavlink><enums>\
@@ -53,7 +53,9 @@ fn legal() -> Dialect {
         overlays: vec![overlay.into()],
         ..Loaded::default()
     };
-    resolve(&loaded, &sources, &mut diagnostics).unwrap_or_else(|| panic!("{diagnostics:#?}"))
+    let partial = passes(&loaded, &sources, &mut diagnostics).unwrap();
+    assert!(!diagnostics.has_errors(), "{diagnostics:#?}");
+    partial.dialect
 }
 
 fn pump(dialect: &mut Dialect) -> &mut Message {

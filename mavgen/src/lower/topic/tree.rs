@@ -114,7 +114,7 @@ fn messages<'d>(topics: Topics<'d>) -> Result<File<'d>, Internal> {
 /// `enums.rs`, with a table of contents.
 fn enums<'d>(topics: Topics<'d>) -> Result<File<'d>, Internal> {
     let mut all: Vec<_> = topics.union.enums.iter().zip(&topics.names.enums).collect();
-    all.sort_by_key(|(model, _)| &model.name);
+    all.sort_by_key(|(model, _)| &model.name.text);
     let rows = all.iter().map(|(model, names)| {
         let cells = [model.entries.len().to_string(), link(&names.ty), format!("of `{}`", model.message)];
         cells.map(Cell::Plain).to_vec()

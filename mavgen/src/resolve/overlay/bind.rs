@@ -1,39 +1,38 @@
 //! `<bind>`: an enum on a field that the definitions give none.
 
-use super::super::message_scope::{EnumUse, MessageScope, UsePlace, condition};
+use super::super::message_scope::MessageScope;
+use super::super::names;
 use super::super::origin::or_empty;
-use super::super::spelling;
+use super::super::uses::{EnumUse, UsePlace};
 use crate::diag::{Code, Diagnostic};
 use crate::ir::Binding;
 use crate::syntax::overlay::Bind;
 
 /// Resolves a binding; what is wrong with it is reported.
 pub(super) fn resolve<'a>(scope: &mut MessageScope<'_, 'a>, element: &'a Bind) -> Option<Binding> {
-    spelling::check(&element.name, "a binding", scope.diagnostics);
-    let condition = condition(scope, &element.condition);
+    names::check(&element.name, "a binding", scope.diagnostics);
+    let condition = scope.condition(&element.condition);
     let enum_ = scope.enums.find(&element.enum_, scope.diagnostics);
     let found = scope.field(&element.field)?;
     let span = element.field.span;
     let Some(repr) = found.scalar_repr() else {
-        scope.report_type(
+        return scope.refuse_type(
             Code::Bind,
             span,
             found,
             ("cannot carry an enum", "an enum can be bound to a scalar integer"),
         );
-        return None;
     };
     if let Some(own) = &found.syntax.enum_ {
         let message = format!("`{}.{}` carries enum `{}` already", scope.name(), element.field.value, own.value);
         let problem = Diagnostic::new(Code::Bind, span, message).related(own.span, "as the definitions say");
-        scope.report(problem.help("a field carries one enum; leave the binding out"));
-        return None;
+        return scope.refuse(problem.help("a field carries one enum; leave the binding out"));
     }
     let enum_ = enum_?;
     let place = (UsePlace::Field(repr), found.syntax.ty.span);
     scope.enum_uses.push(EnumUse { enum_, name: &element.enum_, place });
     Some(Binding {
-        name: spelling::label(&element.name),
+        name: names::label(&element.name),
         field: found.index,
         enum_,
         condition,

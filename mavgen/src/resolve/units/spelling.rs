@@ -10,64 +10,43 @@ use crate::diag::nearest;
 use crate::order;
 
 /// What people call factors beside their symbols, in the singular and in small letters.
-const NAMES: [(&str, &str); 37] = [
-    ("sec", "s"),
-    ("second", "s"),
-    ("min", "min"),
-    ("minute", "min"),
-    ("hr", "h"),
-    ("hour", "h"),
-    ("meter", "m"),
-    ("metre", "m"),
-    ("gram", "g"),
-    ("rad", "rad"),
-    ("radian", "rad"),
-    ("deg", "deg"),
-    ("degree", "deg"),
-    ("°", "deg"),
-    ("volt", "V"),
-    ("amp", "A"),
-    ("ampere", "A"),
-    ("watt", "W"),
-    ("joule", "J"),
-    ("hertz", "Hz"),
-    ("kelvin", "K"),
-    ("c", "degC"),
-    ("degc", "degC"),
-    ("°c", "degC"),
-    ("celsius", "degC"),
-    ("pascal", "Pa"),
+const NAMES: [(&str, &str); 23] = [
+    ("s", "sec second"),
+    ("min", "min minute"),
+    ("h", "hr hour"),
+    ("m", "meter metre"),
+    ("g", "gram"),
+    ("rad", "rad radian"),
+    ("deg", "deg degree °"),
+    ("V", "volt"),
+    ("A", "amp ampere"),
+    ("W", "watt"),
+    ("J", "joule"),
+    ("Hz", "hertz"),
+    ("K", "kelvin"),
+    ("degC", "c degc °c celsius"),
+    ("Pa", "pascal"),
     ("bar", "bar"),
     ("gauss", "gauss"),
-    ("tesla", "T"),
-    ("percent", "%"),
-    ("pct", "%"),
-    ("px", "pix"),
-    ("pixel", "pix"),
-    ("byte", "bytes"),
-    ("bit", "bits"),
-    ("liter", "L"),
-    ("litre", "L"),
+    ("T", "tesla"),
+    ("%", "percent pct"),
+    ("pix", "px pixel"),
+    ("bytes", "byte"),
+    ("bits", "bit"),
+    ("L", "liter litre"),
 ];
 
-/// What may stand before a name.
-const PREFIXES: [(&str, &str); 16] = [
-    ("nano", "n"),
-    ("micro", "u"),
-    ("milli", "m"),
-    ("centi", "c"),
-    ("deci", "d"),
-    ("deca", "da"),
-    ("hecto", "h"),
-    ("kilo", "k"),
-    ("mega", "M"),
-    ("n", "n"),
-    ("u", "u"),
-    ("m", "m"),
-    ("c", "c"),
-    ("d", "d"),
-    ("h", "h"),
-    ("k", "k"),
+/// What may stand before a name, for each prefix of a symbol.
+const PREFIXES: [(&str, &str); 9] = [
+    ("n", "nano n"),
+    ("u", "micro u"),
+    ("m", "milli m"),
+    ("c", "centi c"),
+    ("d", "deci d"),
+    ("da", "deca"),
+    ("h", "hecto h"),
+    ("k", "kilo k"),
+    ("M", "mega"),
 ];
 
 /// What is written for a quotient.
@@ -146,12 +125,13 @@ fn symbol(word: &str) -> Option<&'static str> {
 
 /// The symbol of a name, with or without a prefix.
 fn named(name: &str) -> Option<&'static str> {
-    let base = |name: &str| NAMES.iter().find(|(known, _)| *known == name).map(|&(_, symbol)| symbol);
-    let prefixed = PREFIXES.iter().filter_map(|&(prefix, letter)| {
+    let base = |name: &str| NAMES.iter().find(|(_, names)| names.split(' ').any(|known| known == name));
+    let prefixed = PREFIXES.iter().flat_map(|(letter, prefixes)| prefixes.split(' ').map(move |one| (letter, one)));
+    let prefixed = prefixed.filter_map(|(letter, prefix)| {
         let rest = name.strip_prefix(prefix).filter(|rest| rest.len() >= SHORTEST_PREFIXED)?;
-        Some(format!("{letter}{}", base(rest)?))
+        Some(format!("{letter}{}", base(rest)?.0))
     });
-    let mut spelled = base(name).map(str::to_owned).into_iter().chain(prefixed);
+    let mut spelled = base(name).map(|(symbol, _)| (*symbol).to_owned()).into_iter().chain(prefixed);
     spelled.find_map(|spelled| symbols().find(|symbol| *symbol == spelled))
 }
 
@@ -256,10 +236,10 @@ mod tests {
 
     #[test]
     fn names_and_prefixes_lead_to_symbols() {
-        for (name, symbol) in NAMES {
-            let prefixes = [""].into_iter().chain(PREFIXES.iter().map(|(_, letter)| *letter));
+        for (symbol, names) in NAMES {
+            let prefixes = [""].into_iter().chain(PREFIXES.iter().map(|(letter, _)| *letter));
             let mut spelled = prefixes.map(|prefix| format!("{prefix}{symbol}"));
-            assert!(spelled.any(|spelled| symbols().any(|symbol| symbol == spelled)), "{name} names nothing");
+            assert!(spelled.any(|spelled| symbols().any(|symbol| symbol == spelled)), "{names} names nothing");
         }
     }
 

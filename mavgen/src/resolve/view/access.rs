@@ -5,8 +5,8 @@ use super::words::{Shape, Words, beside};
 use crate::diag::{Code, Diagnostic};
 use crate::ir::{Access, Condition, FieldIndex, Key, Label, Place, Record, Slots, unit_words};
 use crate::resolve::message_scope::{Found, MessageScope};
+use crate::resolve::names;
 use crate::resolve::origin::{non_empty, or_empty};
-use crate::resolve::spelling;
 use crate::source::Span;
 use crate::syntax::Text;
 use crate::syntax::overlay::{self, Part, Piece, View};
@@ -34,7 +34,7 @@ fn getter(scope: &mut MessageScope<'_, '_>, element: &View) -> Option<Label> {
         let problem = Diagnostic::new(Code::Slots, element.span, message);
         scope.report(problem.help("`item=\"…\"` names the getter that the message has for it"));
     }
-    item.map(spelling::label)
+    item.map(names::label)
 }
 
 fn slots(scope: &mut MessageScope<'_, '_>, element: &View, words: &Words, shape: Shape) -> Option<Slots> {
@@ -53,7 +53,7 @@ fn slots(scope: &mut MessageScope<'_, '_>, element: &View, words: &Words, shape:
         let found = beside(scope, &key.field, words);
         keys.extend(found.map(|found| key_of(scope, key, found)));
     }
-    let (item, items) = (spelling::name(element.item.as_ref()?), spelling::label(element.items.as_ref()?));
+    let (item, items) = (names::name(element.item.as_ref()?), names::label(element.items.as_ref()?));
     Some(Slots { item, items, length: shape.length, count, keys })
 }
 
@@ -62,8 +62,7 @@ fn count(scope: &mut MessageScope<'_, '_>, text: &Text) -> Option<FieldIndex> {
     if found.field.ty.array.is_none() && found.field.ty.scalar.is_unsigned() {
         return Some(found.index);
     }
-    scope.report_type(Code::Count, text.span, found, ("is no count", "a count is a scalar unsigned integer"));
-    None
+    scope.refuse_type(Code::Count, text.span, found, ("is no count", "a count is a scalar unsigned integer"))
 }
 
 /// A key or a value, of a field.
@@ -73,7 +72,7 @@ fn key_of(scope: &mut MessageScope<'_, '_>, element: &overlay::Key, (place, foun
     let units = element.units.as_ref().filter(|units| !units.value.trim().is_empty());
     let suffix = units.filter(|_| !found.field.ty.scalar.is_float()).map(|units| unit_words(&units.value));
     Key {
-        name: Label { name: spelling::name(&element.name), suffix },
+        name: Label { name: names::name(&element.name), suffix },
         place,
         units: units.map(|units| units.value.clone()).or_else(|| non_empty(&found.syntax.units)),
         invalid,
@@ -97,7 +96,7 @@ pub(super) fn of_values(
         let Some(found) = scope.field(&value.field) else { continue };
         let span = value.field.span;
         if found.field.ty.array.is_some() {
-            scope.report_type(Code::UnsuitableField, span, found, ("is not one value", "a value is a scalar"));
+            scope.refuse_type::<()>(Code::UnsuitableField, span, found, ("is not one value", "a value is a scalar"));
             continue;
         }
         if let Some((_, first, label)) = taken.iter().find(|(field, ..)| *field == found.index) {

@@ -18,16 +18,14 @@ pub(super) fn resolve(
     let Some(units) = &bits.units else {
         let message = format!("`{}` has an exact getter in `{}` and no `units`", bits.name.value, text.value);
         let problem = Diagnostic::new(Code::ExactUnits, text.span, message);
-        scope.report(problem.help("`units` is the unit of the value, like `V`"));
-        return None;
+        return scope.refuse(problem.help("`units` is the unit of the value, like `V`"));
     };
     let power = power_between(&units.value, &text.value).and_then(Fraction::power_of_ten);
     let Some(power) = power.filter(|_| !unit_words(&text.value).is_empty()) else {
         let message = format!("`{}` is no decimal fraction of `{}`", text.value, units.value);
         let problem =
             Diagnostic::new(Code::ExactUnits, text.span, message).related(units.span, "the unit of the value");
-        scope.report(problem.help("use the same unit with another prefix: `mV` for `V`"));
-        return None;
+        return scope.refuse(problem.help("use the same unit with another prefix: `mV` for `V`"));
     };
     let problem = match line.whole(power) {
         Some((factor, bias)) if stays_small((factor, bias), raw) => {
@@ -40,8 +38,7 @@ pub(super) fn resolve(
         }
         None => not_whole(bits, text, line, power),
     };
-    scope.report(problem);
-    None
+    scope.refuse(problem)
 }
 
 fn not_whole(bits: &Bits, text: &Text, line: Line, power: Fraction) -> Diagnostic {

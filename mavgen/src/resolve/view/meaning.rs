@@ -3,8 +3,9 @@
 use super::{exact, scaling};
 use crate::diag::{Code, Diagnostic};
 use crate::ir::{Meaning, Scaled};
-use crate::resolve::message_scope::{EnumUse, MessageScope, UsePlace};
+use crate::resolve::message_scope::MessageScope;
 use crate::resolve::origin::non_empty;
+use crate::resolve::uses::{EnumUse, UsePlace};
 use crate::syntax::Text;
 use crate::syntax::overlay::Bits;
 
@@ -20,8 +21,7 @@ pub(super) fn resolve<'a>(
     if let (Some(text), true, 1) = (&bits.signed, signed, width) {
         let problem =
             Diagnostic::new(Code::BitsKind, text.span, "one bit has no sign").related(bits.width.span, "the width");
-        scope.report(problem.help("two's complement needs at least 2 bits"));
-        return None;
+        return scope.refuse(problem.help("two's complement needs at least 2 bits"));
     }
     if let Some(name) = &bits.enum_ {
         return values(scope, bits, name, width);
@@ -33,8 +33,7 @@ pub(super) fn resolve<'a>(
         return Some(if flag { Meaning::Flag } else { Meaning::Number { units } });
     }
     if width > WIDEST {
-        scope.report(too_wide(bits, "scaled values have"));
-        return None;
+        return scope.refuse(too_wide(bits, "scaled values have"));
     }
     let line = scaling::line(scope, bits, (width, signed))?;
     let exact = match &bits.exact {
@@ -61,8 +60,7 @@ fn values<'a>(scope: &mut MessageScope<'_, 'a>, bits: &'a Bits, name: &'a Text, 
         }
     }
     if width > WIDEST {
-        scope.report(too_wide(bits, "an enum has"));
-        return None;
+        return scope.refuse(too_wide(bits, "an enum has"));
     }
     let enum_ = scope.enums.find(name, scope.diagnostics)?;
     scope.enum_uses.push(EnumUse { enum_, name, place: (UsePlace::Bits(width), bits.width.span) });

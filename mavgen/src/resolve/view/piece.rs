@@ -9,7 +9,7 @@ use crate::ir::{Member, Presence, Repeat, mask};
 use crate::resolve::message_scope::MessageScope;
 use crate::resolve::number::count;
 use crate::resolve::origin::or_empty;
-use crate::resolve::{boolean, spelling};
+use crate::resolve::{boolean, names};
 use crate::syntax::Text;
 use crate::syntax::overlay::{self, Bits};
 
@@ -60,7 +60,7 @@ fn member<'a>(
 ) -> Option<Member> {
     let signed = boolean::of_overlay(&bits.signed, scope.diagnostics) == Some(true);
     let meaning = meaning::resolve(scope, bits, (width, signed))?;
-    let (name, description) = (spelling::label(&bits.name), or_empty(&bits.description));
+    let (name, description) = (names::label(&bits.name), or_empty(&bits.description));
     Some(Member { name, at, width, signed, meaning, repeat, presence: Presence::Always, description })
 }
 
@@ -70,13 +70,11 @@ fn place(scope: &mut MessageScope<'_, '_>, at: &Text, width: &Text, words: &Word
     let (first, count) = (first?, count?);
     if count == 0 {
         let problem = Diagnostic::new(Code::BitsPlace, width.span, "bits of no width");
-        scope.report(problem.help("the width is at least 1"));
-        return None;
+        return scope.refuse(problem.help("the width is at least 1"));
     }
     let last = first.saturating_add(count - 1);
     if last >= u64::from(words.width) {
-        scope.report(beyond(at, first..=last, words));
-        return None;
+        return scope.refuse(beyond(at, first..=last, words));
     }
     Some((u8::try_from(first).ok()?, u8::try_from(count).ok()?))
 }
@@ -129,6 +127,5 @@ fn repeat(
     } else {
         return Some(Some(Repeat { count: u8::try_from(count).ok()?, stride: u8::try_from(stride).ok()? }));
     };
-    scope.report(problem);
-    None
+    scope.refuse(problem)
 }

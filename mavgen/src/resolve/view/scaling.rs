@@ -102,8 +102,7 @@ pub(super) fn line(scope: &mut MessageScope<'_, '_>, bits: &Bits, raw: (u8, bool
     let place = bits.scale.as_ref().or(bits.bias.as_ref()).map_or(bits.span, |text| text.span);
     if scale.numerator == 0 {
         let message = format!("the scale of `{}` is zero: every value would be the same", bits.name.value);
-        scope.report(Diagnostic::new(Code::Scale, place, message).help("leave `scale` out for 1"));
-        return None;
+        return scope.refuse(Diagnostic::new(Code::Scale, place, message).help("leave `scale` out for 1"));
     }
     let line = Line::new(scale, bias).filter(|line| stays_small((line.factor, line.bias), raw));
     if line.is_none() {

@@ -5,7 +5,7 @@ use super::words::{Words, beside};
 use crate::diag::{Code, Diagnostic};
 use crate::ir::{EnumId, Meaning, Switch, SwitchOn};
 use crate::resolve::message_scope::MessageScope;
-use crate::resolve::{spelling, suggest};
+use crate::resolve::{names, suggest};
 use crate::source::Span;
 use crate::syntax::{Text, overlay};
 
@@ -44,18 +44,16 @@ pub(super) fn resolve(
         (Some(_), Some(_)) => "a switch looks at a field and at bits",
     };
     let problem = Diagnostic::new(Code::SwitchOn, element.span, message);
-    scope.report(problem.help("write `field=\"…\"` or `bits=\"…\"`"));
-    None
+    scope.refuse(problem.help("write `field=\"…\"` or `bits=\"…\"`"))
 }
 
 fn on_field(scope: &mut MessageScope<'_, '_>, text: &Text, words: &Words) -> Option<Selector> {
     let (place, found) = beside(scope, text, words)?;
     let Some(repr) = found.field.ty.scalar.repr().filter(|repr| !repr.is_signed()) else {
         let why = ("no switch can look at", "a switch looks at an unsigned integer");
-        scope.report_type(Code::SwitchOn, text.span, found, why);
-        return None;
+        return scope.refuse_type(Code::SwitchOn, text.span, found, why);
     };
-    let name = spelling::label(&found.syntax.name);
+    let name = names::label(&found.syntax.name);
     Some(Selector {
         switch: Switch { name, on: SwitchOn::Field(place, repr), span: text.span },
         enum_: scope.enum_of(found.syntax),
@@ -64,7 +62,7 @@ fn on_field(scope: &mut MessageScope<'_, '_>, text: &Text, words: &Words) -> Opt
 }
 
 fn on_bits(scope: &mut MessageScope<'_, '_>, text: &Text, common: &[PlacedBits<'_>]) -> Option<Selector> {
-    let name = spelling::label(text);
+    let name = names::label(text);
     let members = common.iter().filter_map(|piece| piece.member.as_ref());
     let Some((member, bits)) = members.clone().find(|(member, _)| member.name == name) else {
         let message = format!("`{}` is not in every layout of the view", text.value);
@@ -81,8 +79,7 @@ fn on_bits(scope: &mut MessageScope<'_, '_>, text: &Text, common: &[PlacedBits<'
     if !plain || member.width > 64 {
         let message = format!("`{}` is no plain number, which no switch can look at", text.value);
         let problem = Diagnostic::new(Code::SwitchOn, text.span, message).related(bits.span, "the bits");
-        scope.report(problem.help("a switch looks at up to 64 bits without sign, scale or repetition"));
-        return None;
+        return scope.refuse(problem.help("a switch looks at up to 64 bits without sign, scale or repetition"));
     }
     let on = SwitchOn::Bits { at: member.at, width: member.width };
     Some(Selector { switch: Switch { name, on, span: text.span }, enum_, span: bits.width.span })

@@ -62,8 +62,7 @@ fn of_words(scope: &mut MessageScope<'_, '_>, text: &Text, words: &Words) -> Opt
         }
         None => not_understood(text),
     };
-    scope.report(problem.related(words.span, "the words"));
-    None
+    scope.refuse(problem.related(words.span, "the words"))
 }
 
 /// A value of an integer field.
@@ -71,8 +70,7 @@ pub(super) fn of_field(scope: &mut MessageScope<'_, '_>, text: &Text, found: Fou
     let scalar = found.field.ty.scalar;
     if scalar.repr().is_none() && !matches!(scalar, Scalar::Version(_)) {
         let why = ("is compared with no number", "`invalid` compares integers");
-        scope.report_type(Code::UnsuitableField, text.span, found, why);
-        return None;
+        return scope.refuse_type(Code::UnsuitableField, text.span, found, why);
     }
     let ty = &found.syntax.ty;
     let problem = match invalid::sentinel(text.value.trim(), scalar, scope.entries) {
@@ -85,8 +83,7 @@ pub(super) fn of_field(scope: &mut MessageScope<'_, '_>, text: &Text, found: Fou
         }
         Ok(_) | Err(_) => not_understood(text),
     };
-    scope.report(problem.related(ty.span, "the field"));
-    None
+    scope.refuse(problem.related(ty.span, "the field"))
 }
 
 fn not_understood(text: &Text) -> Diagnostic {

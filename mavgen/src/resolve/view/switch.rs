@@ -114,8 +114,7 @@ fn range(scope: &mut MessageScope<'_, '_>, text: &Text, selector: &Selector) -> 
     };
     let problem = |what: &str| Diagnostic::new(Code::CaseValue, text.span, format!("`{}` {what}", text.value));
     if start.is_empty() {
-        scope.report(problem("does not say where it starts").help(format!("write `0{}`", text.value)));
-        return None;
+        return scope.refuse(problem("does not say where it starts").help(format!("write `0{}`", text.value)));
     }
     let start = value(scope, text, start, selector)?;
     let end = match end.strip_prefix('=') {
@@ -124,13 +123,11 @@ fn range(scope: &mut MessageScope<'_, '_>, text: &Text, selector: &Selector) -> 
         None if end.is_empty() => selector.most().max(start),
         None => {
             let fixed = text.value.replace("..", "..=");
-            scope.report(problem("is not a range of values").help(format!("write `{fixed}`, end included")));
-            return None;
+            return scope.refuse(problem("is not a range of values").help(format!("write `{fixed}`, end included")));
         }
     };
     if start > end {
-        scope.report(problem("is no value: it ends before it starts").help("the smaller one is first"));
-        return None;
+        return scope.refuse(problem("is no value: it ends before it starts").help("the smaller one is first"));
     }
     Some(start..=end)
 }

@@ -53,8 +53,7 @@ enum Index {
 pub(super) fn resolve(scope: &mut MessageScope<'_, '_>, text: &Text) -> Option<Words> {
     let parts = parts(text);
     if parts.is_empty() {
-        scope.report(Diagnostic::new(Code::Words, text.span, "a view of no words").help("name a field"));
-        return None;
+        return scope.refuse(Diagnostic::new(Code::Words, text.span, "a view of no words").help("name a field"));
     }
     let read = parts.into_iter().map(|part| one(scope, part)).collect_vec();
     let read = read.into_iter().collect::<Option<Vec<Read<'_>>>>()?;
@@ -83,8 +82,7 @@ pub(super) fn beside<'s>(scope: &mut MessageScope<'s, '_>, text: &Text, words: &
             problem.related(found.syntax.ty.span, "the field").help("only words can be joined")
         }
     };
-    scope.report(problem);
-    None
+    scope.refuse(problem)
 }
 
 /// The parts of a text between blanks, each with its own place.
@@ -118,8 +116,7 @@ fn found<'s>(scope: &mut MessageScope<'s, '_>, text: &Text) -> Option<(Found<'s>
         Ok(split) => split,
         Err(index) => {
             let help = "`x[i]` is the element of a slot, `x[*]` all elements of an array";
-            scope.report(problem(format!("`{index}` is no index")).help(help));
-            return None;
+            return scope.refuse(problem(format!("`{index}` is no index")).help(help));
         }
     };
     let found = scope.field(&Text::new(name.to_owned(), text.span))?;
@@ -131,8 +128,7 @@ fn found<'s>(scope: &mut MessageScope<'s, '_>, text: &Text) -> Option<(Found<'s>
         }
         _ => return Some((found, index)),
     };
-    scope.report(problem.related(found.syntax.ty.span, "the field"));
-    None
+    scope.refuse(problem.related(found.syntax.ty.span, "the field"))
 }
 
 /// Says that an array has another length than the first array of the view.
@@ -149,8 +145,7 @@ fn one<'s>(scope: &mut MessageScope<'s, '_>, text: Text) -> Option<Read<'s>> {
     let ty = found.field.ty;
     if !ty.scalar.is_word() {
         let help = "words are unsigned integers, `uint8_t` to `uint64_t`, and the bits of `float` and `double`";
-        scope.report_type(Code::WordType, text.span, found, ("is no word", help));
-        return None;
+        return scope.refuse_type(Code::WordType, text.span, found, ("is no word", help));
     }
     let (word, bytes) = match index {
         Index::All => (Word::Joined(found.index), ty.size()),
@@ -183,13 +178,11 @@ fn shape(scope: &mut MessageScope<'_, '_>, read: &[Read<'_>]) -> Option<Option<S
         let message = format!("`{}` is the same for every slot, and `{}` is not", whole.text.value, first.text.value);
         let problem = Diagnostic::new(Code::WordsMixed, whole.text.span, message);
         let problem = problem.related(first.text.span, "an element for each slot");
-        scope.report(problem.help("make all words elements (`x[i]`), or none"));
-        return None;
+        return scope.refuse(problem.help("make all words elements (`x[i]`), or none"));
     }
     let shape = Shape { length: first.found.field.ty.array?, span: first.found.syntax.ty.span };
     if let Some(other) = read.iter().find(|read| read.found.field.ty.array != Some(shape.length)) {
-        scope.report(length_differs(&other.text, other.found, shape));
-        return None;
+        return scope.refuse(length_differs(&other.text, other.found, shape));
     }
     Some(Some(shape))
 }
@@ -206,8 +199,7 @@ fn width(scope: &mut MessageScope<'_, '_>, text: &Text, read: &[Read<'_>]) -> Op
     for Read { found, .. } in read {
         problem = problem.related(found.syntax.ty.span, format!("`{}.{}`", scope.name(), found.syntax.name.value));
     }
-    scope.report(problem.help("there is no larger integer: read the words in several views"));
-    None
+    scope.refuse(problem.help("there is no larger integer: read the words in several views"))
 }
 
 #[cfg(test)]
