@@ -5,15 +5,15 @@ mod place;
 use std::path::{PathBuf, absolute};
 
 use crate::builder::{Builder, Failure};
-use crate::diag::{Diagnostic, Diagnostics, Severity, Style, render};
+use crate::diag::{Diagnostic, Severity, Style, render};
 use crate::emit::GeneratedFile;
 use crate::ir::Dialect;
 use crate::lower::MARK;
 use crate::lower::link::Union;
 use crate::lower::spelling::dialect_module_name;
 use crate::output::{write, write_file};
+use crate::problems::Problems;
 use crate::resolved::Resolved;
-use crate::source::Sources;
 
 use place::{Claim, Place};
 
@@ -33,39 +33,28 @@ impl Builder {
     }
 
     fn cargo_directives(&self, place: &Place<'_>) -> Vec<String> {
-        let Outcome { watched, told, failure } = self.outcome(place);
-        // Cargo follows the sources of the build script by itself, wherever they are.
-        let watched = watched.iter().map(|path| place.for_cargo(path));
-        let mut directives: Vec<String> =
-            watched.map(|path| format!("cargo::rerun-if-changed={}", path.display())).collect();
-        directives.extend(told);
-        directives.extend(failure.map(|failure| format!("cargo::error={failure}")));
-        directives
-    }
-
-    fn outcome(&self, place: &Place<'_>) -> Outcome {
         #[cfg(feature = "uorb")]
         if self.is_uorb() {
-            return self.outcome_of(self.topics(), place);
+            return self.directives_of(self.topics(), place);
         }
-        self.outcome_of(self.resolve(), place)
+        self.directives_of(self.resolve(), place)
     }
 
     /// Writes what was resolved, and says what became of it.
-    fn outcome_of<M: Made>(&self, resolved: Result<M, Failure>, place: &Place<'_>) -> Outcome {
-        match resolved {
-            Ok(resolved) => {
-                let (diagnostics, sources, watched) = resolved.found();
-                let told = self.for_cargo(diagnostics, sources);
-                let failure = self.write_out_dir(&resolved, place).err();
-                Outcome { watched: watched.to_vec(), told, failure }
+    fn directives_of<M: Made>(&self, made: Result<M, Failure>, place: &Place<'_>) -> Vec<String> {
+        let (found, failure) = match made {
+            Ok(made) => {
+                let failure = self.write_out_dir(&made, place).err();
+                (made.found(), failure)
             }
-            Err(Failure::Definitions(problems) | Failure::Denied(problems)) => {
-                let told = self.for_cargo(&problems.diagnostics, &problems.sources);
-                Outcome { watched: problems.watched, told, failure: None }
-            }
-            Err(failure) => Outcome { watched: Vec::new(), told: Vec::new(), failure: Some(failure) },
-        }
+            Err(Failure::Definitions(problems) | Failure::Denied(problems)) => (*problems, None),
+            Err(failure) => (Problems::default(), Some(failure)),
+        };
+        // Cargo follows the sources of the build script by itself, wherever they are.
+        let watched = found.watched.iter().map(|path| place.for_cargo(path));
+        let watched = watched.map(|path| format!("cargo::rerun-if-changed={}", path.display()));
+        let failure = failure.map(|failure| format!("cargo::error={failure}"));
+        watched.chain(self.for_cargo(&found)).chain(failure).collect()
     }
 
     /// Writes the tree and the one-line file that `include_dialect!` names.
@@ -90,14 +79,14 @@ impl Builder {
     }
 
     /// Errors, and warnings about what the user wrote, one directive a line; warnings that are denied are errors.
-    fn for_cargo(&self, problems: &Diagnostics, sources: &Sources) -> Vec<String> {
+    fn for_cargo(&self, Problems { diagnostics, sources, .. }: &Problems) -> Vec<String> {
         let warning = if self.deny_warnings { "error" } else { "warning" };
         let kind = |diagnostic: &Diagnostic| match diagnostic.severity() {
             Severity::Error => Some("error"),
             Severity::Warning if self.concerns(diagnostic, sources) => Some(warning),
             Severity::Warning | Severity::Note => None,
         };
-        let kinds = problems.iter().filter_map(|diagnostic| Some((kind(diagnostic)?, diagnostic)));
+        let kinds = diagnostics.iter().filter_map(|diagnostic| Some((kind(diagnostic)?, diagnostic)));
         let directives = |(kind, diagnostic): (&str, &Diagnostic)| -> Vec<String> {
             let drawn = render(diagnostic, sources, Style::Plain);
             drawn.lines().map(|line| format!("cargo::{kind}={line}")).collect()
@@ -106,19 +95,10 @@ impl Builder {
     }
 }
 
-/// What a run ends with.
-struct Outcome {
-    /// The files to look at again.
-    watched: Vec<PathBuf>,
-    /// Problems, as directives.
-    told: Vec<String>,
-    failure: Option<Failure>,
-}
-
 /// What files are made of: dialects, or uORB messages.
 trait Made {
     /// Warnings and notes, what they are about, and what was read.
-    fn found(&self) -> (&Diagnostics, &Sources, &[PathBuf]);
+    fn found(self) -> Problems;
 
     /// What the module is named after.
     fn name(&self) -> &str;
@@ -130,8 +110,8 @@ trait Made {
 }
 
 impl Made for Resolved {
-    fn found(&self) -> (&Diagnostics, &Sources, &[PathBuf]) {
-        (&self.diagnostics, &self.sources, &self.watched)
+    fn found(self) -> Problems {
+        Problems { diagnostics: self.diagnostics, sources: self.sources, watched: self.watched }
     }
 
     fn name(&self) -> &str {
@@ -152,8 +132,8 @@ impl Made for Resolved {
 
 #[cfg(feature = "uorb")]
 impl Made for crate::Topics {
-    fn found(&self) -> (&Diagnostics, &Sources, &[PathBuf]) {
-        (&self.diagnostics, &self.sources, &self.watched)
+    fn found(self) -> Problems {
+        Problems { diagnostics: self.diagnostics, sources: self.sources, watched: self.watched }
     }
 
     fn name(&self) -> &str {

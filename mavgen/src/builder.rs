@@ -9,9 +9,9 @@ mod warnings;
 use std::path::{Path, PathBuf};
 
 use crate::collect::CollectVec as _;
-use crate::diag::Diagnostics;
 use crate::emit::{GeneratedFile, emit, is_path};
 use crate::format::Layout;
+use crate::internal::Internal;
 use crate::lower::{Commands, Options, is_feature, tree, tree_of_several};
 use crate::output::{Differences, Report, check, write};
 use crate::problems::Problems;
@@ -206,10 +206,7 @@ impl Builder {
         if let Some(conflict) = roots::conflict(&self.roots, tree) {
             return Err(Failure::Usage(conflict));
         }
-        let (mut sources, mut diagnostics) = (Sources::default(), Diagnostics::leaving_out(self.allowed_codes()?));
-        if self.lint {
-            diagnostics = diagnostics.for_lint();
-        }
+        let (mut sources, mut diagnostics) = (Sources::default(), self.diagnostics()?);
         let mut all = load_all(&self.roots, &self.include_dirs, &self.overlays, &mut sources, &mut diagnostics);
         if let ([only], Some(name)) = (all.as_mut_slice(), &self.name) {
             only.name.clone_from(name);
@@ -219,14 +216,13 @@ impl Builder {
             selection.check(&dialects.iter().map(|named| &named.dialect).collect_vec()).map_err(Failure::Usage)?;
             dialects.iter_mut().for_each(|named| named.select(&selection));
         }
-        let union = roots::link_all(&dialects, &all, tree, &mut diagnostics);
-        let union = union.map_err(|internal| Failure::Internal(internal.to_string()))?;
+        let union = roots::link_all(&dialects, &all, tree, &mut diagnostics)?;
         let watched = roots::watched(all);
+        let Problems { diagnostics, sources, watched } = self.judged(Problems { diagnostics, sources, watched })?;
         let mut dialects = dialects.into_iter();
-        let Some(Named { dialect, names }) = dialects.next().filter(|_| !diagnostics.has_errors()) else {
-            return Err(Failure::Definitions(Box::new(Problems { diagnostics, sources, watched })));
+        let Some(Named { dialect, names }) = dialects.next() else {
+            return Err(Internal::new("a dialect without errors is not resolved").into());
         };
-        self.check_denied(&diagnostics, &sources, &watched)?;
         let others = dialects.map(|named| named.dialect).collect_vec();
         Ok(Resolved { dialect, others, names, union, diagnostics, sources, watched })
     }
@@ -275,22 +271,27 @@ impl Builder {
     /// [`Failure::Usage`] as [`Builder::files`], [`Failure::Model`] if somebody changed a model so that it is not legal any
     /// more.
     pub fn emit(&self, resolved: &Resolved) -> Result<Vec<GeneratedFile>, Failure> {
-        self.check_options()?;
-        let mut sources = provenance(&resolved.sources);
-        if let Some(selection) = self.selection()? {
-            sources.push_str(&format!("\n// only {selection}, and what they need"));
-        }
-        let (runtime, deprecated, commands) = (self.runtime.clone(), self.deprecated, self.commands.clone());
-        let options = Options { runtime, deprecated, commands, sources };
+        let options = self.options(&resolved.sources)?;
         let valid = resolved.dialect.validate().map_err(Failure::Model)?;
         for other in &resolved.others {
             other.validate().map_err(Failure::Model)?;
         }
-        let tree = match &resolved.union {
-            Some(union) => tree_of_several(union, &options),
-            None => tree(valid, &resolved.names, &options),
+        let files = match &resolved.union {
+            Some(union) => tree_of_several(union, &options)?,
+            None => tree(valid, &resolved.names, &options)?,
         };
-        tree.and_then(|files| emit(&files, self.layout)).map_err(|internal| Failure::Internal(internal.to_string()))
+        Ok(emit(&files, self.layout)?)
+    }
+
+    /// What a tree that is made of these sources has to know of this builder.
+    fn options(&self, sources: &Sources) -> Result<Options, Failure> {
+        self.check_options()?;
+        let mut sources = provenance(sources);
+        if let Some(selection) = self.selection()? {
+            sources.push_str(&format!("\n// only {selection}, and what they need"));
+        }
+        let (runtime, deprecated, commands) = (self.runtime.clone(), self.deprecated, self.commands.clone());
+        Ok(Options { runtime, deprecated, commands, sources })
     }
 
     /// Whether it is for uORB messages, because it was given a folder or a `.msg` file; what else it is given is a dialect, and a

@@ -75,7 +75,7 @@ impl Diagnostic {
         self
     }
 
-    /// Asks whether the name that is nearest to the wrong one was meant, if there is one.
+    /// Asks whether the name that is nearest to the wrong one was meant, if there is one: a better help than any other.
     #[must_use]
     pub(crate) fn meant(self, nearest: Option<&str>) -> Self {
         match nearest {

@@ -7,7 +7,7 @@ use crate::diag::{Diagnostics, Style, render};
 use crate::source::Sources;
 
 /// The problems of a set of definitions.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Problems {
     /// The problems.
     pub diagnostics: Diagnostics,

@@ -20,6 +20,10 @@ mod tag;
 mod uorb_overlay;
 mod xml;
 
+#[cfg(any(feature = "vendor", feature = "uorb"))]
+pub(crate) use bytes::load as bytes_of;
+#[cfg(feature = "uorb")]
+pub(crate) use include::absolute;
 pub use include::{Loaded, load, load_all};
 pub use overlay::read as read_overlay;
 #[cfg(feature = "uorb")]
@@ -32,21 +36,10 @@ use crate::source::{FileId, Part, Sources, Spanned};
 use crate::syntax::{File, Tag, Text, Version};
 use elements::{Broken, Elements};
 
-/// Adds the text of a file that was asked for by name to the sources; what is wrong with it goes to `diagnostics`.
+/// Adds the text of a file that was asked for by name to the sources, once its [bytes](bytes_of) are there; what is wrong with it
+/// goes to `diagnostics`.
 #[cfg(any(feature = "vendor", feature = "uorb"))]
-pub(crate) fn open(path: &std::path::Path, sources: &mut Sources, diagnostics: &mut Diagnostics) -> Option<FileId> {
-    bytes::read(path, sources).map_err(|why| diagnostics.push(why.diagnostic(path))).ok()
-}
-
-/// The bytes of a file, for [`open_bytes`].
-#[cfg(feature = "uorb")]
-pub(crate) fn bytes_of(path: &std::path::Path) -> std::io::Result<Vec<u8>> {
-    bytes::load(path)
-}
-
-/// As [`open`], of a file whose bytes are there.
-#[cfg(feature = "uorb")]
-pub(crate) fn open_bytes(
+pub(crate) fn open(
     path: &std::path::Path,
     bytes: std::io::Result<Vec<u8>>,
     sources: &mut Sources,

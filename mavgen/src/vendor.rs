@@ -46,6 +46,7 @@ use std::path::{Path, PathBuf};
 
 use crate::builder::{Builder, Failure};
 use crate::diag::Diagnostics;
+use crate::internal::Internal;
 use crate::problems::Problems;
 use crate::read::{self, load};
 use crate::roots::resolve;
@@ -146,13 +147,12 @@ pub fn vendor(builder: &Builder, prose: &Prose) -> Result<Vendored, Failure> {
         return Err(Failure::Usage("definitions are copied one dialect at a time, and without overlays".into()));
     };
     let selection = builder.selection()?;
-    let (mut sources, mut diagnostics) = (Sources::default(), Diagnostics::leaving_out(builder.allowed_codes()?));
+    let (mut sources, mut diagnostics) = (Sources::default(), builder.diagnostics()?);
     let loaded = load(xml, &builder.include_dirs, &[], &mut sources, &mut diagnostics);
-    let Some(whole) = resolve(&loaded, &sources, &mut diagnostics) else {
-        let watched = loaded.watched;
-        return Err(Failure::Definitions(Box::new(Problems { diagnostics, sources, watched })));
-    };
-    builder.check_denied(&diagnostics, &sources, &loaded.watched)?;
+    let whole = resolve(&loaded, &sources, &mut diagnostics);
+    let found = Problems { diagnostics, sources, watched: loaded.watched.clone() };
+    let Problems { diagnostics, sources, .. } = builder.judged(found)?;
+    let whole = whole.ok_or_else(|| Internal::new("a dialect without errors is not resolved"))?;
     let part = selection.map(|selection| Part::of(&selection, &whole, &loaded, &sources)).transpose()?;
     let mut originals = originals(&loaded, &sources)?;
     for (original, file) in originals.iter_mut().zip(&loaded.files) {
@@ -182,7 +182,7 @@ fn library(originals: &[Original<'_>], folder: &Path) -> Result<Library, Failure
     for original in originals {
         let path = folder.join(&original.name);
         if path.exists()
-            && let Some(id) = read::open(&path, &mut sources, &mut diagnostics)
+            && let Some(id) = read::open(&path, read::bytes_of(&path), &mut sources, &mut diagnostics)
         {
             read::read(id, &sources, &mut diagnostics);
             read_files.push((&original.name, id));

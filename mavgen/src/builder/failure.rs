@@ -3,6 +3,7 @@
 use std::fmt;
 
 use crate::collect::CollectVec as _;
+use crate::internal::Internal;
 use crate::ir::Fault;
 use crate::output::OutputError;
 use crate::problems::Problems;
@@ -41,6 +42,12 @@ impl fmt::Display for Failure {
             }
             Self::Internal(text) => write!(f, "mavgen is wrong: {text}"),
         }
+    }
+}
+
+impl From<Internal> for Failure {
+    fn from(internal: Internal) -> Self {
+        Self::Internal(internal.to_string())
     }
 }
 

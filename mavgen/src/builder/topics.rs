@@ -3,12 +3,11 @@
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 
-use super::provenance::provenance;
 use super::{Builder, Failure};
 use crate::diag::Diagnostics;
 use crate::emit::{GeneratedFile, emit};
+use crate::lower::spelling;
 use crate::lower::topic::{CONSTANTS, UnionNames, tree};
-use crate::lower::{Commands, Options, spelling};
 use crate::output::{Report, write};
 use crate::problems::Problems;
 use crate::source::Sources;
@@ -68,10 +67,7 @@ impl Builder {
     /// that can be a constant's, or that of another.
     pub fn topics(&self) -> Result<Topics, Failure> {
         let definitions = self.definitions()?;
-        let (mut sources, mut diagnostics) = (Sources::default(), Diagnostics::leaving_out(self.allowed_codes()?));
-        if self.lint {
-            diagnostics = diagnostics.for_lint();
-        }
+        let (mut sources, mut diagnostics) = (Sources::default(), self.diagnostics()?);
         let folders: Vec<&Path> = definitions.iter().map(|(_, folder)| folder.as_path()).collect();
         let said = overlays(&self.overlays, &folders, &mut sources, &mut diagnostics);
         let mut wanted: Option<HashSet<String>> = None;
@@ -93,10 +89,7 @@ impl Builder {
         let names = UnionNames::check(&union, &mut diagnostics);
         diagnostics.arrange();
         let watched = self.watched_files(&sources, &folders, diagnostics.has_errors());
-        if diagnostics.has_errors() {
-            return Err(Failure::Definitions(Box::new(Problems { diagnostics, sources, watched })));
-        }
-        self.check_denied(&diagnostics, &sources, &watched)?;
+        let Problems { diagnostics, sources, watched } = self.judged(Problems { diagnostics, sources, watched })?;
         Ok(Topics { union, names, diagnostics, sources, watched })
     }
 
@@ -105,15 +98,8 @@ impl Builder {
     /// # Errors
     /// [`Failure::Usage`] as [`Builder::files`].
     pub fn emit_topics(&self, topics: &Topics) -> Result<Vec<GeneratedFile>, Failure> {
-        self.check_options()?;
-        let mut sources = provenance(&topics.sources);
-        if let Some(selection) = self.selection()? {
-            sources.push_str(&format!("\n// only {selection}, and what they need"));
-        }
-        let runtime = self.runtime.clone();
-        let options = Options { runtime, deprecated: self.deprecated, commands: Commands::Never, sources };
-        let files = tree(&topics.union, &topics.names, &options);
-        files.and_then(|files| emit(&files, self.layout)).map_err(|internal| Failure::Internal(internal.to_string()))
+        let options = self.options(&topics.sources)?;
+        Ok(emit(&tree(&topics.union, &topics.names, &options)?, self.layout)?)
     }
 
     /// Writes what was resolved by [`Builder::topics`] into the output folder.

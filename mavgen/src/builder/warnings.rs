@@ -65,8 +65,8 @@ impl Builder {
         provenance::split(file.text()).is_some() || self.include_dirs.iter().any(is_beside)
     }
 
-    /// What [`Builder::allow`] names.
-    pub(crate) fn allowed_codes(&self) -> Result<Vec<Code>, Failure> {
+    /// Nothing found yet, and later only what this builder tells.
+    pub(crate) fn diagnostics(&self) -> Result<Diagnostics, Failure> {
         let allowed = |text: &String| match text.parse::<Code>() {
             Ok(code) if code.severity() == Severity::Error => {
                 Err(Failure::Usage(format!("{code} is an error, and only warnings can be allowed: {}", code.title())))
@@ -74,26 +74,27 @@ impl Builder {
             Ok(code) => Ok(code),
             Err(error) => Err(Failure::Usage(error.to_string())),
         };
-        self.allowed.iter().map(allowed).try_collect_vec()
+        let diagnostics = Diagnostics::leaving_out(self.allowed.iter().map(allowed).try_collect_vec()?);
+        Ok(if self.lint { diagnostics.for_lint() } else { diagnostics })
     }
 
-    /// Fails if there are warnings that are not let pass, with them.
-    pub(crate) fn check_denied(
-        &self,
-        diagnostics: &Diagnostics,
-        sources: &Sources,
-        watched: &[PathBuf],
-    ) -> Result<(), Failure> {
+    /// Fails if there are errors, or warnings that are not let pass, with them.
+    pub(crate) fn judged(&self, found: Problems) -> Result<Problems, Failure> {
+        if found.diagnostics.has_errors() {
+            return Err(Failure::Definitions(found.into()));
+        }
         let is_denied = |diagnostic: &&Diagnostic| {
-            self.deny_warnings && diagnostic.severity() == Severity::Warning && self.concerns(diagnostic, sources)
+            self.deny_warnings
+                && diagnostic.severity() == Severity::Warning
+                && self.concerns(diagnostic, &found.sources)
         };
         let mut denied = Diagnostics::default();
-        denied.extend(diagnostics.iter().filter(is_denied).cloned());
+        denied.extend(found.diagnostics.iter().filter(is_denied).cloned());
         if denied.is_empty() {
-            return Ok(());
+            Ok(found)
+        } else {
+            Err(Failure::Denied(Problems { diagnostics: denied, ..found }.into()))
         }
-        let (sources, watched) = (sources.clone(), watched.to_owned());
-        Err(Failure::Denied(Box::new(Problems { diagnostics: denied, sources, watched })))
     }
 }
 

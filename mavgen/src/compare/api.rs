@@ -43,7 +43,7 @@ struct Side {
 impl Side {
     fn of(state: &State) -> Result<Self, Failure> {
         let valid = state.dialect.validate().map_err(Failure::Model)?;
-        let surface = surface(valid, &state.names).map_err(|internal| Failure::Internal(internal.to_string()))?;
+        let surface = surface(valid, &state.names)?;
         let mut places = HashMap::new();
         for (message, names) in state.messages() {
             places.insert((names.ty.clone(), String::new()), message.origin.span);

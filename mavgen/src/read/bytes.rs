@@ -37,7 +37,7 @@ pub(super) fn read(path: &Path, sources: &mut Sources) -> Result<FileId, NoText>
 }
 
 /// The bytes of a file, and one more than is allowed if there are so many.
-pub(super) fn load(path: &Path) -> io::Result<Vec<u8>> {
+pub(crate) fn load(path: &Path) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     File::open(path)?.take(MAX_SIZE + 1).read_to_end(&mut bytes)?;
     Ok(bytes)

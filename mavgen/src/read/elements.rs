@@ -9,7 +9,7 @@ use super::tag;
 use super::xml::{Content, Token, Xml};
 use crate::diag::{Code, Diagnostic, Diagnostics, nearest};
 use crate::source::{Part, Span};
-use crate::syntax::{self, Tag, Text, Type, Written};
+use crate::syntax::{self, Tag, Text};
 
 /// The text is no XML: it was said, and nothing more can be read.
 #[derive(Debug)]
@@ -137,7 +137,7 @@ impl<'t, 'd> Elements<'t, 'd> {
 
     fn enter(&mut self, element: &'static Element, tag: &Tag<'t>) {
         if self.is_dialect {
-            self.diagnostics.extend(tag.attributes.iter().filter_map(|written| refused_value(element, written)));
+            self.diagnostics.extend(tag.attributes.iter().filter_map(|written| tag::refused(element, written)));
         }
         self.open.push(Open { element, tag: tag.span, seen: Vec::new() });
     }
@@ -240,17 +240,7 @@ impl<'t, 'd> Elements<'t, 'd> {
     /// is missing.
     pub(super) fn close_tag(&mut self, tag: Tag<'t>) -> bool {
         let Some(Open { element, .. }) = self.open.last() else { return false };
-        if self.is_dialect {
-            self.diagnostics.extend(tag.attributes.iter().filter_map(foreign));
-        }
-        if !tag.missing.is_empty() {
-            let message = format!("`<{}>` lacks its `{}`", tag.name, tag.missing.join("` and `"));
-            let label = format!("`{}=\"…\"` is required here", tag.missing.join("=\"…\" "));
-            self.diagnostics.push(Diagnostic::new(Code::MissingAttribute, tag.span, message).label(label));
-        }
-        let is_known = |name: &str| is_foreign(name) || element.attribute(name).is_some();
-        let unknown = tag.attributes.iter().filter(|attribute| !is_known(attribute.name));
-        self.diagnostics.extend(unknown.map(|attribute| unknown_attribute(element, attribute, self.is_dialect)));
+        tag::report(&tag, element, self.is_dialect, self.diagnostics);
         tag.missing.is_empty()
     }
 
@@ -332,35 +322,4 @@ impl<'t, 'd> Elements<'t, 'd> {
             None => problem,
         });
     }
-}
-
-/// Whether an attribute belongs to another grammar, or to XML itself.
-fn is_foreign(name: &str) -> bool {
-    name == "xmlns" || name.contains(':')
-}
-
-/// An attribute of another namespace, of which pymavlink's schema has none.
-fn foreign(attribute: &Written<'_>) -> Option<Diagnostic> {
-    let name = attribute.name;
-    let is_known = !is_foreign(name) || name.starts_with("xmlns:") || name.starts_with("xsi:");
-    let help = "its schema has no namespaces".to_owned();
-    (!is_known).then(|| schema::misplaced(&format!("the attribute `{name}`"), attribute.name_span, help))
-}
-
-/// What pymavlink's schema refuses of the value of an attribute.
-fn refused_value(element: &Element, Written { name, value, .. }: &Written<'_>) -> Option<Diagnostic> {
-    schema::refused(&format!("`{name}` is"), element.attribute(name)?.ty, &value.value, value.span)
-}
-
-/// What is said of an attribute that the grammar does not have.
-fn unknown_attribute(element: &Element, attribute: &Written<'_>, is_dialect: bool) -> Diagnostic {
-    let meant = nearest(attribute.name, element.attributes.iter().map(|known| known.name));
-    let is_essential = meant.and_then(|name| element.attribute(name)).is_some_and(|known| known.ty == Type::Number);
-    let (code, label) = match is_essential {
-        true => (Code::Misspelt, "would be lost"),
-        false if is_dialect => (Code::UnknownAttribute, "ignored; pymavlink refuses it"),
-        false => (Code::UnknownAttribute, "ignored"),
-    };
-    let message = format!("`<{}>` has no attribute `{}`", element.name, attribute.name);
-    Diagnostic::new(code, attribute.name_span, message).label(label).meant(meant)
 }

@@ -6,6 +6,9 @@ mod paths;
 #[cfg(test)]
 mod tests;
 
+#[cfg(feature = "uorb")]
+pub(crate) use paths::absolute;
+
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -127,7 +130,8 @@ fn load_top(
     }
     circle::report(&loader.edges, &loader.names(), loader.diagnostics);
     loader.loaded.name = top.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-    loader.loaded.includes = loader.edges.iter().map(|edges| targets(edges)).collect_vec();
+    let targets = |edges: &Vec<Edge>| edges.iter().map(|edge| edge.to).collect_vec();
+    loader.loaded.includes = loader.edges.iter().map(targets).collect_vec();
     loader.loaded
 }
 
@@ -145,10 +149,6 @@ struct Found {
     level: usize,
     /// The file that includes it, and where; `None` for the top file.
     by: Option<(FileIndex, Span)>,
-}
-
-fn targets(edges: &[Edge]) -> Vec<FileIndex> {
-    edges.iter().map(|edge| edge.to).collect_vec()
 }
 
 struct Loader<'a> {
@@ -178,13 +178,21 @@ impl Loader<'_> {
         }
     }
 
-    /// Takes in the file at `path`, which this dialect does not have yet; `None` if it is no text.
+    /// Takes in the file at `path`, which this dialect does not have yet; `None` if it is no text, which was said of another
+    /// dialect.
     fn open(&mut self, path: &Path, found: Found) -> Result<Option<FileIndex>, NoText> {
-        let file = self.file(path);
+        let absolute = paths::absolute(path);
+        let file = match self.read.get(&absolute) {
+            Some(file) => Ok(file.clone()),
+            None => bytes::read(path, self.sources)
+                .map(|id| Some(Arc::new(super::read(id, self.sources, self.diagnostics)))),
+        };
         let index = FileIndex(self.loaded.files.len());
         if !matches!(file, Err(NoText::Io(_))) {
+            let text = file.as_ref().ok().and_then(Option::as_ref);
             self.loaded.watched.push(path.to_owned());
-            self.seen.insert(paths::absolute(path), matches!(file, Ok(Some(_))).then_some(index));
+            self.seen.insert(absolute.clone(), text.map(|_| index));
+            self.read.insert(absolute, text.cloned());
         }
         let Some(file) = file? else { return Ok(None) };
         self.same.extend(std::fs::canonicalize(path).map(|path| (path, index)));
@@ -194,31 +202,13 @@ impl Loader<'_> {
         Ok(Some(index))
     }
 
-    /// Reads the file at `path`, unless another dialect did; `None` if that one found that it is no text.
-    fn file(&mut self, path: &Path) -> Result<Option<Arc<File>>, NoText> {
-        let absolute = paths::absolute(path);
-        if let Some(file) = self.read.get(&absolute) {
-            return Ok(file.clone());
-        }
-        let id = bytes::read(path, self.sources);
-        if matches!(id, Err(NoText::NotText(_))) {
-            self.read.insert(absolute, None);
-            return id.map(|_| None);
-        }
-        let file = Some(Arc::new(super::read(id?, self.sources, self.diagnostics)));
-        self.read.insert(absolute, file.clone());
-        Ok(file)
-    }
-
     /// Reads what a file includes.
     fn follow(&mut self, from: FileIndex) {
-        let Some(file) = self.loaded.files.get(from.0) else { return };
-        let Some(path) = self.sources.get(file.id).map(|source| source.path().to_owned()) else {
-            return;
-        };
-        for include in file.includes.clone() {
+        let Some(file) = self.loaded.files.get(from.0).cloned() else { return };
+        let Some(path) = self.sources.get(file.id).map(|source| source.path().to_owned()) else { return };
+        for include in &file.includes {
             let places = paths::places(&path, &include.value, self.include_dirs);
-            if let Some(to) = self.resolve(from, &include, &places)
+            if let Some(to) = self.resolve(from, include, &places)
                 && let Some(edges) = self.edges.get_mut(from.0)
             {
                 edges.push(Edge { to, span: include.span });
@@ -269,13 +259,13 @@ impl Loader<'_> {
         self.seen.insert(paths::absolute(place), Some(index));
         self.loaded.watched.push(place.to_owned());
         let message = format!("`{}` is `{}` by another path", place.display(), self.name(index));
-        let problem = Diagnostic::new(Code::SameFile, include.span, message);
-        let problem = match self.found.get(index.0).and_then(|found| found.by) {
+        let problem = Diagnostic::new(Code::SameFile, include.span, message)
+            .help("include it by one path: pymavlink reads it twice, and finds all of it twice");
+        let first = self.found.get(index.0).and_then(|found| found.by);
+        self.diagnostics.push(match first {
             Some((_, first)) => problem.related(first, "included here first"),
             None => problem,
-        };
-        self.diagnostics
-            .push(problem.help("include it by one path: pymavlink reads it twice, and finds all of it twice"));
+        });
         Some(index)
     }
 

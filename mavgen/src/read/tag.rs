@@ -1,13 +1,15 @@
-//! Start tags: from their text to their attributes.
+//! Start tags: from their text to their attributes, and what is said of these.
 
 use quick_xml::events::attributes::{AttrError, Attributes};
 
 use super::characters::{self, expand, is_name, wrong_blank};
 use super::fault::{Fault, not_well_formed};
+use super::grammar::Element;
+use super::schema;
 use crate::collect::CollectVec as _;
-use crate::diag::{Code, Diagnostic, Diagnostics};
+use crate::diag::{Code, Diagnostic, Diagnostics, nearest};
 use crate::source::{Part, Span, Spanned};
-use crate::syntax::{Tag, Written};
+use crate::syntax::{Tag, Type, Written};
 
 /// How many attributes a tag may have; the MAVLink grammar has 13 for a field.
 const MAX_ATTRIBUTES: usize = 64;
@@ -163,4 +165,50 @@ fn first_word(text: Part<'_>) -> Part<'_> {
 /// Line ends and tabs as spaces, a CRLF as one.
 fn spaces(text: &str) -> String {
     text.replace("\r\n", " ").replace(['\r', '\n', '\t'], " ")
+}
+
+/// Reports the attributes of a tag that nobody took, those that are missing, and those that pymavlink's schema does not have.
+pub(super) fn report(tag: &Tag<'_>, element: &Element, is_dialect: bool, diagnostics: &mut Diagnostics) {
+    if is_dialect {
+        diagnostics.extend(tag.attributes.iter().filter_map(foreign));
+    }
+    if !tag.missing.is_empty() {
+        let message = format!("`<{}>` lacks its `{}`", tag.name, tag.missing.join("` and `"));
+        let label = format!("`{}=\"…\"` is required here", tag.missing.join("=\"…\" "));
+        diagnostics.push(Diagnostic::new(Code::MissingAttribute, tag.span, message).label(label));
+    }
+    let is_known = |name: &str| is_foreign(name) || element.attribute(name).is_some();
+    let unread = tag.attributes.iter().filter(|attribute| !is_known(attribute.name));
+    diagnostics.extend(unread.map(|attribute| unknown(element, attribute, is_dialect)));
+}
+
+/// Whether an attribute belongs to another grammar, or to XML itself.
+fn is_foreign(name: &str) -> bool {
+    name == "xmlns" || name.contains(':')
+}
+
+/// An attribute of another namespace, of which pymavlink's schema has none.
+fn foreign(attribute: &Written<'_>) -> Option<Diagnostic> {
+    let name = attribute.name;
+    let is_known = !is_foreign(name) || name.starts_with("xmlns:") || name.starts_with("xsi:");
+    let help = "its schema has no namespaces".to_owned();
+    (!is_known).then(|| schema::misplaced(&format!("the attribute `{name}`"), attribute.name_span, help))
+}
+
+/// What pymavlink's schema refuses of the value of an attribute.
+pub(super) fn refused(element: &Element, Written { name, value, .. }: &Written<'_>) -> Option<Diagnostic> {
+    schema::refused(&format!("`{name}` is"), element.attribute(name)?.ty, &value.value, value.span)
+}
+
+/// What is said of an attribute that the grammar does not have.
+fn unknown(element: &Element, attribute: &Written<'_>, is_dialect: bool) -> Diagnostic {
+    let meant = nearest(attribute.name, element.attributes.iter().map(|known| known.name));
+    let is_essential = meant.and_then(|name| element.attribute(name)).is_some_and(|known| known.ty == Type::Number);
+    let (code, label) = match is_essential {
+        true => (Code::Misspelt, "would be lost"),
+        false if is_dialect => (Code::UnknownAttribute, "ignored; pymavlink refuses it"),
+        false => (Code::UnknownAttribute, "ignored"),
+    };
+    let message = format!("`<{}>` has no attribute `{}`", element.name, attribute.name);
+    Diagnostic::new(code, attribute.name_span, message).label(label).meant(meant)
 }

@@ -92,7 +92,7 @@ impl Folder {
         diagnostics: &mut Diagnostics,
     ) -> Option<FileId> {
         let path = self.get(name)?;
-        let id = crate::read::open_bytes(path, bytes, sources, diagnostics)?;
+        let id = crate::read::open(path, bytes, sources, diagnostics)?;
         if sources.get(id).is_some_and(SourceFile::begins_with_mark) {
             let problem =
                 Diagnostic::new(Code::UorbEncoding, Span::new(id, 0..0), "the file begins with a byte order mark");

@@ -6,23 +6,15 @@ use std::fmt::Write;
 use sha2::{Digest, Sha256};
 
 use super::model::{Element, Field, Message};
-use super::scalar::Scalar;
 
 /// FNV-1a of 32 bits over the types and names of the fields, in the order of the file; what a field nests follows it.
 pub(super) fn message_hash(fields: &[Field], nested: &[Message]) -> u32 {
     fn add(text: &mut String, fields: &[Field], nested: &[Message]) {
         for field in fields {
-            let message = match field.element {
-                Element::Scalar(_) => None,
-                Element::Message(index) => nested.get(index.0),
-            };
-            let element = match field.element {
-                Element::Scalar(scalar) => scalar.name(),
-                Element::Message(_) => message.map_or("", |message| &message.name),
-            };
+            let element = field.element.name(nested);
             let array = field.array.map(|length| format!("[{length}]")).unwrap_or_default();
             text.push_str(&format!("{element}{array} {}\n", field.name));
-            if let Some(message) = message {
+            if let Some(message) = field.element.message(nested) {
                 add(text, &message.fields, nested);
             }
         }
@@ -54,9 +46,7 @@ pub(super) fn type_hash(name: &str, fields: &[Field], nested: &[Message]) -> Str
 /// The descriptions of all that is nested, by name.
 fn collect<'m>(fields: &[Field], nested: &'m [Message], found: &mut BTreeMap<&'m str, String>) {
     for field in fields {
-        if let Element::Message(index) = field.element
-            && let Some(message) = nested.get(index.0)
-        {
+        if let Some(message) = field.element.message(nested) {
             found.insert(&message.name, description(&message.name, &message.fields, nested));
             collect(&message.fields, nested, found);
         }
@@ -70,10 +60,8 @@ fn description(name: &str, fields: &[Field], nested: &[Message]) -> String {
 
 fn field_description(field: &Field, nested: &[Message]) -> String {
     let (id, message) = match field.element {
-        Element::Scalar(scalar) => (type_id(scalar), String::new()),
-        Element::Message(index) => {
-            (1, nested.get(index.0).map(|message| format!("px4_msgs/msg/{}", message.name)).unwrap_or_default())
-        }
+        Element::Scalar(scalar) => (scalar.type_id(), String::new()),
+        Element::Message(_) => (1, format!("px4_msgs/msg/{}", field.element.name(nested))),
     };
     // The ids of arrays are those of their elements, 48 on.
     let (id, capacity) = field.array.map_or((id, 0), |length| (id + 48, length));
@@ -81,22 +69,4 @@ fn field_description(field: &Field, nested: &[Message]) -> String {
         r#"{{"name": "{}", "type": {{"type_id": {id}, "capacity": {capacity}, "string_capacity": 0, "nested_type_name": "{message}"}}}}"#,
         field.name
     )
-}
-
-/// Constants of ROS 2's `type_description_interfaces/msg/FieldType`.
-fn type_id(scalar: Scalar) -> u8 {
-    match scalar {
-        Scalar::I8 => 2,
-        Scalar::U8 => 3,
-        Scalar::I16 => 4,
-        Scalar::U16 => 5,
-        Scalar::I32 => 6,
-        Scalar::U32 => 7,
-        Scalar::I64 => 8,
-        Scalar::U64 => 9,
-        Scalar::F32 => 10,
-        Scalar::F64 => 11,
-        Scalar::Char => 13,
-        Scalar::Bool => 15,
-    }
 }

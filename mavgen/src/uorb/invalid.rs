@@ -4,7 +4,7 @@ use std::num::NonZeroU8;
 
 use super::model::{Constant, Element, Field};
 use super::scalar::Scalar;
-use crate::ir::{self, FieldType, Invalid, Scope, Sentinel};
+use crate::ir::{FieldType, Invalid, Scope, Sentinel};
 use crate::resolve::sentinel_of;
 
 /// What an overlay says: the grammar of `invalid` in MAVLink XML, or the name of a constant of the file.
@@ -18,7 +18,7 @@ pub(super) fn of_overlay(text: &str, field: &Field, constants: &[Constant]) -> R
     };
     let named = constants.iter().find(|constant| constant.name == text.trim());
     let value = named.map_or_else(|| text.to_owned(), |constant| constant.value.to_string());
-    sentinel_of(&value, ty).map_err(|refusal| refusal.message(text, element_name(field)))
+    sentinel_of(&value, ty).map_err(|refusal| refusal.message(text, field.element.name(&[])))
 }
 
 /// What a comment says: a value, and prose behind it. `None` if the prose says of an array what no sentinel is.
@@ -42,30 +42,9 @@ pub(super) fn of_comment(text: &str, field: &Field, constants: &[Constant]) -> R
     Ok(Some(invalid))
 }
 
-fn element_name(field: &Field) -> &'static str {
-    match field.element {
-        Element::Scalar(scalar) => scalar.name(),
-        Element::Message(_) => "message",
-    }
-}
-
 /// The type of a field as a MAVLink message would have it; `None` for what cannot be in one. How long an array is does not
 /// matter to its sentinel.
 fn field_type(field: &Field) -> Option<FieldType> {
-    let Element::Scalar(scalar) = field.element else { return None };
-    let scalar = match scalar {
-        Scalar::I8 => ir::Scalar::I8,
-        Scalar::U8 => ir::Scalar::U8,
-        Scalar::I16 => ir::Scalar::I16,
-        Scalar::U16 => ir::Scalar::U16,
-        Scalar::I32 => ir::Scalar::I32,
-        Scalar::U32 => ir::Scalar::U32,
-        Scalar::I64 => ir::Scalar::I64,
-        Scalar::U64 => ir::Scalar::U64,
-        Scalar::F32 => ir::Scalar::F32,
-        Scalar::F64 => ir::Scalar::F64,
-        Scalar::Char => ir::Scalar::Char,
-        Scalar::Bool => return None,
-    };
+    let scalar = field.element.scalar()?.of_mavlink()?;
     Some(FieldType { scalar, array: field.array.map(|_| NonZeroU8::MIN) })
 }

@@ -132,6 +132,32 @@ pub enum Element {
     Message(MessageIndex),
 }
 
+impl Element {
+    /// The scalar, if it is one.
+    pub(crate) fn scalar(self) -> Option<Scalar> {
+        match self {
+            Self::Scalar(scalar) => Some(scalar),
+            Self::Message(_) => None,
+        }
+    }
+
+    /// The message, if it is one, among those of its package.
+    pub(crate) fn message(self, messages: &[Message]) -> Option<&Message> {
+        match self {
+            Self::Scalar(_) => None,
+            Self::Message(index) => messages.get(index.0),
+        }
+    }
+
+    /// What a `.msg` file calls it.
+    pub(crate) fn name(self, messages: &[Message]) -> &str {
+        match self {
+            Self::Scalar(scalar) => scalar.name(),
+            Self::Message(index) => messages.get(index.0).map_or("", |message| &message.name),
+        }
+    }
+}
+
 /// A constant.
 #[derive(Clone, Debug)]
 pub struct Constant {

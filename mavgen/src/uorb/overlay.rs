@@ -5,6 +5,7 @@ use std::path::{Component, Path, PathBuf};
 
 use super::folder::Folder;
 use crate::diag::{Code, Diagnostic, Diagnostics, nearest};
+use crate::read::{self, absolute};
 use crate::source::{Sources, Span};
 use crate::syntax::Text;
 use crate::syntax::uorb_overlay::{Message, Overlay};
@@ -22,8 +23,8 @@ pub fn overlays(
 ) -> Vec<Overlay> {
     let mut all = Vec::new();
     for path in paths {
-        let Some(id) = crate::read::open(path, sources, diagnostics) else { continue };
-        let overlay = crate::read::read_uorb_overlay(id, sources, diagnostics);
+        let Some(id) = read::open(path, read::bytes_of(path), sources, diagnostics) else { continue };
+        let overlay = read::read_uorb_overlay(id, sources, diagnostics);
         if let Some(version) = overlay.version.as_ref().filter(|version| version.value.trim() != VERSION) {
             let message = format!("overlays of version `{}` are not known", version.value);
             let problem = Diagnostic::new(Code::OverlayVersion, version.span, message);
@@ -55,18 +56,6 @@ pub(super) fn is_for(base: &str, folder: &Path) -> bool {
     let wanted = Path::new(base.trim());
     let named = wanted.components().next().is_some_and(|first| matches!(first, Component::Normal(_)));
     named && (absolute(folder).ends_with(wanted) || folder.canonicalize().is_ok_and(|path| path.ends_with(wanted)))
-}
-
-/// The path from the root, without `.` and `..`.
-fn absolute(path: &Path) -> PathBuf {
-    let mut whole = PathBuf::new();
-    for component in std::path::absolute(path).unwrap_or_else(|_| path.to_owned()).components() {
-        match component {
-            Component::ParentDir => drop(whole.pop()),
-            component => whole.push(component),
-        }
-    }
-    whole
 }
 
 /// What overlays say of the messages of a folder.

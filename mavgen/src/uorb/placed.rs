@@ -1,7 +1,7 @@
 //! Where fields lie in the bytes of a definition: in a CDR body, and in a record of a log.
 
 use super::layout::struct_order;
-use super::model::{Element, Message, MessageIndex, Package};
+use super::model::{Element, Field, Message, MessageIndex, Package};
 use super::scalar::Scalar;
 
 /// A field in the bytes of its message.
@@ -45,13 +45,14 @@ pub(crate) struct Run {
 
 /// Where the fields of a message lie in a CDR body, in the order of the file.
 pub(crate) fn in_cdr(package: &Package, message: &Message) -> Vec<Placed> {
-    cdr(package, message, 0).0
+    cdr(&package.messages, &message.fields, 0).0
 }
 
-/// The fields of a message that begins at `base`, and where it ends: both from there.
-fn cdr(package: &Package, message: &Message, base: u32) -> (Vec<Placed>, u32) {
+/// The fields of a message that begins at `base`, and where it ends: both from there. They are not so many that lengths do not fit:
+/// [as a struct](super::layout::arrange) the message has at most 64 KiB.
+pub(super) fn cdr(messages: &[Message], fields: &[Field], base: u32) -> (Vec<Placed>, u32) {
     let (mut placed, mut at) = (Vec::new(), 0_u32);
-    for (i, field) in message.fields.iter().enumerate() {
+    for (i, field) in fields.iter().enumerate() {
         match field.element {
             Element::Scalar(scalar) => {
                 at = (base + at).next_multiple_of(scalar.size()) - base;
@@ -59,11 +60,11 @@ fn cdr(package: &Package, message: &Message, base: u32) -> (Vec<Placed>, u32) {
                 at += scalar.size() * field.elements();
             }
             Element::Message(index) => {
-                let Some(nested) = package.messages.get(index.0) else { continue };
+                let Some(nested) = messages.get(index.0) else { continue };
                 let mut runs: Vec<Run> = Vec::new();
                 for i in 0..field.array.unwrap_or(1) {
-                    let begins = (base + at).next_multiple_of(alignment(package, nested)) - base;
-                    at = add(&mut runs, (package, nested), i, (base, begins));
+                    let begins = (base + at).next_multiple_of(alignment(messages, nested)) - base;
+                    at = add(&mut runs, (messages, &nested.fields), i, (base, begins));
                 }
                 let at = runs.first().map_or(at, |run| run.at);
                 placed.push(Placed { field: i, at, held: Held::Messages(index, runs) });
@@ -74,16 +75,16 @@ fn cdr(package: &Package, message: &Message, base: u32) -> (Vec<Placed>, u32) {
 }
 
 /// What the first scalar of a message is aligned to: the message begins where that does.
-fn alignment(package: &Package, message: &Message) -> u32 {
+fn alignment(messages: &[Message], message: &Message) -> u32 {
     match message.fields.first().map(|field| field.element) {
         Some(Element::Scalar(scalar)) => scalar.size(),
-        Some(Element::Message(index)) => package.message(index).map_or(1, |nested| alignment(package, nested)),
+        Some(element) => element.message(messages).map_or(1, |nested| alignment(messages, nested)),
         None => 1,
     }
 }
 
 /// Adds an element that begins at `base + at` to the last run if it is laid out as that, else as a new one; gives its end.
-fn add(runs: &mut Vec<Run>, (package, nested): (&Package, &Message), i: u16, (base, at): (u32, u32)) -> u32 {
+fn add(runs: &mut Vec<Run>, (messages, fields): (&[Message], &[Field]), i: u16, (base, at): (u32, u32)) -> u32 {
     if let Some(run) = runs.last_mut() {
         let before = run.at + run.stride * u32::from(run.count - 1);
         let same = (base + before) % 8 == (base + at) % 8;
@@ -93,7 +94,7 @@ fn add(runs: &mut Vec<Run>, (package, nested): (&Package, &Message), i: u16, (ba
             return at + run.len;
         }
     }
-    let (fields, len) = cdr(package, nested, base + at);
+    let (fields, len) = cdr(messages, fields, base + at);
     runs.push(Run { first: i, count: 1, at, stride: len, len, fields });
     at + len
 }

@@ -5,25 +5,15 @@ use std::io;
 
 use super::folder::Folder;
 use super::hash::{message_hash, type_hash};
-use super::layout::{Nested, arrange, arrange_cdr};
+use super::layout::arrange;
 use super::model::{Constant, Docs, Element, Field, Message, MessageIndex, Package};
 use super::overlay::Said;
 use super::scalar::Scalar;
 use super::syntax::{Comment, ConstantSyntax, FieldSyntax, GroupKind, MsgFile};
-use super::{names, refine, topic_name};
+use super::{names, placed, refine, topic_name};
 use crate::diag::{Code, Diagnostic, Diagnostics, nearest};
-use crate::source::{FileId, Sources, Span, Spanned};
+use crate::source::{Sources, Span, Spanned};
 use crate::threads;
-
-/// What is known of a message by its name.
-enum Known {
-    /// It is being resolved: who nests it now nests itself.
-    Begun,
-    /// It is in the package.
-    Done(MessageIndex),
-    /// Something in it is wrong, and was told.
-    Poisoned,
-}
 
 pub(super) struct Resolver<'s> {
     folder: Folder,
@@ -32,9 +22,10 @@ pub(super) struct Resolver<'s> {
     said: Said<'s>,
     sources: &'s mut Sources,
     diagnostics: &'s mut Diagnostics,
-    known: BTreeMap<String, Known>,
-    /// How many messages are begun: each nests the next.
-    begun: usize,
+    /// The messages that are resolved; `None` for one in which something is wrong, which was told.
+    known: BTreeMap<String, Option<MessageIndex>>,
+    /// The messages that are begun: each nests the next.
+    begun: Vec<String>,
     /// How deep each message of the package nests: one that nests nothing is 1 deep.
     depths: Vec<usize>,
     package: Package,
@@ -54,7 +45,7 @@ impl<'s> Resolver<'s> {
             sources,
             diagnostics,
             known: BTreeMap::new(),
-            begun: 0,
+            begun: Vec::new(),
             depths: Vec::new(),
             package: Package::default(),
         }
@@ -72,22 +63,18 @@ impl<'s> Resolver<'s> {
 
     /// The message of this name; `None` if something in it is wrong. What it nests comes into the package before it.
     pub(super) fn message(&mut self, name: &str) -> Option<MessageIndex> {
-        if let Some(Known::Done(index)) = self.known.get(name) {
-            return Some(*index);
+        if let Some(known) = self.known.get(name) {
+            return *known;
         }
-        if self.known.contains_key(name) {
-            return None;
-        }
-        self.known.insert(name.to_owned(), Known::Begun);
-        self.begun += 1;
+        self.begun.push(name.to_owned());
         let message = self.read(name);
-        self.begun -= 1;
+        self.begun.pop();
         let index = message.map(|message| {
             self.depths.push(1 + message.fields.iter().map(|field| self.depth(field)).max().unwrap_or(0));
             self.package.messages.push(message);
             MessageIndex(self.package.messages.len() - 1)
         });
-        self.known.insert(name.to_owned(), index.map_or(Known::Poisoned, Known::Done));
+        self.known.insert(name.to_owned(), index);
         index
     }
 
@@ -117,49 +104,45 @@ impl<'s> Resolver<'s> {
         if self.diagnostics.broken_files().contains(&Some(id)) {
             return None;
         }
-        let mut message = self.lay_out(name, file.id, fields, constants)?;
-        message.topics = match file.topics.as_slice() {
-            [] => vec![topic_name(name)],
-            named => named.iter().map(|topic| topic.value.clone()).collect(),
-        };
-        message.about.clone_from(&file.about);
+        let mut message = self.lay_out(name, &file, fields, constants)?;
         refine::apply(&mut message, &file, self.said.message(name), &mut self.package, self.diagnostics);
         Some(message)
     }
 
-    /// The message with these fields; what comments say of it is not in it.
+    /// The message with these fields; what comments and overlays say of them is not in it.
     fn lay_out(
         &mut self,
         name: &str,
-        file: FileId,
+        file: &MsgFile,
         mut fields: Vec<Field>,
-        constants: Vec<Constant>,
+        mut constants: Vec<Constant>,
     ) -> Option<Message> {
         let nested = &self.package.messages;
-        let in_struct = arrange(&mut fields, &Nested(nested)).filter(|(length, _)| *length <= LONGEST);
-        // Work on nested arrays is bounded by the length of the struct, so that comes first.
-        let layouts = in_struct.and_then(|lengths| Some((lengths, arrange_cdr(&mut fields, &Nested(nested))?)));
-        let Some(((struct_len, struct_padding), cdr_len)) = layouts else {
+        let lengths = arrange(&mut fields, nested).filter(|(length, _)| *length <= LONGEST);
+        let Some((struct_len, struct_padding)) = lengths else {
             let message = format!("`{name}` is longer than {LONGEST} bytes");
-            let problem = Diagnostic::new(Code::UorbArray, Span::new(file, 0..0), message);
+            let problem = Diagnostic::new(Code::UorbArray, Span::new(file.id, 0..0), message);
             self.diagnostics.push(problem.help("PX4 keeps the length of a message in 16 bits"));
             return None;
         };
-        let number = |wanted: &str| {
-            let constant = constants.iter().find(|constant| constant.name == wanted)?;
-            u32::try_from(constant.value).ok()
+        let (in_cdr, cdr_len) = placed::cdr(nested, &fields, 0);
+        fields.iter_mut().zip(&in_cdr).for_each(|(field, placed)| field.cdr_offset = placed.at);
+        let topics = file.topics.iter().map(|topic| topic.value.clone()).collect();
+        let mut take = |wanted: &str| {
+            let at = constants.iter().position(|constant| constant.name == wanted)?;
+            u32::try_from(constants.remove(at).value).ok()
         };
         Some(Message {
             name: name.to_owned(),
-            file,
-            about: Vec::new(),
-            topics: Vec::new(),
-            version: number(VERSION),
-            queue: number(QUEUE),
+            file: file.id,
+            about: file.about.clone(),
+            topics: if file.topics.is_empty() { vec![topic_name(name)] } else { topics },
+            version: take("MESSAGE_VERSION"),
+            queue: take("ORB_QUEUE_LENGTH"),
             hash: message_hash(&fields, nested),
             type_hash: type_hash(name, &fields, nested),
-            constants: constants.into_iter().filter(|constant| ![VERSION, QUEUE].contains(&&*constant.name)).collect(),
             fields,
+            constants,
             cdr_len,
             struct_len,
             struct_padding,
@@ -187,32 +170,28 @@ impl<'s> Resolver<'s> {
         if let Some(scalar) = Scalar::of(name) {
             return Some(Element::Scalar(scalar));
         }
-        if matches!(self.known.get(name), Some(Known::Begun)) {
-            let message = format!("`{name}` is nested in itself");
-            self.diagnostics.push(Diagnostic::new(Code::UorbNested, element.span, message));
-            return None;
-        }
-        if self.folder.has(name) {
-            if self.begun >= DEEPEST {
-                self.diagnostics.push(too_deep(element));
-                return None;
-            }
-            let message = self.message(name);
-            if message.is_some_and(|index| self.depths.get(index.0).is_some_and(|depth| *depth >= DEEPEST)) {
-                self.diagnostics.push(too_deep(element));
-                return None;
-            }
-            if message.is_none() {
+        let problem = |message: String| Diagnostic::new(Code::UorbNested, element.span, message);
+        let too_deep = || {
+            let problem = problem(format!("`{name}` is message {} within another", DEEPEST + 1));
+            problem.help(format!("at most {DEEPEST} messages can be within each other"))
+        };
+        let problem = if !self.folder.has(name) {
+            unknown_type(element, &self.folder)
+        } else if self.begun.iter().any(|begun| begun == name) {
+            problem(format!("`{name}` is nested in itself"))
+        } else if self.begun.len() >= DEEPEST {
+            too_deep()
+        } else {
+            match self.message(name) {
+                Some(index) if self.depths.get(index.0).is_some_and(|depth| *depth < DEEPEST) => {
+                    return Some(Element::Message(index));
+                }
+                Some(_) => too_deep(),
                 // What is wrong there was told there; here it must not look right.
-                self.diagnostics.push(Diagnostic::new(
-                    Code::UorbNested,
-                    element.span,
-                    format!("`{name}` has mistakes, so this cannot be laid out"),
-                ));
+                None => problem(format!("`{name}` has mistakes, so this cannot be laid out")),
             }
-            return message.map(Element::Message);
-        }
-        self.diagnostics.push(unknown_type(element, &self.folder));
+        };
+        self.diagnostics.push(problem);
         None
     }
 
@@ -243,15 +222,6 @@ const LONGEST: u32 = 0xffff;
 /// Messages within each other. PX4 has three; the compiler of Rust gives up beyond eighty.
 const DEEPEST: usize = 32;
 
-const VERSION: &str = "MESSAGE_VERSION";
-const QUEUE: &str = "ORB_QUEUE_LENGTH";
-
-fn too_deep(element: &Spanned<String>) -> Diagnostic {
-    let message = format!("`{}` is message {} within another", element.value, DEEPEST + 1);
-    let problem = Diagnostic::new(Code::UorbNested, element.span, message);
-    problem.help(format!("at most {DEEPEST} messages can be within each other"))
-}
-
 fn unknown_type(element: &Spanned<String>, folder: &Folder) -> Diagnostic {
     let name = element.value.as_str();
     let problem = Diagnostic::new(Code::UorbType, element.span, format!("there is no type `{name}`"));
@@ -259,10 +229,9 @@ fn unknown_type(element: &Spanned<String>, folder: &Folder) -> Diagnostic {
     match name {
         "string" => problem.help("write the number of characters: `char[20]`"),
         "byte" => problem.help("write `uint8`"),
-        _ => match nearest(name, scalars.chain(folder.names())) {
-            Some(meant) => problem.help(format!("did you mean `{meant}`?")),
-            None => problem.help("a type is a scalar, or the name of a `.msg` file in the same folder"),
-        },
+        _ => problem
+            .help("a type is a scalar, or the name of a `.msg` file in the same folder")
+            .meant(nearest(name, scalars.chain(folder.names()))),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::ops::RangeInclusive;
 
-use crate::ir::Repr;
+use crate::ir::{self, Repr};
 
 /// A scalar type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -35,20 +35,30 @@ pub enum Scalar {
 
 impl Scalar {
     /// Every scalar type.
+    #[rustfmt::skip]
     pub const ALL: [Self; 12] = [
-        Self::I8,
-        Self::U8,
-        Self::I16,
-        Self::U16,
-        Self::I32,
-        Self::U32,
-        Self::I64,
-        Self::U64,
-        Self::F32,
-        Self::F64,
-        Self::Char,
-        Self::Bool,
+        Self::I8, Self::U8, Self::I16, Self::U16, Self::I32, Self::U32, Self::I64, Self::U64,
+        Self::F32, Self::F64, Self::Char, Self::Bool,
     ];
+
+    /// Its name in `.msg` files, the same type in MAVLink, which has no bool, and its number in ROS 2: a constant of
+    /// `type_description_interfaces/msg/FieldType`.
+    fn facts(self) -> (&'static str, Option<ir::Scalar>, u8) {
+        match self {
+            Self::I8 => ("int8", Some(ir::Scalar::I8), 2),
+            Self::U8 => ("uint8", Some(ir::Scalar::U8), 3),
+            Self::I16 => ("int16", Some(ir::Scalar::I16), 4),
+            Self::U16 => ("uint16", Some(ir::Scalar::U16), 5),
+            Self::I32 => ("int32", Some(ir::Scalar::I32), 6),
+            Self::U32 => ("uint32", Some(ir::Scalar::U32), 7),
+            Self::I64 => ("int64", Some(ir::Scalar::I64), 8),
+            Self::U64 => ("uint64", Some(ir::Scalar::U64), 9),
+            Self::F32 => ("float32", Some(ir::Scalar::F32), 10),
+            Self::F64 => ("float64", Some(ir::Scalar::F64), 11),
+            Self::Char => ("char", Some(ir::Scalar::Char), 13),
+            Self::Bool => ("bool", None, 15),
+        }
+    }
 
     /// The type of this name, `uint8`.
     pub fn of(name: &str) -> Option<Self> {
@@ -57,77 +67,36 @@ impl Scalar {
 
     /// Its name in `.msg` files.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::I8 => "int8",
-            Self::U8 => "uint8",
-            Self::I16 => "int16",
-            Self::U16 => "uint16",
-            Self::I32 => "int32",
-            Self::U32 => "uint32",
-            Self::I64 => "int64",
-            Self::U64 => "uint64",
-            Self::F32 => "float32",
-            Self::F64 => "float64",
-            Self::Char => "char",
-            Self::Bool => "bool",
-        }
+        self.facts().0
+    }
+
+    /// The same type in MAVLink, which has no bool.
+    pub(super) fn of_mavlink(self) -> Option<ir::Scalar> {
+        self.facts().1
+    }
+
+    /// Its number in ROS 2.
+    pub(super) fn type_id(self) -> u8 {
+        self.facts().2
     }
 
     /// Its name in the format definitions of a log.
     pub fn log_name(self) -> &'static str {
-        match self {
-            Self::I8 => "int8_t",
-            Self::U8 => "uint8_t",
-            Self::I16 => "int16_t",
-            Self::U16 => "uint16_t",
-            Self::I32 => "int32_t",
-            Self::U32 => "uint32_t",
-            Self::I64 => "int64_t",
-            Self::U64 => "uint64_t",
-            Self::F32 => "float",
-            Self::F64 => "double",
-            Self::Char => "char",
-            Self::Bool => "bool",
-        }
+        self.of_mavlink().map_or("bool", ir::Scalar::wire_name)
     }
 
     /// Bytes.
     pub fn size(self) -> u32 {
-        match self {
-            Self::I8 | Self::U8 | Self::Char | Self::Bool => 1,
-            Self::I16 | Self::U16 => 2,
-            Self::I32 | Self::U32 | Self::F32 => 4,
-            Self::I64 | Self::U64 | Self::F64 => 8,
-        }
+        self.of_mavlink().map_or(1, |scalar| scalar.size() as u32)
     }
 
     /// The integer as enums name it, if it is one.
     pub fn repr(self) -> Option<Repr> {
-        Some(match self {
-            Self::I8 => Repr::I8,
-            Self::U8 => Repr::U8,
-            Self::I16 => Repr::I16,
-            Self::U16 => Repr::U16,
-            Self::I32 => Repr::I32,
-            Self::U32 => Repr::U32,
-            Self::I64 => Repr::I64,
-            Self::U64 => Repr::U64,
-            Self::F32 | Self::F64 | Self::Char | Self::Bool => return None,
-        })
+        self.of_mavlink()?.repr()
     }
 
     /// The values of an integer type.
     pub fn range(self) -> Option<RangeInclusive<i128>> {
-        Some(match self {
-            Self::I8 => i8::MIN.into()..=i8::MAX.into(),
-            Self::U8 => 0..=u8::MAX.into(),
-            Self::I16 => i16::MIN.into()..=i16::MAX.into(),
-            Self::U16 => 0..=u16::MAX.into(),
-            Self::I32 => i32::MIN.into()..=i32::MAX.into(),
-            Self::U32 => 0..=u32::MAX.into(),
-            Self::I64 => i64::MIN.into()..=i64::MAX.into(),
-            Self::U64 => 0..=u64::MAX.into(),
-            Self::F32 | Self::F64 | Self::Char | Self::Bool => return None,
-        })
+        self.of_mavlink().filter(|scalar| scalar.repr().is_some())?.range()
     }
 }

@@ -112,37 +112,33 @@ pub struct Enum {
 impl Union {
     /// Joins definitions, newest first. A field whose types cannot be one is an error.
     pub fn of(name: &str, definitions: Vec<Definition>, diagnostics: &mut Diagnostics) -> Self {
-        let mut union = Self { name: name.to_owned(), ..Self::default() };
         let mut places: BTreeMap<&str, usize> = BTreeMap::new();
         let mut joined: Vec<Joined<'_>> = Vec::new();
         for (at, definition) in definitions.iter().enumerate() {
             for (i, message) in definition.package.messages.iter().enumerate() {
                 let place = *places.entry(&message.name).or_insert(joined.len());
-                if place == joined.len() {
-                    joined.push(Vec::new());
-                }
-                if let Some(known) = joined.get_mut(place) {
-                    known.push((at, MessageIndex(i), message));
+                match joined.get_mut(place) {
+                    Some(known) => known.push((at, MessageIndex(i), message)),
+                    None => joined.push(vec![(at, MessageIndex(i), message)]),
                 }
             }
         }
-        let enums = Enums::of(&definitions, diagnostics);
-        for known in &joined {
-            let context = fields::Context { definitions: &definitions, places: &places, enums: &enums };
-            union.messages.extend(message(known, &context, diagnostics));
+        let mut enums = enums(&definitions, diagnostics);
+        let context = fields::Context { definitions: &definitions, places: &places, enums: &enums };
+        let messages: Vec<Message> = joined.iter().filter_map(|known| message(known, &context, diagnostics)).collect();
+        nesting::check(&messages, diagnostics);
+        for (at, one) in enums.iter_mut().enumerate() {
+            let mut fields = messages.iter().flat_map(|message| &message.fields);
+            let first = fields.find(|field| field.enum_ == Some(EnumIndex(at)));
+            one.repr = first.and_then(|field| field.element.scalar()?.repr()).unwrap_or(one.repr);
         }
-        nesting::check(&union.messages, diagnostics);
-        union.enums = enums.finish(&union.messages);
-        drop(joined);
-        union.definitions = definitions;
-        union
+        Self { name: name.to_owned(), definitions, messages, enums }
     }
 
     /// Keeps of a message's field what it carries only if the field's integer is the enum's.
     pub fn typed(&self, field: &Field) -> Option<EnumIndex> {
-        let (index, model::Element::Scalar(scalar)) = (field.enum_?, field.element) else { return None };
-        let one = self.enums.get(index.0)?;
-        (scalar.repr() == Some(one.repr)).then_some(index)
+        let (index, repr) = (field.enum_?, field.element.scalar()?.repr()?);
+        (self.enums.get(index.0)?.repr == repr).then_some(index)
     }
 }
 
@@ -158,15 +154,11 @@ fn message(known: &Joined<'_>, context: &fields::Context<'_>, diagnostics: &mut 
             topics.push(topic.clone());
         }
     }
-    let mut found: Vec<Known> = Vec::new();
-    for (&(definition, index, message), fields) in known.iter().zip(places) {
-        let hash = |one: &Known| {
-            let package = &context.definitions.get(one.definition)?.package;
-            Some(package.messages.get(one.message.0)?.hash)
-        };
-        let same_as = found.iter().position(|one| one.same_as.is_none() && hash(one) == Some(message.hash));
-        found.push(Known { definition, message: index, fields, same_as });
-    }
+    let first_of = |hash: u32| known.iter().position(|(_, _, newer)| newer.hash == hash);
+    let found = known.iter().zip(places).enumerate().map(|(at, (&(definition, index, message), fields))| {
+        let same_as = first_of(message.hash).filter(|newer| *newer < at);
+        Known { definition, message: index, fields, same_as }
+    });
     Some(Message {
         name: newest.name.clone(),
         file: newest.file,
@@ -176,7 +168,7 @@ fn message(known: &Joined<'_>, context: &fields::Context<'_>, diagnostics: &mut 
         queue: newest.queue,
         fields,
         constants: constants(known, context, diagnostics),
-        known: found,
+        known: found.collect(),
     })
 }
 
@@ -187,7 +179,7 @@ fn constants(known: &Joined<'_>, context: &fields::Context<'_>, diagnostics: &mu
         for constant in &message.constants {
             match constants.iter().find(|newer| newer.name == constant.name) {
                 Some(newer) => diagnostics.extend(changed(newer, constant)),
-                None if context.enums.has(&message.name, &constant.name) => {}
+                None if is_in_enum(context.enums, &message.name, &constant.name) => {}
                 None => constants.push(constant.clone()),
             }
         }
@@ -205,61 +197,30 @@ fn changed(newer: &Constant, older: &Constant) -> Option<Diagnostic> {
     (now != was).then_some(problem)
 }
 
-/// The enums of all definitions, by name.
-struct Enums {
-    all: Vec<Enum>,
-    /// For each definition and each enum there, which it is.
-    places: Vec<Vec<EnumIndex>>,
+/// Whether a constant of a message is in an enum.
+fn is_in_enum(enums: &[Enum], message: &str, constant: &str) -> bool {
+    let own = enums.iter().filter(|one| one.message == message);
+    own.flat_map(|one| &one.entries).any(|entry| entry.constant.name == constant)
 }
 
-impl Enums {
-    fn of(definitions: &[Definition], diagnostics: &mut Diagnostics) -> Self {
-        let (mut all, mut places): (Vec<Enum>, Vec<Vec<EnumIndex>>) = (Vec::new(), Vec::new());
-        for Definition { package, .. } in definitions {
-            let mut own = Vec::new();
-            for one in &package.enums {
-                let place = all.iter().position(|other| other.name.text == one.name.text).unwrap_or(all.len());
-                match all.get_mut(place) {
-                    Some(newer) => add(&mut newer.entries, &one.entries, diagnostics),
-                    None => all.push(Enum {
-                        name: one.name.clone(),
-                        message: package.messages.get(one.message.0).map_or_else(String::new, |of| of.name.clone()),
-                        flags: one.flags,
-                        repr: one.repr,
-                        entries: one.entries.clone(),
-                    }),
-                }
-                own.push(EnumIndex(place));
+/// The enums of all definitions, those of one name joined; each with the integer of the newest.
+fn enums(definitions: &[Definition], diagnostics: &mut Diagnostics) -> Vec<Enum> {
+    let mut enums: Vec<Enum> = Vec::new();
+    for Definition { package, .. } in definitions {
+        for one in &package.enums {
+            match enums.iter_mut().find(|newer| newer.name.text == one.name.text) {
+                Some(newer) => add(&mut newer.entries, &one.entries, diagnostics),
+                None => enums.push(Enum {
+                    name: one.name.clone(),
+                    message: package.message(one.message).map_or_else(String::new, |of| of.name.clone()),
+                    flags: one.flags,
+                    repr: one.repr,
+                    entries: one.entries.clone(),
+                }),
             }
-            places.push(own);
         }
-        Self { all, places }
     }
-
-    /// The enum of a field in one of the definitions.
-    fn get(&self, definition: usize, index: EnumIndex) -> Option<EnumIndex> {
-        self.places.get(definition)?.get(index.0).copied()
-    }
-
-    /// Whether a constant of a message is in one.
-    fn has(&self, message: &str, constant: &str) -> bool {
-        let own = self.all.iter().filter(|one| one.message == message);
-        own.flat_map(|one| &one.entries).any(|entry| entry.constant.name == constant)
-    }
-
-    /// With the integer of the first field that carries each.
-    fn finish(mut self, messages: &[Message]) -> Vec<Enum> {
-        for (at, one) in self.all.iter_mut().enumerate() {
-            let mut fields = messages.iter().flat_map(|message| &message.fields);
-            let field = fields.find(|field| field.enum_ == Some(EnumIndex(at)));
-            let repr = field.and_then(|field| match field.element {
-                model::Element::Scalar(scalar) => scalar.repr(),
-                model::Element::Message(_) => None,
-            });
-            one.repr = repr.unwrap_or(one.repr);
-        }
-        self.all
-    }
+    enums
 }
 
 /// Adds what a newer definition lacks.

@@ -58,11 +58,8 @@ fn names(dialect: &Loaded, sources: &Sources) -> Vec<String> {
 fn foreign(base: &Text, names: &[Vec<String>]) -> Diagnostic {
     let message = format!("the overlay is for `{}`, which is part of none of the dialects", base.value);
     let problem = Diagnostic::new(Code::HomelessOverlay, base.span, message).label("no file of this name was read");
-    match nearest(&base.value, names.iter().flatten().map(String::as_str)) {
-        Some(name) => problem.help(format!("did you mean `{name}`?")),
-        None => {
-            let tops = names.iter().filter_map(|names| names.first()).map(String::as_str).collect_vec();
-            problem.help(format!("the dialects are `{}`, and the files that they include", tops.join("`, `")))
-        }
-    }
+    let tops = names.iter().filter_map(|names| names.first()).map(String::as_str).collect_vec();
+    problem
+        .help(format!("the dialects are `{}`, and the files that they include", tops.join("`, `")))
+        .meant(nearest(&base.value, names.iter().flatten().map(String::as_str)))
 }

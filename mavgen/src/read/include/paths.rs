@@ -20,7 +20,7 @@ pub(super) fn places(from: &Path, include: &str, include_dirs: &[PathBuf]) -> Ve
 }
 
 /// The path by which files are told apart.
-pub(super) fn absolute(path: &Path) -> PathBuf {
+pub(crate) fn absolute(path: &Path) -> PathBuf {
     plain(&std::path::absolute(path).unwrap_or_else(|_| path.to_owned()))
 }
 

@@ -145,10 +145,7 @@ fn missing(pattern: Part<'_>, message: &Message) -> Diagnostic {
 
 /// The type of the values that a field can have names for.
 fn carrier(field: &Field) -> Option<Repr> {
-    match field.element {
-        Element::Scalar(scalar) => scalar.repr(),
-        Element::Message(_) => None,
-    }
+    field.element.scalar()?.repr()
 }
 
 fn type_of(field: &Field) -> String {

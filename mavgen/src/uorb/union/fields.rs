@@ -2,34 +2,43 @@
 
 use std::collections::BTreeMap;
 
-use super::{Definition, Enums, Field, Joined};
+use super::{Definition, Enum, Field, Joined};
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::uorb::Scalar;
-use crate::uorb::model::{self, Element, MessageIndex};
+use crate::uorb::model::{self, Element, EnumIndex, MessageIndex};
 
 /// What fields are looked up in.
 pub(super) struct Context<'d> {
     pub(super) definitions: &'d [Definition],
     /// The place of each message in the union.
     pub(super) places: &'d BTreeMap<&'d str, usize>,
-    pub(super) enums: &'d Enums,
-}
-
-impl Context<'_> {
-    /// The type of a field's elements, in the union.
-    fn element(&self, definition: usize, element: Element) -> Element {
-        let Element::Message(index) = element else { return element };
-        let message = self.definitions.get(definition).and_then(|one| one.package.messages.get(index.0));
-        let place = message.and_then(|message| self.places.get(&*message.name));
-        Element::Message(MessageIndex(place.copied().unwrap_or(usize::MAX)))
-    }
+    pub(super) enums: &'d [Enum],
 }
 
 /// A field of one of the definitions.
 #[derive(Clone, Copy)]
 struct Seen<'d> {
+    definition: usize,
     field: &'d model::Field,
+    /// The type of its elements, in the union.
     element: Element,
+}
+
+impl<'d> Context<'d> {
+    fn seen(&self, definition: usize, field: &'d model::Field) -> Seen<'d> {
+        let place = |index| self.places.get(&*self.definitions.get(definition)?.package.message(index)?.name).copied();
+        let element = match field.element {
+            Element::Scalar(_) => field.element,
+            Element::Message(index) => Element::Message(MessageIndex(place(index).unwrap_or(usize::MAX))),
+        };
+        Seen { definition, field, element }
+    }
+
+    /// The enum that a field carries, in the union.
+    fn carried(&self, seen: &Seen<'_>) -> Option<EnumIndex> {
+        let own = self.definitions.get(seen.definition)?.package.enum_(seen.field.enum_?)?;
+        self.enums.iter().position(|one| one.name.text == own.name.text).map(EnumIndex)
+    }
 }
 
 /// The fields of the union, and for each definition which of them its own are.
@@ -38,66 +47,48 @@ pub(super) fn join(
     context: &Context<'_>,
     diagnostics: &mut Diagnostics,
 ) -> (Vec<Field>, Vec<Vec<usize>>) {
-    let (mut fields, mut places): (Vec<Field>, Vec<Vec<usize>>) = (Vec::new(), Vec::new());
-    let mut seen: Vec<Vec<Seen<'_>>> = Vec::new();
-    for (age, (definition, _, message)) in known.iter().enumerate() {
+    let (mut all, mut places): (Vec<Vec<Seen<'_>>>, Vec<Vec<usize>>) = (Vec::new(), Vec::new());
+    for (definition, _, message) in known {
         let mut own = Vec::new();
         for field in &message.fields {
-            let element = context.element(*definition, field.element);
-            let place = place(&fields, field, message).unwrap_or(fields.len());
-            if place == fields.len() {
-                let enum_ = field.enum_.and_then(|index| context.enums.get(*definition, index));
-                let until = (age > 0).then_some(*definition);
-                fields.push(Field {
-                    name: field.name.clone(),
-                    span: field.span,
-                    was: field.was.clone(),
-                    element,
-                    array: field.array,
-                    docs: field.docs.clone(),
-                    enum_,
-                    invalid: field.invalid,
-                    until,
-                });
-                seen.push(Vec::new());
+            let (place, seen) = (place(&all, field, message), context.seen(*definition, field));
+            match place.and_then(|place| all.get_mut(place)) {
+                Some(newer) => newer.push(seen),
+                None => all.push(vec![seen]),
             }
-            seen.get_mut(place).into_iter().for_each(|seen| seen.push(Seen { field, element }));
-            own.push(place);
+            own.push(place.unwrap_or(all.len() - 1));
         }
         places.push(own);
     }
-    for (field, seen) in fields.iter_mut().zip(&seen) {
-        widen(field, seen, diagnostics);
-    }
-    (fields, places)
+    let newest = known.first().map(|(definition, ..)| *definition);
+    let fields = all.iter().filter_map(|seen| {
+        let field = union(seen, context, diagnostics)?;
+        Some(Field { until: field.until.filter(|until| Some(*until) != newest), ..field })
+    });
+    (fields.collect(), places)
 }
 
 /// The field of newer definitions that this one is.
-fn place(fields: &[Field], field: &model::Field, message: &model::Message) -> Option<usize> {
-    let by_name = fields.iter().position(|newer| newer.name == field.name);
+fn place(all: &[Vec<Seen<'_>>], field: &model::Field, message: &model::Message) -> Option<usize> {
+    let mut newer = all.iter().map(|seen| seen.first().map(|newest| newest.field));
+    let by_name = newer.clone().position(|newer| newer.is_some_and(|newer| newer.name == field.name));
     by_name.or_else(|| {
-        let renamed = |newer: &Field| {
-            newer.was.as_ref() == Some(&field.name) && message.fields.iter().all(|other| other.name != newer.name)
-        };
-        fields.iter().position(renamed)
+        let is_gone = |newer: &model::Field| message.fields.iter().all(|other| other.name != newer.name);
+        newer.position(|newer| newer.is_some_and(|newer| newer.was.as_ref() == Some(&field.name) && is_gone(newer)))
     })
 }
 
-/// Gives the field the type that has the values of all definitions.
-fn widen(field: &mut Field, seen: &[Seen<'_>], diagnostics: &mut Diagnostics) {
-    let Some((newest, older)) = seen.split_first() else { return };
+/// What a field is in all definitions: as the newest has it, but of the type that has the values of all.
+fn union(seen: &[Seen<'_>], context: &Context<'_>, diagnostics: &mut Diagnostics) -> Option<Field> {
+    let (newest, older) = seen.split_first()?;
     let widest = seen.iter().map(|one| one.element).find(|wide| seen.iter().all(|one| fits(one.element, *wide)));
     let odd = match widest {
-        Some(widest) => {
-            field.element = widest;
-            older.iter().find(|one| one.field.array.is_some() != newest.field.array.is_some())
-        }
+        Some(_) => older.iter().find(|one| one.field.array.is_some() != newest.field.array.is_some()),
         None => {
             let is_odd = |one: &&Seen<'_>| !fits(one.element, newest.element) && !fits(newest.element, one.element);
             older.iter().find(is_odd).or(older.last())
         }
     };
-    field.array = seen.iter().filter_map(|one| one.field.array).max();
     if let Some(odd) = odd {
         let message = format!("`{}` cannot be one field with what it is in a newer definition", odd.field.name);
         let problem = Diagnostic::new(Code::UorbUnion, odd.field.span, message)
@@ -105,6 +96,18 @@ fn widen(field: &mut Field, seen: &[Seen<'_>], diagnostics: &mut Diagnostics) {
             .help("no type holds the values of both: leave one of the definitions out, or rename the field in one of them");
         diagnostics.push(problem);
     }
+    let field = newest.field;
+    Some(Field {
+        name: field.name.clone(),
+        span: field.span,
+        was: field.was.clone(),
+        element: widest.unwrap_or(newest.element),
+        array: seen.iter().filter_map(|one| one.field.array).max(),
+        docs: field.docs.clone(),
+        enum_: context.carried(newest),
+        invalid: field.invalid,
+        until: Some(newest.definition),
+    })
 }
 
 /// Whether every value of one type is one of the other.
