@@ -10,7 +10,7 @@ here=$(CDPATH='' cd -- "$(dirname -- "$0")" && pwd)
 root=$(CDPATH='' cd -- "$here/../.." && pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-features="none serde defmt arbitrary bitflags mavlink-core all"
+features="none commands serde defmt arbitrary bitflags mavlink-core all"
 
 for feature in $features; do
     case $feature in
