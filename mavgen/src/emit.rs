@@ -1,6 +1,7 @@
 //! The *emit* stage: from the Rust model to the text of files.
 //!
-//! It looks nothing up and decides nothing. Each file is a job of its own, so that threads can share the work, the wrapping of prose and
+//! It looks nothing up and decides nothing: an emitter is a template that looks like its output, of which `mavgen/tests/golden`
+//! has small examples for each construct. Each file is a job of its own, so that threads can share the work, the wrapping of prose and
 //! the formatting with it; the result does not depend on how they do.
 
 mod body;

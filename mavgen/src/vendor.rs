@@ -50,7 +50,7 @@ use crate::internal::Internal;
 use crate::problems::Problems;
 use crate::read::{self, load};
 use crate::roots::resolve;
-use crate::source::{FileId, Sources};
+use crate::source::Sources;
 
 use original::{Original, originals};
 use part::Part;
@@ -178,25 +178,20 @@ fn library(originals: &[Original<'_>], folder: &Path) -> Result<Library, Failure
         return Err(Failure::Usage(format!("{}: there is no such folder to take descriptions from", folder.display())));
     }
     let (mut sources, mut diagnostics) = (Sources::default(), Diagnostics::default());
-    let mut read_files: Vec<(&str, FileId)> = Vec::new();
+    let mut library = Library::of(folder);
     for original in originals {
+        library.claim(&original.name, original.keys());
         let path = folder.join(&original.name);
         if path.exists()
             && let Some(id) = read::open(&path, read::bytes_of(&path), &mut sources, &mut diagnostics)
         {
             read::read(id, &sources, &mut diagnostics);
-            read_files.push((&original.name, id));
+            let root = sources.get(id).and_then(|source| Element::root(source.text()));
+            root.iter().for_each(|root| library.add(&original.name, root));
         }
     }
     if diagnostics.has_errors() {
         return Err(Failure::Definitions(Box::new(Problems { diagnostics, sources, watched: Vec::new() })));
-    }
-    let mut library = Library::of(folder);
-    originals.iter().for_each(|original| library.claim(&original.name, original.keys()));
-    for (name, id) in read_files {
-        if let Some(root) = sources.get(id).and_then(|source| Element::root(source.text())) {
-            library.add(name, &root);
-        }
     }
     Ok(library)
 }

@@ -86,15 +86,18 @@ impl<T: Named, P> Matched<'_, T, P> {
         of: &str,
         shown: fn(&T) -> Option<String>,
     ) -> impl Iterator<Item = Change> {
-        let removed =
-            self.removed.iter().map(move |one| (*one, Change::new(kind, true, format!("{of}{}", one.name()))));
-        removed.map(move |(one, change)| change.with(shown(one), None::<&str>).at(Some(one.span()), None))
+        self.removed.iter().map(move |one| {
+            let change = Change::new(kind, true, format!("{of}{}", one.name())).with(shown(one), None::<&str>);
+            change.at(Some(one.span()), None)
+        })
     }
 
     /// What is new; before its name stands that of what it is in.
     pub(super) fn added(&self, kind: Kind, of: &str, shown: fn(&T) -> Option<String>) -> impl Iterator<Item = Change> {
-        let added = self.added.iter().map(move |one| (*one, Change::new(kind, false, format!("{of}{}", one.name()))));
-        added.map(move |(one, change)| change.with(None::<&str>, shown(one)).at(None, Some(one.span())))
+        self.added.iter().map(move |one| {
+            let change = Change::new(kind, false, format!("{of}{}", one.name())).with(None::<&str>, shown(one));
+            change.at(None, Some(one.span()))
+        })
     }
 }
 

@@ -1,29 +1,4 @@
 //! A typed command: a struct of the params that have a name, and which param each field is.
-//!
-//! ```text
-//! /// Take off, and climb.
-//! #[derive(Clone, Copy, Debug, PartialEq)]
-//! pub struct NavTakeoff {
-//!     /// Param 1, Pitch; in deg.
-//!     pub pitch: f32,
-//!     pub latitude: f64,
-//! }
-//!
-//! impl wire::Command for NavTakeoff {
-//!     type Carriers = super::Carriers;
-//!
-//!     const ID: u16 = 22;
-//!     const DEFAULT: Self = Self { pitch: 0.0, latitude: f64::NAN };
-//!
-//!     #[inline]
-//!     fn params(&mut self, p: &mut wire::Params) {
-//!         p.float(1, &mut self.pitch);
-//!         p.place(5, &mut self.latitude);
-//!     }
-//! }
-//!
-//! wire::command!(NavTakeoff);
-//! ```
 
 use super::token::{double, ident, integer, single};
 use super::ty::value_of;

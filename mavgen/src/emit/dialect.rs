@@ -1,17 +1,4 @@
 //! The dialect: an enum over all messages. The runtime adds the table that a parser checks frames with.
-//!
-//! ```text
-//! /// Any message of the `acme` dialect.
-//! #[derive(Clone, Copy, PartialEq)]
-//! #[non_exhaustive]
-//! #[allow(clippy::large_enum_variant, reason = "there is no allocator to box the large ones")]
-//! pub enum Acme {
-//!     /// `HEARTBEAT`, message 0.
-//!     Heartbeat(Heartbeat),
-//! }
-//!
-//! wire::dialect!(Acme { Heartbeat });
-//! ```
 
 use super::token::ident;
 use crate::rust::{DialectEnum, Variant};

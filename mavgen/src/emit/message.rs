@@ -1,34 +1,4 @@
 //! A message: its struct, and how it becomes bytes and back.
-//!
-//! ```text
-//! /// Distance to an obstacle.
-//! /// …
-//! #[derive(Clone, Copy, PartialEq)]
-//! pub struct Sonar {
-//!     /// In cm; 65535 means not known.
-//!     pub distance: u16,
-//! }
-//!
-//! impl wire::Message for Sonar {
-//!     type Payload = [u8; 2];
-//!
-//!     const INFO: &'static wire::MessageInfo = &wire::MessageInfo::new(4711, "SONAR", 113, 2);
-//!     const FIELDS: &'static [wire::FieldInfo] = &[wire::FieldInfo::new("distance", wire::Kind::U16, 0).units("cm")];
-//!     const DEFAULT: Self = Self { distance: 0 };
-//!
-//!     #[inline(always)]
-//!     fn read(p: &[u8; 2]) -> Self {
-//!         Self { distance: get(p, 0) }
-//!     }
-//!
-//!     #[inline]
-//!     fn store(&self, p: &mut [u8; 2]) {
-//!         put(p, 0, self.distance);
-//!     }
-//! }
-//!
-//! wire::message!(Sonar);
-//! ```
 
 use super::token::ident;
 use super::{doc, field};

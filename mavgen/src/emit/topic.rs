@@ -1,34 +1,5 @@
 //! A topic: its struct, its definitions, and how it is read and written, as CDR and as a record of a log.
 //!
-//! ```text
-//! /// State of a pump.
-//! /// …
-//! #[derive(Clone, Copy, Debug, PartialEq)]
-//! pub struct PumpStatus {
-//!     /// In us.
-//!     pub timestamp: u64,
-//! }
-//!
-//! impl PumpStatus {
-//!     /// A value of which nothing is known.
-//!     pub const UNKNOWN: Self = Self { timestamp: 0 };
-//!     /// Definition `main`: …
-//!     pub const MAIN: uorb::Definition = uorb::Definition::new("PumpStatus", "main")…;
-//! }
-//!
-//! impl uorb::Topic for PumpStatus {
-//!     …
-//!     fn read_cdr(definition: usize, body: &[u8]) -> Result<Self, uorb::CdrError> {
-//!         let p = wire::generated::body::<8>(Self::DEFINITIONS, definition, body)?;
-//!         Ok(PumpStatus { timestamp: get(p, 0) })
-//!     }
-//! }
-//!
-//! impl uorb::TopicByLength for PumpStatus {}
-//!
-//! wire::topic!(PumpStatus { timestamp });
-//! ```
-//!
 //! Of several definitions, each is read and written by functions of its own: `read_main`, `store_main`.
 
 mod field;
@@ -111,13 +82,8 @@ fn read_cdr(definitions: &[Definition<'_>]) -> TokenStream {
             #{load::body(cdr)}
         };
     }
-    quote! {
-        match definition {
-            #(for (definition, at) in definitions.iter().zip(0_u32..) =>
-                #at => #{function("read", definition)}(wire::generated::body(Self::DEFINITIONS, definition, body)?),)*
-            _ => Err(uorb::CdrError::Definition),
-        }
-    }
+    let body = quote!(wire::generated::body(Self::DEFINITIONS, definition, body)?);
+    by_definition(definitions, |of| quote!(#{function("read", of)}(#body)))
 }
 
 fn store_cdr(definitions: &[Definition<'_>]) -> TokenStream {
@@ -128,10 +94,14 @@ fn store_cdr(definitions: &[Definition<'_>]) -> TokenStream {
             Ok(())
         };
     }
+    let body = quote!(wire::generated::body_mut(Self::DEFINITIONS, definition, body)?);
+    by_definition(definitions, |of| quote!(#{function("store", of)}(self, #body)))
+}
+
+fn by_definition(definitions: &[Definition<'_>], call: impl Fn(&Definition<'_>) -> TokenStream) -> TokenStream {
     quote! {
         match definition {
-            #(for (definition, at) in definitions.iter().zip(0_u32..) =>
-                #at => #{function("store", definition)}(self, wire::generated::body_mut(Self::DEFINITIONS, definition, body)?),)*
+            #(for (definition, at) in definitions.iter().zip(0_u32..) => #at => #{call(definition)},)*
             _ => Err(uorb::CdrError::Definition),
         }
     }

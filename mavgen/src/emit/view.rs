@@ -1,28 +1,5 @@
 //! A view: a small type over packed bits, with getters, setters and a `Debug` with units, or a record of values; and how a
 //! message gives it.
-//!
-//! ```text
-//! /// Status of an ESC.
-//! #[derive(Clone, Copy, PartialEq, Eq, Hash)]
-//! pub struct EscStatus {
-//!     bits: u64,
-//!     data_version: u8,
-//! }
-//!
-//! impl EscStatus {
-//!     /// The view of these bits, …
-//!     pub const fn from_bits(bits: u64, data_version: u8) -> Self {
-//!         Self { bits, data_version }
-//!     }
-//!     …
-//!     /// Speed. In rpm.
-//!     pub const fn rpm(self) -> u16 {
-//!         ((self.bits >> 29) & 0x7fff) as u16
-//!     }
-//! }
-//!
-//! wire::view!(EscStatus { bits, data_version } [rpm, …]);
-//! ```
 
 use super::token::ident;
 use crate::rust::{Debugged, Docs, Packed, RecordField, RecordType, View};

@@ -21,8 +21,7 @@ pub(super) struct Facts {
 pub(super) fn write(root: &Element<'_>, includes: &[String], describe: &mut Describe<'_>) -> Facts {
     let facts = Facts { text: String::new(), described: Vec::new() };
     let mut writer = Writer { facts, keys: Keys::default(), includes: includes.iter(), describe };
-    let words = writer.words("", root);
-    writer.element(root, 0, words);
+    writer.element("", root, 0);
     writer.facts
 }
 
@@ -48,13 +47,6 @@ fn description(element: &Element<'_>) -> Option<Times> {
     known.child(DESCRIPTION).map(|child| child.times)
 }
 
-/// The words about an element, and under what key its children are looked up.
-struct Known {
-    key: Key,
-    base: Key,
-    words: Words,
-}
-
 struct Writer<'a, 'd> {
     facts: Facts,
     keys: Keys,
@@ -63,48 +55,49 @@ struct Writer<'a, 'd> {
 }
 
 impl Writer<'_, '_> {
-    fn words(&mut self, parent: &str, element: &Element<'_>) -> Known {
+    fn element(&mut self, parent: &str, element: &Element<'_>, depth: usize) {
         let (key, base) = self.keys.key(parent, element);
         let words = (self.describe)(&key).unwrap_or_default();
-        Known { key, base, words }
-    }
-
-    fn element(&mut self, element: &Element<'_>, depth: usize, known: Known) {
-        known.words.above.iter().for_each(|comment| self.line(depth, comment));
+        words.above.iter().for_each(|comment| self.line(depth, comment));
         let tag = format!("{}{}", element.name, attributes(element));
         match element.filling() {
-            Filling::Elements => self.container(element, depth, &tag, known),
+            Filling::Elements => self.container(element, depth, &tag, (key, &base, &words.below)),
             Filling::Fact if element.name == "include" => {
                 let path = self.includes.next().cloned().unwrap_or_default();
                 self.leaf(depth, element.name, &tag, &escaped(&path));
             }
             Filling::Fact => self.leaf(depth, element.name, &tag, &fact(element)),
             Filling::Prose => {
-                self.leaf(depth, element.name, &tag, &known.words.text);
-                self.note(element, known.key, &known.words.text);
+                self.leaf(depth, element.name, &tag, &words.text);
+                self.note(element, key, &words.text);
             }
             Filling::Nothing => self.leaf(depth, element.name, &tag, ""),
         }
     }
 
-    fn container(&mut self, element: &Element<'_>, depth: usize, tag: &str, known: Known) {
+    fn container(
+        &mut self,
+        element: &Element<'_>,
+        depth: usize,
+        tag: &str,
+        (key, base, below): (Key, &str, &[String]),
+    ) {
         let start = self.facts.text.len();
         self.line(depth, &format!("<{tag}>"));
         let empty = self.facts.text.len();
         let mut words = description(element).map(|_| {
-            let words = (self.describe)(&format!("{} description", known.key)).unwrap_or_default();
-            self.note(element, known.key, &words.text);
+            let words = (self.describe)(&format!("{key} description")).unwrap_or_default();
+            self.note(element, key, &words.text);
             words
         });
         for child in children(element) {
             if !is_stage(child) {
                 self.description(element, depth + 1, words.take());
             }
-            let known = self.words(&known.base, child);
-            self.element(child, depth + 1, known);
+            self.element(base, child, depth + 1);
         }
         self.description(element, depth + 1, words);
-        known.words.below.iter().for_each(|comment| self.line(depth + 1, comment));
+        below.iter().for_each(|comment| self.line(depth + 1, comment));
         if self.facts.text.len() == empty {
             self.facts.text.truncate(start);
             self.line(depth, &format!("<{tag}/>"));

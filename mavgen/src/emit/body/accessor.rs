@@ -1,18 +1,5 @@
 //! Getters and setters beside the plain fields: for sentinels ("not known"), and for enums in fields of another width.
 //!
-//! ```text
-//! /// `temperature`, or `None` where the sender does not know it.
-//! #[inline]
-//! pub fn temperature(&self) -> Option<i16> {
-//!     if self.temperature == 32767 { None } else { Some(self.temperature) }
-//! }
-//! /// Sets `temperature`; `None` says that it is not known.
-//! #[inline]
-//! pub fn set_temperature(&mut self, value: Option<i16>) {
-//!     self.temperature = value.unwrap_or(32767);
-//! }
-//! ```
-//!
 //! All of them are inlined: there are hundreds, of which a program uses a few, and code that is not made costs no build time.
 
 use crate::emit::token::ident;
@@ -20,7 +7,7 @@ use crate::emit::ty::{maker, number_in, value_of};
 use crate::rust::{Convert, Element, Extent, Sentinel, Unknown};
 use crate::tokens::{TokenStream, quote};
 
-/// The value, if it is known.
+/// The value, if it is known: `if self.temperature == 32767 { None } else { Some(self.temperature) }`.
 pub(in crate::emit) fn get(Sentinel { field, unknown, extent }: &Sentinel<'_>) -> TokenStream {
     let (field, known) = (ident(field), is_known(*unknown));
     match extent {
@@ -42,7 +29,7 @@ pub(in crate::emit) fn iter(Sentinel { field, unknown, extent }: &Sentinel<'_>) 
     }
 }
 
-/// Puts the value, or what says that it is not known, into the field.
+/// Puts the value, or what says that it is not known, into the field: `self.temperature = value.unwrap_or(32767);`.
 pub(in crate::emit) fn set(Sentinel { field, unknown, extent }: &Sentinel<'_>) -> TokenStream {
     match extent {
         Extent::Scalar => quote!(self.#{ident(field)} = value.unwrap_or(#unknown);),

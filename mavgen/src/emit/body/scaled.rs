@@ -1,12 +1,4 @@
 //! Getters and setters of scaled numbers: as a float, and exactly in a smaller unit; beside those of the raw number.
-//!
-//! ```text
-//! /// Supply voltage. In V.
-//! pub fn voltage(self) -> f32 { … }
-//! pub fn set_voltage(&mut self, value: f32) -> Result<(), wire::ViewError> { … }
-//! /// [`Self::voltage`] exactly, in mV.
-//! pub const fn voltage_mv(self) -> i32 { … }
-//! ```
 
 use super::bits::raw_range;
 use crate::emit::token::ident;

@@ -1,16 +1,5 @@
-//! A view of each slot of arrays that lie side by side: an iterator, and setters for simulators.
-//!
-//! ```text
-//! impl AqEscTelemetry {
-//!     pub fn escs(&self) -> impl Iterator<Item = Esc> + '_ { … }
-//!     pub fn esc(&self, index: usize) -> Option<Esc> { … }
-//!     pub fn set_esc(&mut self, index: usize, slot: Esc) -> Result<(), wire::ViewError> { … }
-//!     pub fn push_esc(&mut self, slot: Esc) -> Result<(), wire::ViewError> { … }
-//!     fn store_esc(&mut self, index: usize, slot: Esc) -> Option<()> { … }
-//! }
-//! ```
-//!
-//! And a record of values, which are read from fields of a message in the same way: `gps`, `set_gps`.
+//! A view of each slot of arrays that lie side by side: an iterator, and setters for simulators. And a record of values, which
+//! are read from fields of a message in the same way.
 
 use super::source::{array, assign, if_all_hold, joined, store_word, value_at, view_of_bits};
 use crate::emit::token::ident;
