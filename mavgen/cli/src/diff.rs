@@ -1,6 +1,5 @@
 //! `mavgen diff`: what changed between two states of a dialect, as text and as JSON.
 
-use std::fmt::Write;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -94,10 +93,10 @@ impl Diff {
                 }
                 let hidden = group == Group::Metadata && !self.all;
                 let (title, end) = (title(group, breaking), if hidden { " (--all lists them)" } else { ":" });
-                line(&mut text, format_args!("{title}, {}{end}", plural(listed.len(), "change")));
+                text += &format!("{title}, {}{end}\n", plural(listed.len(), "change"));
                 for change in listed.into_iter().filter(|_| !hidden) {
-                    line(&mut text, format_args!("  {change}"));
-                    line(&mut text, format_args!("    {}", places.of(change)));
+                    text += &format!("  {change}\n");
+                    text += &format!("    {}\n", places.of(change));
                 }
             }
         }
@@ -109,7 +108,7 @@ impl Diff {
             } else {
                 ""
             };
-            line(&mut text, format_args!("no difference{what}"));
+            text += &format!("no difference{what}\n");
         }
         text
     }
@@ -187,9 +186,4 @@ fn place(sources: &Sources, span: Span) -> Option<String> {
     let file = sources.get(span.file)?;
     let position = file.position(span.start);
     Some(format!("{}:{}:{}", file.path().display(), position.line, position.column))
-}
-
-fn line(text: &mut String, line: std::fmt::Arguments<'_>) {
-    // Writing into a String cannot fail.
-    let _ = writeln!(text, "{line}");
 }

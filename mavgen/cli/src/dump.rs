@@ -3,7 +3,6 @@
 mod uorb;
 mod view;
 
-use std::fmt::Write;
 use std::process::ExitCode;
 
 use clap::Args;
@@ -133,27 +132,24 @@ fn text(dialect: &Dialect) -> String {
     let mut text = String::new();
     for message in &dialect.messages {
         let Message { id, name, crc_extra, len_v1, len_v2, .. } = message;
-        line(
-            &mut text,
-            format_args!(
-                "{id} {}: {} ({len_v1} in MAVLink 1), crc_extra {crc_extra}",
-                name.text,
-                plural(usize::from(*len_v2), "byte")
-            ),
+        text += &format!(
+            "{id} {}: {} ({len_v1} in MAVLink 1), crc_extra {crc_extra}\n",
+            name.text,
+            plural(usize::from(*len_v2), "byte")
         );
         for field in message.wire_order() {
             field_line(&mut text, dialect, field);
         }
         for overlaid in (Overlaid { dialect, message }).lines() {
-            line(&mut text, format_args!("  {overlaid}"));
+            text += &format!("  {overlaid}\n");
         }
     }
     for enum_ in &dialect.enums {
         let kind = if enum_.bitmask { "flags" } else { "enum" };
-        line(&mut text, format_args!("{kind} {}: {}", enum_.name.text, enum_.repr.name()));
+        text += &format!("{kind} {}: {}\n", enum_.name.text, enum_.repr.name());
         for entry in &enum_.entries {
             let auto = if entry.auto { " (automatic)" } else { "" };
-            line(&mut text, format_args!("  {:>10} {}{auto}", entry.value, entry.name.text));
+            text += &format!("  {:>10} {}{auto}\n", entry.value, entry.name.text);
         }
     }
     text
@@ -165,10 +161,5 @@ fn field_line(text: &mut String, dialect: &Dialect, field: &Field) {
     let enum_ = enum_name(dialect, field).map_or_else(String::new, |name| format!(" {name}"));
     let extension = if field.extension { " extension" } else { "" };
     let (offset, name, ty) = (field.offset, &field.name.text, field.ty.scalar.wire_name());
-    line(text, format_args!("  {offset:>3} {name}: {ty}{array}{units}{enum_}{extension}"));
-}
-
-fn line(text: &mut String, line: std::fmt::Arguments<'_>) {
-    // Writing into a String cannot fail.
-    let _ = writeln!(text, "{line}");
+    *text += &format!("  {offset:>3} {name}: {ty}{array}{units}{enum_}{extension}\n");
 }

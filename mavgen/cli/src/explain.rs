@@ -1,6 +1,5 @@
 //! `mavgen explain`.
 
-use std::fmt::Write;
 use std::process::ExitCode;
 
 use clap::Args;
@@ -38,12 +37,7 @@ impl Explain {
 }
 
 fn list() -> String {
-    let mut text = String::new();
-    for code in Code::ALL {
-        // Writing into a String cannot fail.
-        let _ = writeln!(text, "{code}  {:<7}  {}", code.severity().to_string(), code.title());
-    }
-    text
+    Code::ALL.iter().map(|code| format!("{code}  {:<7}  {}\n", code.severity().to_string(), code.title())).collect()
 }
 
 /// The page of a code for a terminal: code is indented where markdown has fences.

@@ -1,6 +1,6 @@
 //! Unified diffs of bounded length.
 
-use std::fmt::{self, Write};
+use std::fmt;
 use std::fs;
 use std::path::Path;
 use std::time::Duration;
@@ -111,8 +111,5 @@ fn visible(c: char) -> char {
 }
 
 fn styled(style: Style, text: fmt::Arguments<'_>) -> String {
-    let mut styled = String::new();
-    // Writing into a String cannot fail.
-    let _ = write!(styled, "{style}{text}{style:#}");
-    styled
+    format!("{style}{text}{style:#}")
 }

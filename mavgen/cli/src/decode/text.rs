@@ -1,7 +1,5 @@
 //! Messages as text: a line each, and one more for each view and slot.
 
-use std::fmt::Write;
-
 use mavgen::decode::{Contents, Entry, Node};
 use mavlink_wire::reflect::Number;
 
@@ -35,14 +33,13 @@ fn head(received: &Received<'_>) -> String {
 /// The lines of a view: `    escs[0]: id 3, age_ms 12 ms, state ESC32_STATE_RUNNING, …`
 fn lines(text: &mut String, view: &Entry) {
     let name = &view.name;
-    // Writing into a String cannot fail.
-    let _ = match &view.node {
-        Node::List(slots) => slots
-            .iter()
-            .enumerate()
-            .try_for_each(|(index, slot)| writeln!(text, "    {name}[{index}]: {}", value(slot, None))),
-        other => writeln!(text, "    {name}: {}", value(other, view.units.as_deref())),
-    };
+    match &view.node {
+        Node::List(slots) => {
+            let slots = slots.iter().enumerate();
+            text.extend(slots.map(|(index, slot)| format!("    {name}[{index}]: {}\n", value(slot, None))));
+        }
+        other => *text += &format!("    {name}: {}\n", value(other, view.units.as_deref())),
+    }
 }
 
 fn field(field: &Entry) -> String {

@@ -1,14 +1,10 @@
 //! uORB messages: hashes, lengths, both layouts, constants and enums.
 
-use std::fmt::Write;
-
 use mavgen::ir::{Invalid, Scope, Sentinel};
 use mavgen::uorb::log_format;
 use mavgen::uorb::model::{Element, Enum, Field, Message, Package};
 use mavgen::uorb::union::Definition;
 use serde_json::{Number, Value, json};
-
-use super::line;
 
 /// A definition as JSON. What a message nests stands before it; fields, constants and entries are in the order of the file.
 pub(super) fn json(definition: &Definition) -> String {
@@ -104,39 +100,33 @@ pub(super) fn text(definition: &Definition) -> String {
     for message in &package.messages {
         let Message { name, hash, cdr_len, struct_len, .. } = message;
         let version = message.version.map(|version| format!(" version {version}")).unwrap_or_default();
-        line(
-            &mut text,
-            format_args!("{name}{version}: hash {hash:08x}, {cdr_len} bytes as CDR, {struct_len} as a struct"),
-        );
-        line(&mut text, format_args!("  {}", message.type_hash));
-        line(&mut text, format_args!("  topics: {}", message.topics.join(" ")));
-        line(&mut text, format_args!("   cdr struct"));
+        text += &format!("{name}{version}: hash {hash:08x}, {cdr_len} bytes as CDR, {struct_len} as a struct\n");
+        text += &format!("  {}\n", message.type_hash);
+        text += &format!("  topics: {}\n", message.topics.join(" "));
+        text += "   cdr struct\n";
         for field in &message.fields {
             field_line(&mut text, package, field);
         }
         for constant in &message.constants {
-            line(&mut text, format_args!("  {} = {}: {}", constant.name, constant.value, constant.scalar.name()));
+            text += &format!("  {} = {}: {}\n", constant.name, constant.value, constant.scalar.name());
         }
     }
     for one in &package.enums {
         let kind = if one.flags { "flags" } else { "enum" };
-        line(&mut text, format_args!("{kind} {}: {}", one.name.text, one.repr.name()));
+        text += &format!("{kind} {}: {}\n", one.name.text, one.repr.name());
         for entry in &one.entries {
-            line(&mut text, format_args!("  {:>10} {} ({})", entry.value, entry.label, entry.constant.name));
+            text += &format!("  {:>10} {} ({})\n", entry.value, entry.label, entry.constant.name);
         }
     }
     text
 }
 
 fn field_line(text: &mut String, package: &Package, field: &Field) {
-    let mut said = String::new();
     let enum_ = field.enum_.and_then(|index| package.enum_(index)).map(|one| one.name.text.clone());
     let unknown = field.invalid.as_ref().map(|one| format!("unknown: {}", invalid(one)));
-    for part in [field.docs.units.clone(), enum_, unknown].into_iter().flatten() {
-        // Writing into a String cannot fail.
-        let _ = write!(said, " {part}");
-    }
+    let said = [field.docs.units.clone(), enum_, unknown].into_iter().flatten();
+    let said: String = said.map(|part| format!(" {part}")).collect();
     let array = field.array.map(|length| format!("[{length}]")).unwrap_or_default();
     let (cdr, at, name, ty) = (field.cdr_offset, field.struct_offset, &field.name, type_name(package, field));
-    line(text, format_args!("  {cdr:>4} {at:>6}  {name}: {ty}{array}{said}"));
+    *text += &format!("  {cdr:>4} {at:>6}  {name}: {ty}{array}{said}\n");
 }
