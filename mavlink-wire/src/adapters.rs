@@ -1,5 +1,7 @@
 //! Frames over something that carries bytes: each module a thin adapter behind a feature.
 
+#[cfg(any(feature = "std", feature = "embedded-io", feature = "embedded-io-async"))]
+pub(crate) mod chunk;
 #[cfg(all(feature = "std", feature = "signing"))]
 pub(crate) mod clock;
 #[cfg(any(feature = "embedded-io", feature = "embedded-io-async"))]

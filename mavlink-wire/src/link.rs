@@ -72,7 +72,6 @@
 //! [`Link::split`] returns a half that receives and a half that sends. The sending half can be cloned.
 
 mod address;
-mod chunk;
 mod connection;
 mod ends;
 mod error;
@@ -102,8 +101,7 @@ pub use options::Options;
 pub use peer::Peer;
 pub use statistics::LinkStatistics;
 
-pub(crate) use chunk::MAX_CHUNK;
-pub(crate) use inbox::Inbox;
+pub(crate) use inbox::{Inbox, MAX_CHUNK};
 pub(crate) use outbox::Outbox;
 pub(crate) use peers::Peers;
 pub(crate) use pending::Pending;

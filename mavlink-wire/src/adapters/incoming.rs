@@ -1,23 +1,18 @@
 //! What the readers share: a parser, and the bytes that it has still to see.
 
-use crate::frame::Outline;
-use crate::frame::key::{SETUP_SIGNING, WIPES, wipe_around};
+use super::chunk::Chunk;
+use crate::frame::{Outline, SETUP_SIGNING};
 use crate::{Frame, MAX_FRAME, Parser, Statistics, Table};
 
 /// Bytes without a frame after which a call returns. Counted by `u32`: a `usize` may have 16 bits.
 pub(crate) const ENOUGH: u32 = 65_536;
 
 /// A parser and its input, in a buffer `B`.
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 pub(crate) struct Incoming<'t, B> {
     parser: Parser<'t>,
-    buffer: B,
-    /// The parser has still to see `start..end` of the buffer.
-    start: usize,
-    end: usize,
+    chunk: Chunk<B>,
     ended: bool,
-    /// A frame that carries a key was found, and is to be wiped once it is used.
-    found_key: bool,
 }
 
 /// A frame that was found, and where: a frame itself could not be kept while the search may go on.
@@ -56,7 +51,7 @@ impl Found {
 impl<'t, const N: usize> Incoming<'t, [u8; N]> {
     pub(crate) const fn new(table: &'t Table<'t>) -> Self {
         const { assert!(N > 0, "nothing can be read into an empty buffer") }
-        Self { parser: Parser::new(table), buffer: [0; N], start: 0, end: 0, ended: false, found_key: false }
+        Self { parser: Parser::new(table), chunk: Chunk::new([0; N]), ended: false }
     }
 }
 
@@ -80,55 +75,28 @@ impl<B: AsRef<[u8]> + AsMut<[u8]>> Incoming<'_, B> {
     }
 
     fn next(&mut self, bad_checksum: &mut impl FnMut(u32)) -> Option<Found> {
-        self.wipe_used_key();
-        let mut input = self.buffer.as_ref().get(self.start..self.end).unwrap_or_default();
-        let found = Found::next(&mut self.parser, &mut input, bad_checksum);
-        self.start = self.end - input.len();
-        self.found_key = found.is_some_and(|found| found.carries_key());
-        found
-    }
-
-    /// Overwrites the key that was handed over last, in pieces of former reads, too.
-    fn wipe_used_key(&mut self) {
-        if WIPES && core::mem::take(&mut self.found_key) {
-            wipe_around(self.buffer.as_mut(), self.start, self.end);
-        }
+        self.chunk.wipe_used_key();
+        self.chunk.find(&mut self.parser, bad_checksum)
     }
 
     /// The frame that was found last.
     pub(crate) fn frame(&self, found: &Found) -> Frame<'_> {
-        found.frame(&self.parser, self.buffer.as_ref().get(..self.start).unwrap_or_default())
+        found.frame(&self.parser, self.chunk.used())
     }
 
     /// Where to read to, when nothing is found any more.
     pub(crate) fn space(&mut self) -> &mut [u8] {
-        (self.start, self.end) = (0, 0);
-        self.buffer.as_mut()
+        self.chunk.space()
     }
 
     /// Takes what was read, which is the end of the stream if it is nothing. Gives back how many bytes there are now.
     pub(crate) fn fill(&mut self, count: usize) -> u32 {
-        self.end = count.min(self.buffer.as_ref().len());
         self.ended = count == 0;
-        self.end.try_into().unwrap_or(ENOUGH)
+        self.chunk.fill(count).try_into().unwrap_or(ENOUGH)
     }
 
     /// Whether the stream has ended. It is said once: a file may grow.
     pub(crate) fn take_end(&mut self) -> bool {
         core::mem::take(&mut self.ended)
-    }
-}
-
-/// What it holds is left out: it may be a key.
-impl<B> core::fmt::Debug for Incoming<'_, B> {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        let Self { parser, start, end, ended, .. } = self;
-        let mut debug = f.debug_struct("Incoming");
-        debug
-            .field("parser", parser)
-            .field("start", start)
-            .field("end", end)
-            .field("ended", ended)
-            .finish_non_exhaustive()
     }
 }

@@ -1,12 +1,14 @@
 //! From bytes that came to frames that are handed over: what every link does, however it waits.
 
+use std::boxed::Box;
 use std::io;
 use std::net::SocketAddr;
 use std::time::{Duration, Instant};
+use std::vec;
 
-use super::chunk::Chunk;
 use super::sources::Sources;
 use super::{Peer, Peers};
+use crate::adapters::chunk::Chunk;
 #[cfg(feature = "signing")]
 use crate::adapters::clock;
 use crate::adapters::incoming::Found;
@@ -15,11 +17,16 @@ use crate::adapters::pause::is_passing;
 use crate::signing::{Trust, Verifier};
 use crate::{Frame, Statistics, Table};
 
+/// No datagram is longer.
+pub(crate) const MAX_CHUNK: usize = 65_536;
+
 /// Parsers, one for each that sends, and what says which frames to hand over.
 #[derive(Debug)]
 pub(crate) struct Inbox<'t> {
     sources: Sources<'t>,
-    chunk: Chunk,
+    chunk: Chunk<Box<[u8]>>,
+    /// Who sent the chunk, until it is used up.
+    from: Option<Peer>,
     pub(crate) peers: Peers,
     /// How long the rest of a frame is waited for, while nothing comes.
     silence: Duration,
@@ -41,7 +48,8 @@ impl<'t> Inbox<'t> {
     pub(crate) fn new(table: &'t Table<'t>, peers: Peers, silence: Duration) -> Self {
         Self {
             sources: Sources::new(table),
-            chunk: Chunk::new(),
+            chunk: Chunk::new(vec![0; MAX_CHUNK].into_boxed_slice()),
+            from: None,
             peers,
             silence,
             #[cfg(feature = "signing")]
@@ -69,6 +77,7 @@ impl<'t> Inbox<'t> {
 
     /// Where to receive to, when nothing is found any more.
     pub(crate) fn space(&mut self) -> &mut [u8] {
+        self.from = None;
         self.chunk.space()
     }
 
@@ -79,7 +88,8 @@ impl<'t> Inbox<'t> {
         if waited >= self.silence {
             self.sources.give_up(self.silence, now);
         }
-        self.chunk.fill(length, from);
+        self.chunk.fill(length);
+        self.from = Some(from);
         self.sources.receive(from, &self.peers, now);
     }
 
@@ -131,15 +141,11 @@ impl<'t> Inbox<'t> {
             self.chunk.found_key = found.carries_key();
             return Some((place, found));
         }
-        let place = self.sources.place_of(self.chunk.from?)?;
-        let mut input = self.chunk.rest();
-        let found = Found::next(self.sources.parser(place)?, &mut input, bad_checksum);
-        let rest = input.len();
-        self.chunk.leave(rest);
+        let place = self.sources.place_of(self.from?)?;
+        let found = self.chunk.find(self.sources.parser(place)?, bad_checksum);
         if found.is_none() {
-            self.chunk.from = None;
+            self.from = None;
         }
-        self.chunk.found_key = found.is_some_and(|found| found.carries_key());
         found.map(|found| (place, found))
     }
 
