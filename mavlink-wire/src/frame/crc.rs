@@ -18,8 +18,30 @@ use super::header::LONGEST as LONGEST_HEADER;
 use crate::MAX_PAYLOAD;
 use crate::parser::work;
 
+/// For each byte the register after it, where it was empty before; further tables have it after one more zero each.
 #[cfg(feature = "fast-crc")]
-static TABLE: crc::Crc<u16, crc::Table<16>> = crc::Crc::<u16, crc::Table<16>>::new(&crc::CRC_16_MCRF4XX);
+static TABLES: [[u16; 256]; 16] = tables();
+
+#[cfg(feature = "fast-crc")]
+#[expect(clippy::indexing_slicing, reason = "the indices end where the tables do")]
+const fn tables() -> [[u16; 256]; 16] {
+    let (mut tables, mut zeros) = ([[0; 256]; 16], 0);
+    while zeros < 16 {
+        let mut bit = 1;
+        while bit < 256 {
+            let crc = if zeros == 0 { step(0, bit as u8) } else { step(tables[zeros - 1][bit], 0) };
+            let (table, mut lower) = (&mut tables[zeros], 0);
+            // The register after two bits is the sum of those after each.
+            while lower < bit {
+                table[bit + lower] = crc ^ table[lower];
+                lower += 1;
+            }
+            bit *= 2;
+        }
+        zeros += 1;
+    }
+    tables
+}
 
 /// The checksum of these bytes.
 ///
@@ -54,7 +76,7 @@ pub fn checksum(bytes: &[u8]) -> u16 {
 fn after(crc: u16, block: &[u8; 16]) -> u16 {
     let [low, high] = crc.to_le_bytes();
     let [first, second, others @ ..] = *block;
-    let [tables @ .., second_table, first_table] = TABLE.table();
+    let [tables @ .., second_table, first_table] = &TABLES;
     // What does not wait for the block before comes first.
     let sum = others.iter().rev().zip(tables).fold(0, |sum, (&byte, table)| sum ^ table[usize::from(byte)]);
     sum ^ second_table[usize::from(second ^ high)] ^ first_table[usize::from(first ^ low)]
