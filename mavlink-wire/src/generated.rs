@@ -4,13 +4,13 @@
 
 pub use crate::message::dialect::{decode_variant, decode_variant_into};
 pub use crate::message::enums::{debug_entry, fmt_entry, parse};
-pub use crate::message::flags::{fmt_flags, parse_flags};
+pub use crate::message::flags::{fmt_flags, parse_flags, union};
 pub use crate::message::record::Several;
 pub use crate::message::scale::raw_of;
 pub use crate::message::wire::{Wire, get, put, zero_extended};
 pub use crate::parser::table::{index, index_length};
 
-pub use crate::reflect::{debug_message, debug_variant, fmt_message};
+pub use crate::reflect::{debug_message, debug_variant, fmt_message, fmt_variant};
 
 #[cfg(feature = "uorb")]
 pub use crate::uorb::code::{

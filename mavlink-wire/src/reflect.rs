@@ -60,7 +60,7 @@ mod store;
 
 use core::fmt;
 
-use crate::{Encode, FieldInfo, MAX_PAYLOAD, MessageInfo};
+use crate::{Dialect, Encode, FieldInfo, MAX_PAYLOAD, Message, MessageInfo};
 
 use field::Plain;
 pub use field::{Element, Elements, Field, Value};
@@ -122,38 +122,35 @@ impl fmt::Display for Reflected<'_> {
     }
 }
 
-/// What the macros make of a message or a dialect's enum: one function for all.
+/// `Display` of a message.
 ///
 /// # Errors
 ///
 /// Those of the formatter.
 #[doc(hidden)]
-pub fn fmt_message(message: &dyn Encode, fields: &[FieldInfo], f: &mut fmt::Formatter<'_>) -> fmt::Result {
-    let mut payload = [0; MAX_PAYLOAD];
-    message.write(&mut payload);
-    fmt::Display::fmt(&Reflected::new(message.info(), fields, &payload), f)
+pub fn fmt_message<M: Message>(message: &M, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    show(message, M::FIELDS, f)
+}
+
+/// `Display` of a dialect's enum: that of the message in it.
+///
+/// # Errors
+///
+/// Those of the formatter.
+#[doc(hidden)]
+pub fn fmt_variant<D: Dialect>(message: &D, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    show(message, fields(message), f)
 }
 
 /// `Debug` of a message, as if it were derived; but fields have the names of the XML, a value without a name is a number, and a
-/// secret key is not shown. One function for all: derived for each message, it took a tenth of a dialect's compile time.
+/// secret key is not shown.
 ///
 /// # Errors
 ///
 /// Those of the formatter.
 #[doc(hidden)]
-pub fn debug_message(
-    message: &dyn Encode,
-    name: &str,
-    fields: &[FieldInfo],
-    f: &mut fmt::Formatter<'_>,
-) -> fmt::Result {
-    let mut payload = [0; MAX_PAYLOAD];
-    message.write(&mut payload);
-    let mut shown = f.debug_struct(name);
-    for info in fields {
-        shown.field(info.name, &Plain(Field::new(info, &payload)));
-    }
-    shown.finish()
+pub fn debug_message<M: Message>(message: &M, name: &str, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    debug(message, name, M::FIELDS, f)
 }
 
 /// `Debug` of a dialect's enum, whose variants are called like the messages in them.
@@ -162,13 +159,30 @@ pub fn debug_message(
 ///
 /// Those of the formatter.
 #[doc(hidden)]
-pub fn debug_variant(
-    message: &dyn Encode,
-    name: &str,
-    fields: &[FieldInfo],
-    f: &mut fmt::Formatter<'_>,
-) -> fmt::Result {
-    f.debug_tuple(name).field(&Inner { message, name, fields }).finish()
+pub fn debug_variant<D: Dialect>(message: &D, name: &str, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    f.debug_tuple(name).field(&Inner { message, name, fields: fields(message) }).finish()
+}
+
+fn fields<D: Dialect>(message: &D) -> &'static [FieldInfo] {
+    D::fields(message.info().id).unwrap_or_default()
+}
+
+/// One function for all messages, as [`debug`].
+fn show(message: &dyn Encode, fields: &[FieldInfo], f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    let mut payload = [0; MAX_PAYLOAD];
+    message.write(&mut payload);
+    fmt::Display::fmt(&Reflected::new(message.info(), fields, &payload), f)
+}
+
+/// Derived for each message, it took a tenth of a dialect's compile time.
+fn debug(message: &dyn Encode, name: &str, fields: &[FieldInfo], f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    let mut payload = [0; MAX_PAYLOAD];
+    message.write(&mut payload);
+    let mut shown = f.debug_struct(name);
+    for info in fields {
+        shown.field(info.name, &Plain(Field::new(info, &payload)));
+    }
+    shown.finish()
 }
 
 /// The message in a dialect's enum.
@@ -180,6 +194,6 @@ struct Inner<'a> {
 
 impl fmt::Debug for Inner<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        debug_message(self.message, self.name, self.fields, f)
+        debug(self.message, self.name, self.fields, f)
     }
 }

@@ -58,22 +58,22 @@ const MUTANTS: [Mutant; 16] = [
     Mutant {
         name: "decode_offset",
         file: HEARTBEAT,
-        edits: &[("system_status: get(p, 7)", "system_status: get(p, 6)")],
+        edits: &[("system_status: MavState(get(p, 7))", "system_status: MavState(get(p, 6))")],
     },
     Mutant {
         name: "encode_offset",
         file: HEARTBEAT,
-        edits: &[("put(p, 7, self.system_status)", "put(p, 6, self.system_status)")],
+        edits: &[("put(p, 7, self.system_status.0)", "put(p, 6, self.system_status.0)")],
     },
     // A wrong offset in everything that knows one: no round trip notices it.
     Mutant {
         name: "offset",
         file: HEARTBEAT,
         edits: &[
-            ("autopilot: get(p, 5)", "autopilot: get(p, 6)"),
-            ("base_mode: get(p, 6)", "base_mode: get(p, 5)"),
-            ("put(p, 5, self.autopilot)", "put(p, 6, self.autopilot)"),
-            ("put(p, 6, self.base_mode)", "put(p, 5, self.base_mode)"),
+            ("autopilot: MavAutopilot(get(p, 5))", "autopilot: MavAutopilot(get(p, 6))"),
+            ("from_bits_retain(get(p, 6))", "from_bits_retain(get(p, 5))"),
+            ("put(p, 5, self.autopilot.0)", "put(p, 6, self.autopilot.0)"),
+            ("put(p, 6, self.base_mode.bits())", "put(p, 5, self.base_mode.bits())"),
             ("\"autopilot\", wire::Kind::U8, 5", "\"autopilot\", wire::Kind::U8, 6"),
             ("\"base_mode\", wire::Kind::U8, 6", "\"base_mode\", wire::Kind::U8, 5"),
         ],

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! /// State of a system.
-//! #[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+//! #[derive(Clone, Copy, PartialEq)]
 //! pub struct MavState(pub u8);
 //!
 //! impl MavState {
@@ -53,7 +53,7 @@ fn declaration(one: &Enum<'_>) -> TokenStream {
         #docs
         #alias
         #deprecated
-        #[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        #[derive(Clone, Copy, PartialEq)]
         pub struct #name(#inner);
     }
 }

@@ -2,7 +2,7 @@
 
 use super::doc;
 use super::token::{decimal, float, ident, integer};
-use super::ty::ty;
+use super::ty::{number_in, ty, value_of};
 use crate::ir::{self, Invalid, Scalar, Scope, Sentinel};
 use crate::rust::{Element, Field, Shape};
 use crate::tokens::{Ident, Literal, ToTokens, TokenStream, quote};
@@ -42,16 +42,25 @@ fn shaped(shape: Shape, element: &TokenStream, chars: impl Fn(Literal) -> TokenS
     }
 }
 
-/// `cog: get(p, 26),`
+/// `cog: get(p, 26),`, `fix_type: GpsFixType(get(p, 28)),`
 pub(super) fn load(field: &Field<'_>) -> TokenStream {
     let (name, offset) = (ident(field.ident), decimal(field.wire.offset));
-    quote!(#name: get(p, #offset),)
+    let value = quote!(get(p, #offset));
+    let value = if is_single_enum(field) { value_of(field.element, &value) } else { value };
+    quote!(#name: #value,)
 }
 
-/// `put(p, 26, self.cog);`
+/// `put(p, 26, self.cog);`, `put(p, 28, self.fix_type.0);`
 pub(super) fn store(field: &Field<'_>) -> TokenStream {
     let (name, offset) = (ident(field.ident), decimal(field.wire.offset));
-    quote!(put(p, #offset, self.#name);)
+    let value = quote!(self.#name);
+    let value = if is_single_enum(field) { number_in(field.element, &value) } else { value };
+    quote!(put(p, #offset, #value);)
+}
+
+/// Whether it is an enum and no array: its integer is read and written, since functions for each enum take time to compile.
+fn is_single_enum(field: &Field<'_>) -> bool {
+    field.shape == Shape::One && matches!(field.element, Element::Enum(_))
 }
 
 /// `wire::FieldInfo::array("voltages", wire::Kind::U16, 10, 10).units("mV").invalid(…),`

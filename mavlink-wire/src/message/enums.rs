@@ -29,7 +29,7 @@ pub trait Enum: Copy + Eq + From<<Self as Enum>::Repr> + Into<<Self as Enum>::Re
 }
 
 /// An integer that can carry an enum: `u8` to `u64`, `i8` to `i64`.
-pub trait Repr: Wire + Eq {
+pub trait Repr: Wire + Eq + fmt::Debug + fmt::Display + TryFrom<i128> {
     /// The type in the XML.
     const KIND: Kind;
 
@@ -74,17 +74,40 @@ repr!(u8 as u8 U8 u16 as u16 U16 u32 as u32 U32 u64 as u64 U64);
 repr!(i8 as u8 I8 i16 as u16 I16 i32 as u32 I32 i64 as u64 I64);
 
 /// Writes the entry's name, or the number if there is none.
+///
+/// # Errors
+///
+/// Those of the formatter.
 #[doc(hidden)]
-pub fn fmt_entry(info: &EnumInfo, value: u64, number: &dyn fmt::Display, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+pub fn fmt_entry<E: Enum>(value: &E, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    let number = value.repr();
+    fmt_named(E::INFO, number.number() as u64, &number, f)
+}
+
+/// Writes the entry's name, or `MavState(9)` if there is none.
+///
+/// # Errors
+///
+/// Those of the formatter.
+#[doc(hidden)]
+pub fn debug_entry<E: Enum>(value: &E, rust_name: &str, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    let number = value.repr();
+    debug_named(E::INFO, number.number() as u64, (rust_name, &number), f)
+}
+
+pub(crate) fn fmt_named(
+    info: &EnumInfo,
+    value: u64,
+    number: &dyn fmt::Display,
+    f: &mut fmt::Formatter<'_>,
+) -> fmt::Result {
     match info.entry_name(value) {
         Some(name) => f.pad(name),
         None => number.fmt(f),
     }
 }
 
-/// Writes the entry's name, or `MavState(9)` if there is none.
-#[doc(hidden)]
-pub fn debug_entry(
+fn debug_named(
     info: &EnumInfo,
     value: u64,
     (rust_name, number): (&str, &dyn fmt::Debug),
@@ -97,11 +120,12 @@ pub fn debug_entry(
 }
 
 /// Reads an entry's name, or a number that fits.
+///
+/// # Errors
+///
+/// There is no such entry.
 #[doc(hidden)]
-pub fn parse<E: Enum>(text: &str) -> Result<E, UnknownName>
-where
-    E::Repr: TryFrom<i128>,
-{
+pub fn parse<E: Enum>(text: &str) -> Result<E, UnknownName> {
     match E::Repr::try_from(parse_entry(E::INFO, text, E::Repr::IS_SIGNED)?) {
         Ok(repr) => Ok(E::from_repr(repr)),
         Err(_) => Err(UnknownName::of(E::INFO)),
@@ -137,13 +161,12 @@ pub(crate) fn number(text: &str) -> Option<u64> {
 /// Completes `pub struct MavState(pub u8)` to an open enum: text both ways, conversions, the wire.
 ///
 /// `open_enum!(MavState, u8, INFO)` takes the type, its integer and a [`EnumInfo`](crate::EnumInfo) static. The type
-/// and its constants are written out beside it, with `Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash`
-/// derived, so that the constants can be patterns.
+/// and its constants are written out beside it, with `Clone, Copy, PartialEq` derived, so that the constants can be patterns.
 ///
 /// ```
 /// use mavlink_wire as wire;
 ///
-/// #[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+/// #[derive(Clone, Copy, PartialEq)]
 /// pub struct MavState(pub u8);
 ///
 /// impl MavState {
@@ -184,14 +207,14 @@ macro_rules! open_enum {
         impl ::core::fmt::Debug for $name {
             #[inline]
             fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
-                $crate::generated::debug_entry(&$info, self.0 as u64, (::core::stringify!($name), &self.0), f)
+                $crate::generated::debug_entry(self, ::core::stringify!($name), f)
             }
         }
 
         impl ::core::fmt::Display for $name {
             #[inline]
             fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
-                $crate::generated::fmt_entry(&$info, self.0 as u64, &self.0, f)
+                $crate::generated::fmt_entry(self, f)
             }
         }
 
@@ -204,10 +227,22 @@ macro_rules! open_enum {
             }
         }
 
+        $crate::__number!($name, $repr);
+        $crate::__serde!($name, serialize_enum, deserialize_enum);
+        $crate::__defmt!($name, value);
+        $crate::__arbitrary!($name, value, value_size);
+    };
+}
+
+/// What enums and flags have as numbers: conversions, an order, a hash, and zero by default.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __number {
+    ($name:ident, $repr:ident) => {
         impl ::core::convert::From<$repr> for $name {
             #[inline]
-            fn from(value: $repr) -> Self {
-                Self(value)
+            fn from(number: $repr) -> Self {
+                Self(number)
             }
         }
 
@@ -218,8 +253,35 @@ macro_rules! open_enum {
             }
         }
 
-        $crate::__serde!($name, serialize_enum, deserialize_enum);
-        $crate::__defmt!($name, value);
-        $crate::__arbitrary!($name, value, value_size);
+        impl ::core::default::Default for $name {
+            #[inline]
+            fn default() -> Self {
+                Self(0)
+            }
+        }
+
+        // Derived, it would be a function that is compiled.
+        impl ::core::cmp::Eq for $name {}
+
+        impl ::core::cmp::PartialOrd for $name {
+            #[inline]
+            fn partial_cmp(&self, other: &Self) -> ::core::option::Option<::core::cmp::Ordering> {
+                ::core::option::Option::Some(::core::cmp::Ord::cmp(self, other))
+            }
+        }
+
+        impl ::core::cmp::Ord for $name {
+            #[inline]
+            fn cmp(&self, other: &Self) -> ::core::cmp::Ordering {
+                ::core::cmp::Ord::cmp(&self.0, &other.0)
+            }
+        }
+
+        impl ::core::hash::Hash for $name {
+            #[inline]
+            fn hash<H: ::core::hash::Hasher>(&self, state: &mut H) {
+                ::core::hash::Hash::hash(&self.0, state)
+            }
+        }
     };
 }

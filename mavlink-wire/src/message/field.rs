@@ -54,32 +54,37 @@ impl FieldInfo {
 
     /// Marks an extension field.
     #[must_use]
-    pub const fn extension(self) -> Self {
-        Self { extension: true, ..self }
+    pub const fn extension(mut self) -> Self {
+        self.extension = true;
+        self
     }
 
     /// Sets the unit, in the XML's spelling.
     #[must_use]
-    pub const fn units(self, units: &'static str) -> Self {
-        Self { units: Some(units), ..self }
+    pub const fn units(mut self, units: &'static str) -> Self {
+        self.units = Some(units);
+        self
     }
 
     /// Sets the enum that lists the values or bits.
     #[must_use]
-    pub const fn values(self, values: &'static EnumInfo) -> Self {
-        Self { values: Some(values), ..self }
+    pub const fn values(mut self, values: &'static EnumInfo) -> Self {
+        self.values = Some(values);
+        self
     }
 
     /// Sets the value that means "not known".
     #[must_use]
-    pub const fn invalid(self, invalid: Invalid) -> Self {
-        Self { invalid: Some(invalid), ..self }
+    pub const fn invalid(mut self, invalid: Invalid) -> Self {
+        self.invalid = Some(invalid);
+        self
     }
 
     /// Marks a secret key.
     #[must_use]
-    pub const fn secret(self) -> Self {
-        Self { secret: true, ..self }
+    pub const fn secret(mut self) -> Self {
+        self.secret = true;
+        self
     }
 
     /// Bytes that the field takes in the payload, all elements together.

@@ -4,7 +4,7 @@
 //!
 //! ```
 //! # use mavlink_wire as wire;
-//! # #[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+//! # #[derive(Clone, Copy, PartialEq)]
 //! # pub struct MavModeFlag(pub u8);
 //! # impl MavModeFlag {
 //! #     pub const GUIDED_ENABLED: Self = Self(8);
@@ -63,6 +63,11 @@ impl Contained {
     }
 }
 
+/// Without what the sign of a number left above.
+const fn low_bits(bits: u64, width: u32) -> u64 {
+    bits & (u64::MAX >> (u64::BITS - width))
+}
+
 /// Iterator over the entries of a flags value, and in the end the bits that no entry names.
 #[derive(Clone, Debug)]
 pub struct Iter<F> {
@@ -72,8 +77,8 @@ pub struct Iter<F> {
 
 impl<F> Iter<F> {
     #[doc(hidden)]
-    pub const fn new(info: &'static EnumInfo, bits: u64) -> Self {
-        Self { contained: Contained::new(info, bits), flags: PhantomData }
+    pub const fn new(info: &'static EnumInfo, bits: u64, width: u32) -> Self {
+        Self { contained: Contained::new(info, low_bits(bits, width)), flags: PhantomData }
     }
 }
 
@@ -98,8 +103,8 @@ pub struct IterNames<F> {
 
 impl<F> IterNames<F> {
     #[doc(hidden)]
-    pub const fn new(info: &'static EnumInfo, bits: u64) -> Self {
-        Self { contained: Contained::new(info, bits), flags: PhantomData }
+    pub const fn new(info: &'static EnumInfo, bits: u64, width: u32) -> Self {
+        Self { contained: Contained::new(info, low_bits(bits, width)), flags: PhantomData }
     }
 }
 
@@ -120,9 +125,35 @@ impl<F: Enum> Iterator for IterNames<F> {
     }
 }
 
-/// Writes `A | B | 0x40`: names in the XML, then the bits without one; `0` for none.
+/// All bits of these flags together.
 #[doc(hidden)]
-pub fn fmt_flags(info: &EnumInfo, bits: u64, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+pub fn union<F: Enum>(first: F, others: impl IntoIterator<Item = F>) -> F {
+    let bits = others.into_iter().fold(first.repr().bits(), |bits, flags| bits | flags.repr().bits());
+    F::from_repr(F::Repr::from_bits(bits))
+}
+
+/// Writes `A | B | 0x40`: names in the XML, then the bits without one; `0` for none.
+///
+/// # Errors
+///
+/// Those of the formatter.
+#[doc(hidden)]
+pub fn fmt_flags<F: Enum>(flags: &F, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    fmt_bits(F::INFO, flags.repr().bits(), f)
+}
+
+/// Reads what [`fmt_flags`] writes, and decimal numbers.
+///
+/// # Errors
+///
+/// A name is unknown, or a bit does not fit.
+#[doc(hidden)]
+pub fn parse_flags<F: Enum>(text: &str) -> Result<F, UnknownName> {
+    let bits = parse_bits(F::INFO, F::Repr::from_bits(u64::MAX).bits(), text)?;
+    Ok(F::from_repr(F::Repr::from_bits(bits)))
+}
+
+pub(crate) fn fmt_bits(info: &EnumInfo, bits: u64, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     if bits == 0 {
         return f.write_str("0");
     }
@@ -138,9 +169,8 @@ pub fn fmt_flags(info: &EnumInfo, bits: u64, f: &mut fmt::Formatter<'_>) -> fmt:
     }
 }
 
-/// Reads what [`fmt_flags`] writes, decimal numbers too; bits outside `mask` do not fit.
-#[doc(hidden)]
-pub fn parse_flags(info: &'static EnumInfo, mask: u64, text: &str) -> Result<u64, UnknownName> {
+/// Bits outside `mask` do not fit.
+pub(crate) fn parse_bits(info: &'static EnumInfo, mask: u64, text: &str) -> Result<u64, UnknownName> {
     let mut bits = 0;
     for word in text.split('|') {
         let word = word.trim();

@@ -34,20 +34,23 @@ impl MessageInfo {
 
     /// Sets the payload length without extension fields.
     #[must_use]
-    pub const fn len_v1(self, length: u8) -> Self {
-        Self { len_v1: length, ..self }
+    pub const fn len_v1(mut self, length: u8) -> Self {
+        self.len_v1 = length;
+        self
     }
 
     /// Sets the offset of the addressed system's id.
     #[must_use]
-    pub const fn target_system(self, offset: u8) -> Self {
-        Self { target_system: Some(offset), ..self }
+    pub const fn target_system(mut self, offset: u8) -> Self {
+        self.target_system = Some(offset);
+        self
     }
 
     /// Sets the offset of the addressed component's id.
     #[must_use]
-    pub const fn target_component(self, offset: u8) -> Self {
-        Self { target_component: Some(offset), ..self }
+    pub const fn target_component(mut self, offset: u8) -> Self {
+        self.target_component = Some(offset);
+        self
     }
 }
 
@@ -117,9 +120,9 @@ struct Shown<'a> {
 impl fmt::Display for Shown<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.info.bitmask {
-            flags::fmt_flags(self.info, self.value, f)
+            flags::fmt_bits(self.info, self.value, f)
         } else {
-            enums::fmt_entry(self.info, self.value, &self.value, f)
+            enums::fmt_named(self.info, self.value, &self.value, f)
         }
     }
 }
@@ -167,49 +170,57 @@ impl ParamInfo {
 
     /// Sets the short name.
     #[must_use]
-    pub const fn label(self, label: &'static str) -> Self {
-        Self { label: Some(label), ..self }
+    pub const fn label(mut self, label: &'static str) -> Self {
+        self.label = Some(label);
+        self
     }
 
     /// Sets the unit, in the XML's spelling.
     #[must_use]
-    pub const fn units(self, units: &'static str) -> Self {
-        Self { units: Some(units), ..self }
+    pub const fn units(mut self, units: &'static str) -> Self {
+        self.units = Some(units);
+        self
     }
 
     /// Sets the name in the XML of the enum that lists the values.
     #[must_use]
-    pub const fn values(self, name: &'static str) -> Self {
-        Self { values: Some(name), ..self }
+    pub const fn values(mut self, name: &'static str) -> Self {
+        self.values = Some(name);
+        self
     }
 
     /// Sets the smallest sensible value.
     #[must_use]
-    pub const fn min(self, min: f32) -> Self {
-        Self { min: Some(min), ..self }
+    pub const fn min(mut self, min: f32) -> Self {
+        self.min = Some(min);
+        self
     }
 
     /// Sets the largest sensible value.
     #[must_use]
-    pub const fn max(self, max: f32) -> Self {
-        Self { max: Some(max), ..self }
+    pub const fn max(mut self, max: f32) -> Self {
+        self.max = Some(max);
+        self
     }
 
     /// Sets the step between sensible values.
     #[must_use]
-    pub const fn increment(self, increment: f32) -> Self {
-        Self { increment: Some(increment), ..self }
+    pub const fn increment(mut self, increment: f32) -> Self {
+        self.increment = Some(increment);
+        self
     }
 
     /// Sets the value to send when nothing else is known.
     #[must_use]
-    pub const fn default(self, default: f32) -> Self {
-        Self { default: Some(default), ..self }
+    pub const fn default(mut self, default: f32) -> Self {
+        self.default = Some(default);
+        self
     }
 
     /// Marks the parameter as not in use.
     #[must_use]
-    pub const fn reserved(self) -> Self {
-        Self { reserved: true, ..self }
+    pub const fn reserved(mut self) -> Self {
+        self.reserved = true;
+        self
     }
 }

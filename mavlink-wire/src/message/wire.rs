@@ -100,20 +100,34 @@ impl<T: Wire, const N: usize> Wire for [T; N] {
 
     #[inline]
     fn read(bytes: &[u8], offset: usize) -> Self {
-        let there = bytes.get(offset..).unwrap_or_default();
         // Zeros that are there: reading what is not would be a call, and more than all the rest.
         let mut array = [T::read(&[0; 8], 0); N];
-        for (i, element) in array.iter_mut().enumerate() {
-            *element = T::read(there, i * T::SIZE);
-        }
+        read_each(&mut array, bytes, offset);
         array
     }
 
     #[inline]
     fn write(self, bytes: &mut [u8], offset: usize) {
-        let there = bytes.get_mut(offset..).unwrap_or_default();
-        for (i, element) in self.iter().enumerate() {
-            element.write(there, i * T::SIZE);
-        }
+        write_each(&self, bytes, offset);
+    }
+}
+
+/// Reads elements of any number: an unoptimised build has one loop for all, an optimised one knows the number.
+#[cfg_attr(debug_assertions, inline)]
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn read_each<T: Wire>(elements: &mut [T], bytes: &[u8], offset: usize) {
+    let there = bytes.get(offset..).unwrap_or_default();
+    for (i, element) in elements.iter_mut().enumerate() {
+        *element = T::read(there, i * T::SIZE);
+    }
+}
+
+/// Writes elements of any number, as [`read_each`] reads them.
+#[cfg_attr(debug_assertions, inline)]
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn write_each<T: Wire>(elements: &[T], bytes: &mut [u8], offset: usize) {
+    let there = bytes.get_mut(offset..).unwrap_or_default();
+    for (i, element) in elements.iter().enumerate() {
+        element.write(there, i * T::SIZE);
     }
 }

@@ -4,7 +4,7 @@ use mavlink_wire as wire;
 use proptest::prelude::*;
 
 /// With a zero entry, overlapping entries, an entry of two bits that no other names, and gaps.
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub(crate) struct Ours(u16);
 
 static INFO: wire::EnumInfo = wire::EnumInfo::bitmask(
@@ -139,7 +139,7 @@ fn text_is_names_and_a_rest() {
 
 #[test]
 fn signed_flags_keep_their_top_bit() {
-    #[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+    #[derive(Clone, Copy, PartialEq)]
     pub(crate) struct Signed(i8);
     static INFO: wire::EnumInfo = wire::EnumInfo::bitmask("SIGNED", &[(1, "ONE"), (0x80, "TOP")]);
     wire::flags!(Signed, i8, INFO);

@@ -35,13 +35,13 @@ pub(crate) trait FromStr {}
 pub(crate) trait IntoIterator {}
 pub(crate) trait Extend {}
 
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub(crate) struct Debug(pub(crate) u16);
 
 static DEBUG: wire::EnumInfo = wire::EnumInfo::new("DEBUG", &[(1, "DEBUG_ONE")]);
 wire::open_enum!(Debug, u16, DEBUG);
 
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub(crate) struct Display(u64);
 
 static DISPLAY: wire::EnumInfo = wire::EnumInfo::bitmask("DISPLAY", &[(1 << 63, "DISPLAY_TOP")]);

@@ -9,7 +9,7 @@ use mavlink_wire::serde::WithViews;
 use crate::hygiene::{Any, Copied, Debug, Display};
 use crate::small::{Heartbeat, Small};
 
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub(crate) struct Signed(pub(crate) i16);
 static SIGNED: wire::EnumInfo = wire::EnumInfo::new("SIGNED", &[(0, "ZERO"), (32767, "TOP")]);
 wire::open_enum!(Signed, i16, SIGNED);

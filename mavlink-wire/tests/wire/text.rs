@@ -22,7 +22,7 @@ fn enums_have_text_both_ways() {
 
 #[test]
 fn signed_enums_have_a_sign() {
-    #[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+    #[derive(Clone, Copy, PartialEq)]
     pub(crate) struct Signed(pub(crate) i8);
     static INFO: wire::EnumInfo = wire::EnumInfo::new("SIGNED", &[(0, "ZERO"), (127, "TOP")]);
     wire::open_enum!(Signed, i8, INFO);

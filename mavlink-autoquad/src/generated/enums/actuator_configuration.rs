@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `ACTUATOR_CONFIGURATION` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#ACTUATOR_CONFIGURATION).
 #[doc(alias = "ACTUATOR_CONFIGURATION")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct ActuatorConfiguration(pub u8);
 
 impl ActuatorConfiguration {

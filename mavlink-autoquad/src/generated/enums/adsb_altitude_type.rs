@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `ADSB_ALTITUDE_TYPE` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#ADSB_ALTITUDE_TYPE).
 #[doc(alias = "ADSB_ALTITUDE_TYPE")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct AdsbAltitudeType(pub u8);
 
 impl AdsbAltitudeType {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `ADSB_EMITTER_TYPE` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#ADSB_EMITTER_TYPE).
 #[doc(alias = "ADSB_EMITTER_TYPE")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct AdsbEmitterType(pub u8);
 
 impl AdsbEmitterType {

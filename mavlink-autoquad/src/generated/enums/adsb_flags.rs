@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `ADSB_FLAGS` of `common.xml`: flags in a `u16`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#ADSB_FLAGS).
 #[doc(alias = "ADSB_FLAGS")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct AdsbFlags(u16);
 
 impl AdsbFlags {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `AIRSPEED_SENSOR_FLAGS` of `common.xml`: flags in a `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#AIRSPEED_SENSOR_FLAGS).
 #[doc(alias = "AIRSPEED_SENSOR_FLAGS")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct AirspeedSensorFlags(u8);
 
 impl AirspeedSensorFlags {

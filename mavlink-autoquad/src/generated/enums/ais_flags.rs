@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `AIS_FLAGS` of `common.xml`: flags in a `u16`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#AIS_FLAGS).
 #[doc(alias = "AIS_FLAGS")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct AisFlags(u16);
 
 impl AisFlags {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `AIS_NAV_STATUS` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#AIS_NAV_STATUS).
 #[doc(alias = "AIS_NAV_STATUS")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct AisNavStatus(pub u8);
 
 impl AisNavStatus {

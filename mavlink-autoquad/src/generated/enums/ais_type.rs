@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `AIS_TYPE` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#AIS_TYPE).
 #[doc(alias = "AIS_TYPE")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct AisType(pub u8);
 
 impl AisType {

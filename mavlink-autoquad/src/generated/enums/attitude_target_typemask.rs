@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `ATTITUDE_TARGET_TYPEMASK` of `common.xml`: flags in a `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#ATTITUDE_TARGET_TYPEMASK).
 #[doc(alias = "ATTITUDE_TARGET_TYPEMASK")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct AttitudeTargetTypemask(u8);
 
 impl AttitudeTargetTypemask {

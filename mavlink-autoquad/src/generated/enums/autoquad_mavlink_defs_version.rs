@@ -6,7 +6,7 @@ use ::mavlink_wire as wire;
 ///
 /// `AUTOQUAD_MAVLINK_DEFS_VERSION` of `autoquad.xml`: numbers of type `u8`.
 #[doc(alias = "AUTOQUAD_MAVLINK_DEFS_VERSION")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct AutoquadMavlinkDefsVersion(pub u8);
 
 impl AutoquadMavlinkDefsVersion {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 ///
 /// `AUTOQUAD_NAV_STATUS` of `autoquad.xml`: flags in a `u32`.
 #[doc(alias = "AUTOQUAD_NAV_STATUS")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct AutoquadNavStatus(u32);
 
 impl AutoquadNavStatus {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `AUTOTUNE_AXIS` of `common.xml`: flags in a `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#AUTOTUNE_AXIS).
 #[doc(alias = "AUTOTUNE_AXIS")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct AutotuneAxis(u8);
 
 impl AutotuneAxis {

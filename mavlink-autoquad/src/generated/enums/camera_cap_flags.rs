@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `CAMERA_CAP_FLAGS` of `common.xml`: flags in a `u32`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#CAMERA_CAP_FLAGS).
 #[doc(alias = "CAMERA_CAP_FLAGS")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct CameraCapFlags(u32);
 
 impl CameraCapFlags {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `CAMERA_TRACKING_MODE` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#CAMERA_TRACKING_MODE).
 #[doc(alias = "CAMERA_TRACKING_MODE")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct CameraTrackingMode(pub u8);
 
 impl CameraTrackingMode {

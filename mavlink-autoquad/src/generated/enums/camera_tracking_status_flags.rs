@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `CAMERA_TRACKING_STATUS_FLAGS` of `common.xml`: flags in a `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#CAMERA_TRACKING_STATUS_FLAGS).
 #[doc(alias = "CAMERA_TRACKING_STATUS_FLAGS")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct CameraTrackingStatusFlags(u8);
 
 impl CameraTrackingStatusFlags {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `CAMERA_TRACKING_TARGET_DATA` of `common.xml`: flags in a `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#CAMERA_TRACKING_TARGET_DATA).
 #[doc(alias = "CAMERA_TRACKING_TARGET_DATA")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct CameraTrackingTargetData(u8);
 
 impl CameraTrackingTargetData {

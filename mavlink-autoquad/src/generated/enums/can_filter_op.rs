@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `CAN_FILTER_OP` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#CAN_FILTER_OP).
 #[doc(alias = "CAN_FILTER_OP")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct CanFilterOp(pub u8);
 
 impl CanFilterOp {

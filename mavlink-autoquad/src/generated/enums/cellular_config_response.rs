@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `CELLULAR_CONFIG_RESPONSE` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#CELLULAR_CONFIG_RESPONSE).
 #[doc(alias = "CELLULAR_CONFIG_RESPONSE")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct CellularConfigResponse(pub u8);
 
 impl CellularConfigResponse {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `CELLULAR_NETWORK_FAILED_REASON` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#CELLULAR_NETWORK_FAILED_REASON).
 #[doc(alias = "CELLULAR_NETWORK_FAILED_REASON")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct CellularNetworkFailedReason(pub u8);
 
 impl CellularNetworkFailedReason {

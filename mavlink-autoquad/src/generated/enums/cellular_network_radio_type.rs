@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `CELLULAR_NETWORK_RADIO_TYPE` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#CELLULAR_NETWORK_RADIO_TYPE).
 #[doc(alias = "CELLULAR_NETWORK_RADIO_TYPE")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct CellularNetworkRadioType(pub u8);
 
 impl CellularNetworkRadioType {

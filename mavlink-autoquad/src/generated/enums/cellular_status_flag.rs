@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `CELLULAR_STATUS_FLAG` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#CELLULAR_STATUS_FLAG).
 #[doc(alias = "CELLULAR_STATUS_FLAG")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct CellularStatusFlag(pub u8);
 
 impl CellularStatusFlag {

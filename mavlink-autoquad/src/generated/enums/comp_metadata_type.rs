@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `COMP_METADATA_TYPE` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#COMP_METADATA_TYPE).
 #[doc(alias = "COMP_METADATA_TYPE")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct CompMetadataType(pub u8);
 
 impl CompMetadataType {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `ENGINE_CONTROL_OPTIONS` of `common.xml`: flags in a `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#ENGINE_CONTROL_OPTIONS).
 #[doc(alias = "ENGINE_CONTROL_OPTIONS")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct EngineControlOptions(u8);
 
 impl EngineControlOptions {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 ///
 /// `ESC32_DISARM_V3` of `overlay/autoquad.xml`: numbers of type `u8`.
 #[doc(alias = "ESC32_DISARM_V3")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Esc32DisarmV3(pub u8);
 
 impl Esc32DisarmV3 {

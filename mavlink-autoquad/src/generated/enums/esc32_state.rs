@@ -6,7 +6,7 @@ use ::mavlink_wire as wire;
 ///
 /// `ESC32_STATE` of `overlay/autoquad.xml`: numbers of type `u8`.
 #[doc(alias = "ESC32_STATE")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Esc32State(pub u8);
 
 impl Esc32State {

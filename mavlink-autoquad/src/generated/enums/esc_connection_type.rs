@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `ESC_CONNECTION_TYPE` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#ESC_CONNECTION_TYPE).
 #[doc(alias = "ESC_CONNECTION_TYPE")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct EscConnectionType(pub u8);
 
 impl EscConnectionType {

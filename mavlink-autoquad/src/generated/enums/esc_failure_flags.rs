@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `ESC_FAILURE_FLAGS` of `common.xml`: flags in a `u16`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#ESC_FAILURE_FLAGS).
 #[doc(alias = "ESC_FAILURE_FLAGS")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct EscFailureFlags(u16);
 
 impl EscFailureFlags {

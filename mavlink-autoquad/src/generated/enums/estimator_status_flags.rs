@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `ESTIMATOR_STATUS_FLAGS` of `common.xml`: flags in a `u16`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#ESTIMATOR_STATUS_FLAGS).
 #[doc(alias = "ESTIMATOR_STATUS_FLAGS")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct EstimatorStatusFlags(u16);
 
 impl EstimatorStatusFlags {

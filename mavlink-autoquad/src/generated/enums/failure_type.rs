@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `FAILURE_TYPE` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#FAILURE_TYPE).
 #[doc(alias = "FAILURE_TYPE")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct FailureType(pub u8);
 
 impl FailureType {

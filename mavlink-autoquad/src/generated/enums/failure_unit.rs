@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `FAILURE_UNIT` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#FAILURE_UNIT).
 #[doc(alias = "FAILURE_UNIT")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct FailureUnit(pub u8);
 
 impl FailureUnit {

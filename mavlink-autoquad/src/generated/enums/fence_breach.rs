@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `FENCE_BREACH` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#FENCE_BREACH).
 #[doc(alias = "FENCE_BREACH")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct FenceBreach(pub u8);
 
 impl FenceBreach {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `FENCE_MITIGATE` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#FENCE_MITIGATE).
 #[doc(alias = "FENCE_MITIGATE")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct FenceMitigate(pub u8);
 
 impl FenceMitigate {

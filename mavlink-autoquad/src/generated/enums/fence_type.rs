@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `FENCE_TYPE` of `common.xml`: flags in a `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#FENCE_TYPE).
 #[doc(alias = "FENCE_TYPE")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct FenceType(u8);
 
 impl FenceType {

@@ -8,7 +8,7 @@ use ::mavlink_wire as wire;
 /// `FIRMWARE_VERSION_TYPE` of `standard.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/standard.html#FIRMWARE_VERSION_TYPE).
 #[doc(alias = "FIRMWARE_VERSION_TYPE")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct FirmwareVersionType(pub u8);
 
 impl FirmwareVersionType {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `GIMBAL_DEVICE_ERROR_FLAGS` of `common.xml`: flags in a `u32`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#GIMBAL_DEVICE_ERROR_FLAGS).
 #[doc(alias = "GIMBAL_DEVICE_ERROR_FLAGS")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct GimbalDeviceErrorFlags(u32);
 
 impl GimbalDeviceErrorFlags {

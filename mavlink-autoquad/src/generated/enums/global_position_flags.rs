@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `GLOBAL_POSITION_FLAGS` of `common.xml`: flags in a `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#GLOBAL_POSITION_FLAGS).
 #[doc(alias = "GLOBAL_POSITION_FLAGS")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct GlobalPositionFlags(u8);
 
 impl GlobalPositionFlags {

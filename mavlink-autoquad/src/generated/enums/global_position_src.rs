@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `GLOBAL_POSITION_SRC` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#GLOBAL_POSITION_SRC).
 #[doc(alias = "GLOBAL_POSITION_SRC")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct GlobalPositionSrc(pub u8);
 
 impl GlobalPositionSrc {

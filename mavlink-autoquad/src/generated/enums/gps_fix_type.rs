@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `GPS_FIX_TYPE` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#GPS_FIX_TYPE).
 #[doc(alias = "GPS_FIX_TYPE")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct GpsFixType(pub u8);
 
 impl GpsFixType {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `GPS_INPUT_IGNORE_FLAGS` of `common.xml`: flags in a `u16`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#GPS_INPUT_IGNORE_FLAGS).
 #[doc(alias = "GPS_INPUT_IGNORE_FLAGS")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct GpsInputIgnoreFlags(u16);
 
 impl GpsInputIgnoreFlags {

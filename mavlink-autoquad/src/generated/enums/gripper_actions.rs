@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `GRIPPER_ACTIONS` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#GRIPPER_ACTIONS).
 #[doc(alias = "GRIPPER_ACTIONS")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct GripperActions(pub u8);
 
 impl GripperActions {

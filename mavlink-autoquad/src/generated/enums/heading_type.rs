@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `HEADING_TYPE` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#HEADING_TYPE).
 #[doc(alias = "HEADING_TYPE")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct HeadingType(pub u8);
 
 impl HeadingType {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `HIGHRES_IMU_UPDATED_FLAGS` of `common.xml`: flags in a `u16`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#HIGHRES_IMU_UPDATED_FLAGS).
 #[doc(alias = "HIGHRES_IMU_UPDATED_FLAGS")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct HighresImuUpdatedFlags(u16);
 
 impl HighresImuUpdatedFlags {

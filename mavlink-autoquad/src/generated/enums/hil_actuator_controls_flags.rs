@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `HIL_ACTUATOR_CONTROLS_FLAGS` of `common.xml`: flags in a `u64`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#HIL_ACTUATOR_CONTROLS_FLAGS).
 #[doc(alias = "HIL_ACTUATOR_CONTROLS_FLAGS")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct HilActuatorControlsFlags(u64);
 
 impl HilActuatorControlsFlags {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `HIL_SENSOR_UPDATED_FLAGS` of `common.xml`: flags in a `u32`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#HIL_SENSOR_UPDATED_FLAGS).
 #[doc(alias = "HIL_SENSOR_UPDATED_FLAGS")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct HilSensorUpdatedFlags(u32);
 
 impl HilSensorUpdatedFlags {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `HL_FAILURE_FLAG` of `common.xml`: flags in a `u16`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#HL_FAILURE_FLAG).
 #[doc(alias = "HL_FAILURE_FLAG")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct HlFailureFlag(u16);
 
 impl HlFailureFlag {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `LANDING_TARGET_TYPE` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#LANDING_TARGET_TYPE).
 #[doc(alias = "LANDING_TARGET_TYPE")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct LandingTargetType(pub u8);
 
 impl LandingTargetType {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `MAG_CAL_STATUS` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MAG_CAL_STATUS).
 #[doc(alias = "MAG_CAL_STATUS")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MagCalStatus(pub u8);
 
 impl MagCalStatus {

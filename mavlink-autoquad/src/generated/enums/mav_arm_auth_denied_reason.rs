@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `MAV_ARM_AUTH_DENIED_REASON` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MAV_ARM_AUTH_DENIED_REASON).
 #[doc(alias = "MAV_ARM_AUTH_DENIED_REASON")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MavArmAuthDeniedReason(pub u8);
 
 impl MavArmAuthDeniedReason {

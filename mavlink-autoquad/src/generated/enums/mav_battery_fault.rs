@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `MAV_BATTERY_FAULT` of `common.xml`: flags in a `u32`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MAV_BATTERY_FAULT).
 #[doc(alias = "MAV_BATTERY_FAULT")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MavBatteryFault(u32);
 
 impl MavBatteryFault {

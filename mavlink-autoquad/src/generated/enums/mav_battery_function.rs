@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `MAV_BATTERY_FUNCTION` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MAV_BATTERY_FUNCTION).
 #[doc(alias = "MAV_BATTERY_FUNCTION")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MavBatteryFunction(pub u8);
 
 impl MavBatteryFunction {

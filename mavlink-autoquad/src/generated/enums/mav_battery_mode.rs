@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `MAV_BATTERY_MODE` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MAV_BATTERY_MODE).
 #[doc(alias = "MAV_BATTERY_MODE")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MavBatteryMode(pub u8);
 
 impl MavBatteryMode {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `MAV_BOOL` of `standard.xml`: flags in a `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/standard.html#MAV_BOOL).
 #[doc(alias = "MAV_BOOL")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MavBool(u8);
 
 impl MavBool {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `MAV_COLLISION_ACTION` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MAV_COLLISION_ACTION).
 #[doc(alias = "MAV_COLLISION_ACTION")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MavCollisionAction(pub u8);
 
 impl MavCollisionAction {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `MAV_COLLISION_SRC` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MAV_COLLISION_SRC).
 #[doc(alias = "MAV_COLLISION_SRC")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MavCollisionSrc(pub u8);
 
 impl MavCollisionSrc {

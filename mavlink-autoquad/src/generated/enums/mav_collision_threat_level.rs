@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `MAV_COLLISION_THREAT_LEVEL` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MAV_COLLISION_THREAT_LEVEL).
 #[doc(alias = "MAV_COLLISION_THREAT_LEVEL")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MavCollisionThreatLevel(pub u8);
 
 impl MavCollisionThreatLevel {

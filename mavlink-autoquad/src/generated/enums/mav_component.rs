@@ -8,7 +8,7 @@ use ::mavlink_wire as wire;
 /// `MAV_COMPONENT` of `minimal.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/minimal.html#MAV_COMPONENT).
 #[doc(alias = "MAV_COMPONENT")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MavComponent(pub u8);
 
 impl MavComponent {

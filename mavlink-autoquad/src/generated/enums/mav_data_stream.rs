@@ -10,7 +10,7 @@ use ::mavlink_wire as wire;
 /// `MAV_DATA_STREAM` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MAV_DATA_STREAM).
 #[doc(alias = "MAV_DATA_STREAM")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MavDataStream(pub u8);
 
 impl MavDataStream {

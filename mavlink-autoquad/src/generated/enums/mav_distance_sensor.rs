@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `MAV_DISTANCE_SENSOR` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MAV_DISTANCE_SENSOR).
 #[doc(alias = "MAV_DISTANCE_SENSOR")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MavDistanceSensor(pub u8);
 
 impl MavDistanceSensor {

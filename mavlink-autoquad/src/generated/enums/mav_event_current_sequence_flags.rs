@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `MAV_EVENT_CURRENT_SEQUENCE_FLAGS` of `common.xml`: flags in a `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MAV_EVENT_CURRENT_SEQUENCE_FLAGS).
 #[doc(alias = "MAV_EVENT_CURRENT_SEQUENCE_FLAGS")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MavEventCurrentSequenceFlags(u8);
 
 impl MavEventCurrentSequenceFlags {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `MAV_EVENT_ERROR_REASON` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MAV_EVENT_ERROR_REASON).
 #[doc(alias = "MAV_EVENT_ERROR_REASON")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MavEventErrorReason(pub u8);
 
 impl MavEventErrorReason {

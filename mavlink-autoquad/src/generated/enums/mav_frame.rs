@@ -9,7 +9,7 @@ use ::mavlink_wire as wire;
 /// `MAV_FRAME` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MAV_FRAME).
 #[doc(alias = "MAV_FRAME")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MavFrame(pub u8);
 
 impl MavFrame {

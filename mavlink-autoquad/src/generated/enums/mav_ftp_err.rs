@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `MAV_FTP_ERR` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MAV_FTP_ERR).
 #[doc(alias = "MAV_FTP_ERR")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MavFtpErr(pub u8);
 
 impl MavFtpErr {

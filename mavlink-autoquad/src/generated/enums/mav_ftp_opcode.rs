@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `MAV_FTP_OPCODE` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MAV_FTP_OPCODE).
 #[doc(alias = "MAV_FTP_OPCODE")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MavFtpOpcode(pub u8);
 
 impl MavFtpOpcode {

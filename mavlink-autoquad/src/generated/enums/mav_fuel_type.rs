@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `MAV_FUEL_TYPE` of `common.xml`: numbers of type `u32`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MAV_FUEL_TYPE).
 #[doc(alias = "MAV_FUEL_TYPE")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MavFuelType(pub u32);
 
 impl MavFuelType {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `MAV_LANDED_STATE` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MAV_LANDED_STATE).
 #[doc(alias = "MAV_LANDED_STATE")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MavLandedState(pub u8);
 
 impl MavLandedState {

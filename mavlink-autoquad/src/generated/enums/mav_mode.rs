@@ -10,7 +10,7 @@ use ::mavlink_wire as wire;
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MAV_MODE).
 #[doc(alias = "MAV_MODE")]
 #[deprecated(note = "since 2025-02, replaced by `MAV_MODE_FLAG`")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MavMode(pub u8);
 
 impl MavMode {

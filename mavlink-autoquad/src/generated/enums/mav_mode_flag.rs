@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `MAV_MODE_FLAG` of `minimal.xml`: flags in a `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/minimal.html#MAV_MODE_FLAG).
 #[doc(alias = "MAV_MODE_FLAG")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MavModeFlag(u8);
 
 impl MavModeFlag {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `MAV_MODE_PROPERTY` of `common.xml`: flags in a `u32`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MAV_MODE_PROPERTY).
 #[doc(alias = "MAV_MODE_PROPERTY")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MavModeProperty(u32);
 
 impl MavModeProperty {

@@ -10,7 +10,7 @@ use ::mavlink_wire as wire;
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MAV_MOUNT_MODE).
 #[doc(alias = "MAV_MOUNT_MODE")]
 #[deprecated(note = "since 2020-01, replaced by `GIMBAL_MANAGER_FLAGS`")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MavMountMode(pub u8);
 
 impl MavMountMode {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `MAV_ODID_HEIGHT_REF` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MAV_ODID_HEIGHT_REF).
 #[doc(alias = "MAV_ODID_HEIGHT_REF")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MavOdidHeightRef(pub u8);
 
 impl MavOdidHeightRef {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `MAV_ODID_OPERATOR_LOCATION_TYPE` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MAV_ODID_OPERATOR_LOCATION_TYPE).
 #[doc(alias = "MAV_ODID_OPERATOR_LOCATION_TYPE")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MavOdidOperatorLocationType(pub u8);
 
 impl MavOdidOperatorLocationType {

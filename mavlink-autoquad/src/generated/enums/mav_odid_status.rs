@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `MAV_ODID_STATUS` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MAV_ODID_STATUS).
 #[doc(alias = "MAV_ODID_STATUS")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MavOdidStatus(pub u8);
 
 impl MavOdidStatus {

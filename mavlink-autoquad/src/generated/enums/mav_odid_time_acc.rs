@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `MAV_ODID_TIME_ACC` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MAV_ODID_TIME_ACC).
 #[doc(alias = "MAV_ODID_TIME_ACC")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MavOdidTimeAcc(pub u8);
 
 impl MavOdidTimeAcc {

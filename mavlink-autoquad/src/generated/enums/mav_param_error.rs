@@ -9,7 +9,7 @@ use ::mavlink_wire as wire;
 /// `MAV_PARAM_ERROR` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MAV_PARAM_ERROR).
 #[doc(alias = "MAV_PARAM_ERROR")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MavParamError(pub u8);
 
 impl MavParamError {

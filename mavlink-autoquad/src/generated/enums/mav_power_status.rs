@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `MAV_POWER_STATUS` of `common.xml`: flags in a `u16`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MAV_POWER_STATUS).
 #[doc(alias = "MAV_POWER_STATUS")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MavPowerStatus(u16);
 
 impl MavPowerStatus {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `MAV_PROTOCOL_CAPABILITY` of `standard.xml`: flags in a `u64`.
 /// See the [message reference](https://mavlink.io/en/messages/standard.html#MAV_PROTOCOL_CAPABILITY).
 #[doc(alias = "MAV_PROTOCOL_CAPABILITY")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MavProtocolCapability(u64);
 
 impl MavProtocolCapability {

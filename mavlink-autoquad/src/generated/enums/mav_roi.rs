@@ -9,7 +9,7 @@ use ::mavlink_wire as wire;
 /// `MAV_ROI` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MAV_ROI).
 #[doc(alias = "MAV_ROI")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MavRoi(pub u8);
 
 impl MavRoi {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `MAV_SENSOR_ORIENTATION` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MAV_SENSOR_ORIENTATION).
 #[doc(alias = "MAV_SENSOR_ORIENTATION")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MavSensorOrientation(pub u8);
 
 impl MavSensorOrientation {

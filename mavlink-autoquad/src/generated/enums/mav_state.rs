@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `MAV_STATE` of `minimal.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/minimal.html#MAV_STATE).
 #[doc(alias = "MAV_STATE")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MavState(pub u8);
 
 impl MavState {

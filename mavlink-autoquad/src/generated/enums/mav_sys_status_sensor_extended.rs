@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `MAV_SYS_STATUS_SENSOR_EXTENDED` of `common.xml`: flags in a `u32`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MAV_SYS_STATUS_SENSOR_EXTENDED).
 #[doc(alias = "MAV_SYS_STATUS_SENSOR_EXTENDED")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MavSysStatusSensorExtended(u32);
 
 impl MavSysStatusSensorExtended {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `MAV_TUNNEL_PAYLOAD_TYPE` of `common.xml`: numbers of type `u16`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MAV_TUNNEL_PAYLOAD_TYPE).
 #[doc(alias = "MAV_TUNNEL_PAYLOAD_TYPE")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MavTunnelPayloadType(pub u16);
 
 impl MavTunnelPayloadType {

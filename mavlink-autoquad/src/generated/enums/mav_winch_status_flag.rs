@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `MAV_WINCH_STATUS_FLAG` of `common.xml`: flags in a `u32`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MAV_WINCH_STATUS_FLAG).
 #[doc(alias = "MAV_WINCH_STATUS_FLAG")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MavWinchStatusFlag(u32);
 
 impl MavWinchStatusFlag {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `MAVLINK_DATA_STREAM_TYPE` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MAVLINK_DATA_STREAM_TYPE).
 #[doc(alias = "MAVLINK_DATA_STREAM_TYPE")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MavlinkDataStreamType(pub u8);
 
 impl MavlinkDataStreamType {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `MISSION_STATE` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MISSION_STATE).
 #[doc(alias = "MISSION_STATE")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MissionState(pub u8);
 
 impl MissionState {

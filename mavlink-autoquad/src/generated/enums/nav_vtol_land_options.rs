@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `NAV_VTOL_LAND_OPTIONS` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#NAV_VTOL_LAND_OPTIONS).
 #[doc(alias = "NAV_VTOL_LAND_OPTIONS")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct NavVtolLandOptions(pub u8);
 
 impl NavVtolLandOptions {

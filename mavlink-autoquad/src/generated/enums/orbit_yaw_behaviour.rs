@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `ORBIT_YAW_BEHAVIOUR` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#ORBIT_YAW_BEHAVIOUR).
 #[doc(alias = "ORBIT_YAW_BEHAVIOUR")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct OrbitYawBehaviour(pub u8);
 
 impl OrbitYawBehaviour {

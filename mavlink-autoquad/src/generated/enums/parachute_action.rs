@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `PARACHUTE_ACTION` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#PARACHUTE_ACTION).
 #[doc(alias = "PARACHUTE_ACTION")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct ParachuteAction(pub u8);
 
 impl ParachuteAction {

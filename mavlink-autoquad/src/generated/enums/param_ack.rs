@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `PARAM_ACK` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#PARAM_ACK).
 #[doc(alias = "PARAM_ACK")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct ParamAck(pub u8);
 
 impl ParamAck {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `POSITION_TARGET_TYPEMASK` of `common.xml`: flags in a `u16`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#POSITION_TARGET_TYPEMASK).
 #[doc(alias = "POSITION_TARGET_TYPEMASK")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct PositionTargetTypemask(u16);
 
 impl PositionTargetTypemask {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `PREFLIGHT_CALIBRATION_MAGNETOMETER` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#PREFLIGHT_CALIBRATION_MAGNETOMETER).
 #[doc(alias = "PREFLIGHT_CALIBRATION_MAGNETOMETER")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct PreflightCalibrationMagnetometer(pub u8);
 
 impl PreflightCalibrationMagnetometer {

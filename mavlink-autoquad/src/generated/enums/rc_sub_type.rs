@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `RC_SUB_TYPE` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#RC_SUB_TYPE).
 #[doc(alias = "RC_SUB_TYPE")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct RcSubType(pub u8);
 
 impl RcSubType {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `RTK_BASELINE_COORDINATE_SYSTEM` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#RTK_BASELINE_COORDINATE_SYSTEM).
 #[doc(alias = "RTK_BASELINE_COORDINATE_SYSTEM")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct RtkBaselineCoordinateSystem(pub u8);
 
 impl RtkBaselineCoordinateSystem {

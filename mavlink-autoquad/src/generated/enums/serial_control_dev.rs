@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `SERIAL_CONTROL_DEV` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#SERIAL_CONTROL_DEV).
 #[doc(alias = "SERIAL_CONTROL_DEV")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct SerialControlDev(pub u8);
 
 impl SerialControlDev {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `SERIAL_CONTROL_FLAG` of `common.xml`: flags in a `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#SERIAL_CONTROL_FLAG).
 #[doc(alias = "SERIAL_CONTROL_FLAG")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct SerialControlFlag(u8);
 
 impl SerialControlFlag {

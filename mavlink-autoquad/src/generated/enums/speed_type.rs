@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `SPEED_TYPE` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#SPEED_TYPE).
 #[doc(alias = "SPEED_TYPE")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct SpeedType(pub u8);
 
 impl SpeedType {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `STORAGE_STATUS` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#STORAGE_STATUS).
 #[doc(alias = "STORAGE_STATUS")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct StorageStatus(pub u8);
 
 impl StorageStatus {

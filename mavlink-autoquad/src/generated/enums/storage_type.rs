@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `STORAGE_TYPE` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#STORAGE_TYPE).
 #[doc(alias = "STORAGE_TYPE")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct StorageType(pub u8);
 
 impl StorageType {

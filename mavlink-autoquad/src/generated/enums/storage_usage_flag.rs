@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `STORAGE_USAGE_FLAG` of `common.xml`: flags in a `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#STORAGE_USAGE_FLAG).
 #[doc(alias = "STORAGE_USAGE_FLAG")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct StorageUsageFlag(u8);
 
 impl StorageUsageFlag {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `TUNE_FORMAT` of `common.xml`: numbers of type `u32`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#TUNE_FORMAT).
 #[doc(alias = "TUNE_FORMAT")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct TuneFormat(pub u32);
 
 impl TuneFormat {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `UAVCAN_NODE_HEALTH` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#UAVCAN_NODE_HEALTH).
 #[doc(alias = "UAVCAN_NODE_HEALTH")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct UavcanNodeHealth(pub u8);
 
 impl UavcanNodeHealth {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `UTM_DATA_AVAIL_FLAGS` of `common.xml`: flags in a `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#UTM_DATA_AVAIL_FLAGS).
 #[doc(alias = "UTM_DATA_AVAIL_FLAGS")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct UtmDataAvailFlags(u8);
 
 impl UtmDataAvailFlags {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `UTM_FLIGHT_STATE` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#UTM_FLIGHT_STATE).
 #[doc(alias = "UTM_FLIGHT_STATE")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct UtmFlightState(pub u8);
 
 impl UtmFlightState {

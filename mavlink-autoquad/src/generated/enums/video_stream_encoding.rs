@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `VIDEO_STREAM_ENCODING` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#VIDEO_STREAM_ENCODING).
 #[doc(alias = "VIDEO_STREAM_ENCODING")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct VideoStreamEncoding(pub u8);
 
 impl VideoStreamEncoding {

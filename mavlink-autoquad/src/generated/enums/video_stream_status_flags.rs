@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `VIDEO_STREAM_STATUS_FLAGS` of `common.xml`: flags in a `u16`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#VIDEO_STREAM_STATUS_FLAGS).
 #[doc(alias = "VIDEO_STREAM_STATUS_FLAGS")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct VideoStreamStatusFlags(u16);
 
 impl VideoStreamStatusFlags {

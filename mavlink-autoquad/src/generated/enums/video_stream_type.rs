@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `VIDEO_STREAM_TYPE` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#VIDEO_STREAM_TYPE).
 #[doc(alias = "VIDEO_STREAM_TYPE")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct VideoStreamType(pub u8);
 
 impl VideoStreamType {

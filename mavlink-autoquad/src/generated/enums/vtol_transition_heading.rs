@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `VTOL_TRANSITION_HEADING` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#VTOL_TRANSITION_HEADING).
 #[doc(alias = "VTOL_TRANSITION_HEADING")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct VtolTransitionHeading(pub u8);
 
 impl VtolTransitionHeading {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `WIFI_CONFIG_AP_RESPONSE` of `common.xml`: numbers of type `i8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#WIFI_CONFIG_AP_RESPONSE).
 #[doc(alias = "WIFI_CONFIG_AP_RESPONSE")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct WifiConfigApResponse(pub i8);
 
 impl WifiConfigApResponse {

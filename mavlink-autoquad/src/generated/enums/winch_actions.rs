@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `WINCH_ACTIONS` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#WINCH_ACTIONS).
 #[doc(alias = "WINCH_ACTIONS")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct WinchActions(pub u8);
 
 impl WinchActions {

@@ -192,15 +192,15 @@ impl wire::Message for AdsbVehicle {
             icao_address: get(p, 0),
             lat: get(p, 4),
             lon: get(p, 8),
-            altitude_type: get(p, 26),
+            altitude_type: AdsbAltitudeType(get(p, 26)),
             altitude: get(p, 12),
             heading: get(p, 16),
             hor_velocity: get(p, 18),
             ver_velocity: get(p, 20),
             callsign: get(p, 27),
-            emitter_type: get(p, 36),
+            emitter_type: AdsbEmitterType(get(p, 36)),
             tslc: get(p, 37),
-            flags: get(p, 22),
+            flags: AdsbFlags::from_bits_retain(get(p, 22)),
             squawk: get(p, 24),
         }
     }
@@ -214,11 +214,11 @@ impl wire::Message for AdsbVehicle {
         put(p, 16, self.heading);
         put(p, 18, self.hor_velocity);
         put(p, 20, self.ver_velocity);
-        put(p, 22, self.flags);
+        put(p, 22, self.flags.bits());
         put(p, 24, self.squawk);
-        put(p, 26, self.altitude_type);
+        put(p, 26, self.altitude_type.0);
         put(p, 27, self.callsign);
-        put(p, 36, self.emitter_type);
+        put(p, 36, self.emitter_type.0);
         put(p, 37, self.tslc);
     }
 }

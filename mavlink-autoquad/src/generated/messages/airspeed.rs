@@ -95,7 +95,7 @@ impl wire::Message for Airspeed {
             airspeed: get(p, 0),
             temperature: get(p, 8),
             raw_press: get(p, 4),
-            flags: get(p, 11),
+            flags: AirspeedSensorFlags::from_bits_retain(get(p, 11)),
         }
     }
 
@@ -105,7 +105,7 @@ impl wire::Message for Airspeed {
         put(p, 4, self.raw_press);
         put(p, 8, self.temperature);
         put(p, 10, self.id);
-        put(p, 11, self.flags);
+        put(p, 11, self.flags.bits());
     }
 }
 

@@ -276,8 +276,8 @@ impl wire::Message for AisVessel {
             heading: get(p, 14),
             velocity: get(p, 16),
             turn_rate: get(p, 26),
-            navigational_status: get(p, 27),
-            r#type: get(p, 28),
+            navigational_status: AisNavStatus(get(p, 27)),
+            r#type: AisType(get(p, 28)),
             dimension_bow: get(p, 18),
             dimension_stern: get(p, 20),
             dimension_port: get(p, 29),
@@ -285,7 +285,7 @@ impl wire::Message for AisVessel {
             callsign: get(p, 31),
             name: get(p, 38),
             tslc: get(p, 22),
-            flags: get(p, 24),
+            flags: AisFlags::from_bits_retain(get(p, 24)),
         }
     }
 
@@ -300,10 +300,10 @@ impl wire::Message for AisVessel {
         put(p, 18, self.dimension_bow);
         put(p, 20, self.dimension_stern);
         put(p, 22, self.tslc);
-        put(p, 24, self.flags);
+        put(p, 24, self.flags.bits());
         put(p, 26, self.turn_rate);
-        put(p, 27, self.navigational_status);
-        put(p, 28, self.r#type);
+        put(p, 27, self.navigational_status.0);
+        put(p, 28, self.r#type.0);
         put(p, 29, self.dimension_port);
         put(p, 30, self.dimension_starboard);
         put(p, 31, self.callsign);

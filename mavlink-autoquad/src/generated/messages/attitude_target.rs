@@ -72,7 +72,7 @@ impl wire::Message for AttitudeTarget {
     fn read(p: &[u8; 37]) -> Self {
         Self {
             time_boot_ms: get(p, 0),
-            type_mask: get(p, 36),
+            type_mask: AttitudeTargetTypemask::from_bits_retain(get(p, 36)),
             q: get(p, 4),
             body_roll_rate: get(p, 20),
             body_pitch_rate: get(p, 24),
@@ -89,7 +89,7 @@ impl wire::Message for AttitudeTarget {
         put(p, 24, self.body_pitch_rate);
         put(p, 28, self.body_yaw_rate);
         put(p, 32, self.thrust);
-        put(p, 36, self.type_mask);
+        put(p, 36, self.type_mask.bits());
     }
 }
 

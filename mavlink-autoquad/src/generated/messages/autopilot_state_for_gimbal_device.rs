@@ -246,8 +246,8 @@ impl wire::Message for AutopilotStateForGimbalDevice {
             vz: get(p, 36),
             v_estimated_delay_us: get(p, 40),
             feed_forward_angular_velocity_z: get(p, 44),
-            estimator_status: get(p, 48),
-            landed_state: get(p, 52),
+            estimator_status: EstimatorStatusFlags::from_bits_retain(get(p, 48)),
+            landed_state: MavLandedState(get(p, 52)),
             angular_velocity_z: get(p, 53),
         }
     }
@@ -262,10 +262,10 @@ impl wire::Message for AutopilotStateForGimbalDevice {
         put(p, 36, self.vz);
         put(p, 40, self.v_estimated_delay_us);
         put(p, 44, self.feed_forward_angular_velocity_z);
-        put(p, 48, self.estimator_status);
+        put(p, 48, self.estimator_status.bits());
         put(p, 50, self.target_system);
         put(p, 51, self.target_component);
-        put(p, 52, self.landed_state);
+        put(p, 52, self.landed_state.0);
         put(p, 53, self.angular_velocity_z);
     }
 

@@ -69,9 +69,9 @@ impl wire::Message for AvailableModes {
         Self {
             number_modes: get(p, 8),
             mode_index: get(p, 9),
-            standard_mode: get(p, 10),
+            standard_mode: MavStandardMode(get(p, 10)),
             custom_mode: get(p, 0),
-            properties: get(p, 4),
+            properties: MavModeProperty::from_bits_retain(get(p, 4)),
             mode_name: get(p, 11),
         }
     }
@@ -79,10 +79,10 @@ impl wire::Message for AvailableModes {
     #[inline]
     fn store(&self, p: &mut [u8; 46]) {
         put(p, 0, self.custom_mode);
-        put(p, 4, self.properties);
+        put(p, 4, self.properties.bits());
         put(p, 8, self.number_modes);
         put(p, 9, self.mode_index);
-        put(p, 10, self.standard_mode);
+        put(p, 10, self.standard_mode.0);
         put(p, 11, self.mode_name);
     }
 }

@@ -371,8 +371,8 @@ impl wire::Message for BatteryInfo {
     fn read(p: &[u8; 140]) -> Self {
         Self {
             id: get(p, 44),
-            battery_function: get(p, 45),
-            r#type: get(p, 46),
+            battery_function: MavBatteryFunction(get(p, 45)),
+            r#type: MavBatteryType(get(p, 46)),
             state_of_health: get(p, 47),
             cells_in_series: get(p, 48),
             cycle_count: get(p, 40),
@@ -408,8 +408,8 @@ impl wire::Message for BatteryInfo {
         put(p, 40, self.cycle_count);
         put(p, 42, self.weight);
         put(p, 44, self.id);
-        put(p, 45, self.battery_function);
-        put(p, 46, self.r#type);
+        put(p, 45, self.battery_function.0);
+        put(p, 46, self.r#type.0);
         put(p, 47, self.state_of_health);
         put(p, 48, self.cells_in_series);
         put(p, 49, self.manufacture_date);

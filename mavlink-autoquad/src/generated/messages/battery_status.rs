@@ -260,8 +260,8 @@ impl wire::Message for BatteryStatus {
     fn read(p: &[u8; 54]) -> Self {
         Self {
             id: get(p, 32),
-            battery_function: get(p, 33),
-            r#type: get(p, 34),
+            battery_function: MavBatteryFunction(get(p, 33)),
+            r#type: MavBatteryType(get(p, 34)),
             temperature: get(p, 8),
             voltages: get(p, 10),
             current_battery: get(p, 30),
@@ -269,10 +269,10 @@ impl wire::Message for BatteryStatus {
             energy_consumed: get(p, 4),
             battery_remaining: get(p, 35),
             time_remaining: get(p, 36),
-            charge_state: get(p, 40),
+            charge_state: MavBatteryChargeState(get(p, 40)),
             voltages_ext: get(p, 41),
-            mode: get(p, 49),
-            fault_bitmask: get(p, 50),
+            mode: MavBatteryMode(get(p, 49)),
+            fault_bitmask: MavBatteryFault::from_bits_retain(get(p, 50)),
         }
     }
 
@@ -284,14 +284,14 @@ impl wire::Message for BatteryStatus {
         put(p, 10, self.voltages);
         put(p, 30, self.current_battery);
         put(p, 32, self.id);
-        put(p, 33, self.battery_function);
-        put(p, 34, self.r#type);
+        put(p, 33, self.battery_function.0);
+        put(p, 34, self.r#type.0);
         put(p, 35, self.battery_remaining);
         put(p, 36, self.time_remaining);
-        put(p, 40, self.charge_state);
+        put(p, 40, self.charge_state.0);
         put(p, 41, self.voltages_ext);
-        put(p, 49, self.mode);
-        put(p, 50, self.fault_bitmask);
+        put(p, 49, self.mode.0);
+        put(p, 50, self.fault_bitmask.bits());
     }
 }
 

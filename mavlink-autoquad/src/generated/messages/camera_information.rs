@@ -236,7 +236,7 @@ impl wire::Message for CameraInformation {
             resolution_h: get(p, 24),
             resolution_v: get(p, 26),
             lens_id: get(p, 94),
-            flags: get(p, 20),
+            flags: CameraCapFlags::from_bits_retain(get(p, 20)),
             cam_definition_version: get(p, 28),
             cam_definition_uri: get(p, 95),
             gimbal_device_id: get(p, 235),
@@ -251,7 +251,7 @@ impl wire::Message for CameraInformation {
         put(p, 8, self.focal_length);
         put(p, 12, self.sensor_size_h);
         put(p, 16, self.sensor_size_v);
-        put(p, 20, self.flags);
+        put(p, 20, self.flags.bits());
         put(p, 24, self.resolution_h);
         put(p, 26, self.resolution_v);
         put(p, 28, self.cam_definition_version);

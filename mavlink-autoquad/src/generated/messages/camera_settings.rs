@@ -96,7 +96,7 @@ impl wire::Message for CameraSettings {
     fn read(p: &[u8; 14]) -> Self {
         Self {
             time_boot_ms: get(p, 0),
-            mode_id: get(p, 4),
+            mode_id: CameraMode(get(p, 4)),
             zoom_level: get(p, 5),
             focus_level: get(p, 9),
             camera_device_id: get(p, 13),
@@ -106,7 +106,7 @@ impl wire::Message for CameraSettings {
     #[inline]
     fn store(&self, p: &mut [u8; 14]) {
         put(p, 0, self.time_boot_ms);
-        put(p, 4, self.mode_id);
+        put(p, 4, self.mode_id.0);
         put(p, 5, self.zoom_level);
         put(p, 9, self.focus_level);
         put(p, 13, self.camera_device_id);

@@ -236,7 +236,7 @@ impl wire::Message for CameraTrackingGeoStatus {
     #[inline(always)]
     fn read(p: &[u8; 50]) -> Self {
         Self {
-            tracking_status: get(p, 48),
+            tracking_status: CameraTrackingStatusFlags::from_bits_retain(get(p, 48)),
             lat: get(p, 0),
             lon: get(p, 4),
             alt: get(p, 8),
@@ -267,7 +267,7 @@ impl wire::Message for CameraTrackingGeoStatus {
         put(p, 36, self.dist);
         put(p, 40, self.hdg);
         put(p, 44, self.hdg_acc);
-        put(p, 48, self.tracking_status);
+        put(p, 48, self.tracking_status.bits());
         put(p, 49, self.camera_device_id);
     }
 }

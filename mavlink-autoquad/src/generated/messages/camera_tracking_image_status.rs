@@ -190,9 +190,9 @@ impl wire::Message for CameraTrackingImageStatus {
     #[inline(always)]
     fn read(p: &[u8; 32]) -> Self {
         Self {
-            tracking_status: get(p, 28),
-            tracking_mode: get(p, 29),
-            target_data: get(p, 30),
+            tracking_status: CameraTrackingStatusFlags::from_bits_retain(get(p, 28)),
+            tracking_mode: CameraTrackingMode(get(p, 29)),
+            target_data: CameraTrackingTargetData::from_bits_retain(get(p, 30)),
             point_x: get(p, 0),
             point_y: get(p, 4),
             radius: get(p, 8),
@@ -213,9 +213,9 @@ impl wire::Message for CameraTrackingImageStatus {
         put(p, 16, self.rec_top_y);
         put(p, 20, self.rec_bottom_x);
         put(p, 24, self.rec_bottom_y);
-        put(p, 28, self.tracking_status);
-        put(p, 29, self.tracking_mode);
-        put(p, 30, self.target_data);
+        put(p, 28, self.tracking_status.bits());
+        put(p, 29, self.tracking_mode.0);
+        put(p, 30, self.target_data.bits());
         put(p, 31, self.camera_device_id);
     }
 }

@@ -71,7 +71,7 @@ impl wire::Message for CanFilterModify {
             target_system: get(p, 32),
             target_component: get(p, 33),
             bus: get(p, 34),
-            operation: get(p, 35),
+            operation: CanFilterOp(get(p, 35)),
             num_ids: get(p, 36),
             ids: get(p, 0),
         }
@@ -83,7 +83,7 @@ impl wire::Message for CanFilterModify {
         put(p, 32, self.target_system);
         put(p, 33, self.target_component);
         put(p, 34, self.bus);
-        put(p, 35, self.operation);
+        put(p, 35, self.operation.0);
         put(p, 36, self.num_ids);
     }
 

@@ -83,7 +83,7 @@ impl wire::Message for CellularConfig {
             apn: get(p, 34),
             puk: get(p, 66),
             roaming: get(p, 82),
-            response: get(p, 83),
+            response: CellularConfigResponse(get(p, 83)),
         }
     }
 
@@ -96,7 +96,7 @@ impl wire::Message for CellularConfig {
         put(p, 34, self.apn);
         put(p, 66, self.puk);
         put(p, 82, self.roaming);
-        put(p, 83, self.response);
+        put(p, 83, self.response.0);
     }
 }
 

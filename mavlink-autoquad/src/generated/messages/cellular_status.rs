@@ -322,9 +322,9 @@ impl wire::Message for CellularStatus {
     #[inline(always)]
     fn read(p: &[u8; 53]) -> Self {
         Self {
-            status: get(p, 6),
-            failure_reason: get(p, 7),
-            r#type: get(p, 8),
+            status: CellularStatusFlag(get(p, 6)),
+            failure_reason: CellularNetworkFailedReason(get(p, 7)),
+            r#type: CellularNetworkRadioType(get(p, 8)),
             quality: get(p, 9),
             mcc: get(p, 0),
             mnc: get(p, 2),
@@ -348,9 +348,9 @@ impl wire::Message for CellularStatus {
         put(p, 0, self.mcc);
         put(p, 2, self.mnc);
         put(p, 4, self.lac);
-        put(p, 6, self.status);
-        put(p, 7, self.failure_reason);
-        put(p, 8, self.r#type);
+        put(p, 6, self.status.0);
+        put(p, 7, self.failure_reason.0);
+        put(p, 8, self.r#type.0);
         put(p, 9, self.quality);
         put(p, 10, self.id);
         put(p, 11, self.link_tx_rate);

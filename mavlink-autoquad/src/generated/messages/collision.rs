@@ -73,10 +73,10 @@ impl wire::Message for Collision {
     #[inline(always)]
     fn read(p: &[u8; 19]) -> Self {
         Self {
-            src: get(p, 16),
+            src: MavCollisionSrc(get(p, 16)),
             id: get(p, 0),
-            action: get(p, 17),
-            threat_level: get(p, 18),
+            action: MavCollisionAction(get(p, 17)),
+            threat_level: MavCollisionThreatLevel(get(p, 18)),
             time_to_minimum_delta: get(p, 4),
             altitude_minimum_delta: get(p, 8),
             horizontal_minimum_delta: get(p, 12),
@@ -89,9 +89,9 @@ impl wire::Message for Collision {
         put(p, 4, self.time_to_minimum_delta);
         put(p, 8, self.altitude_minimum_delta);
         put(p, 12, self.horizontal_minimum_delta);
-        put(p, 16, self.src);
-        put(p, 17, self.action);
-        put(p, 18, self.threat_level);
+        put(p, 16, self.src.0);
+        put(p, 17, self.action.0);
+        put(p, 18, self.threat_level.0);
     }
 }
 

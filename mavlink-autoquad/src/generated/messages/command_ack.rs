@@ -88,8 +88,8 @@ impl wire::Message for CommandAck {
     #[inline(always)]
     fn read(p: &[u8; 10]) -> Self {
         Self {
-            command: get(p, 0),
-            result: get(p, 2),
+            command: MavCmd(get(p, 0)),
+            result: MavResult(get(p, 2)),
             progress: get(p, 3),
             result_param2: get(p, 4),
             target_system: get(p, 8),
@@ -99,8 +99,8 @@ impl wire::Message for CommandAck {
 
     #[inline]
     fn store(&self, p: &mut [u8; 10]) {
-        put(p, 0, self.command);
-        put(p, 2, self.result);
+        put(p, 0, self.command.0);
+        put(p, 2, self.result.0);
         put(p, 3, self.progress);
         put(p, 4, self.result_param2);
         put(p, 8, self.target_system);

@@ -57,13 +57,13 @@ impl wire::Message for CommandCancel {
         Self {
             target_system: get(p, 2),
             target_component: get(p, 3),
-            command: get(p, 0),
+            command: MavCmd(get(p, 0)),
         }
     }
 
     #[inline]
     fn store(&self, p: &mut [u8; 4]) {
-        put(p, 0, self.command);
+        put(p, 0, self.command.0);
         put(p, 2, self.target_system);
         put(p, 3, self.target_component);
     }

@@ -93,7 +93,7 @@ impl wire::Message for ComponentInformationBasic {
     fn read(p: &[u8; 160]) -> Self {
         Self {
             time_boot_ms: get(p, 8),
-            capabilities: get(p, 0),
+            capabilities: MavProtocolCapability::from_bits_retain(get(p, 0)),
             time_manufacture_s: get(p, 12),
             vendor_name: get(p, 16),
             model_name: get(p, 48),
@@ -105,7 +105,7 @@ impl wire::Message for ComponentInformationBasic {
 
     #[inline]
     fn store(&self, p: &mut [u8; 160]) {
-        put(p, 0, self.capabilities);
+        put(p, 0, self.capabilities.bits());
         put(p, 8, self.time_boot_ms);
         put(p, 12, self.time_manufacture_s);
         put(p, 16, self.vendor_name);

@@ -49,14 +49,14 @@ impl wire::Message for CurrentEventSequence {
     fn read(p: &[u8; 3]) -> Self {
         Self {
             sequence: get(p, 0),
-            flags: get(p, 2),
+            flags: MavEventCurrentSequenceFlags::from_bits_retain(get(p, 2)),
         }
     }
 
     #[inline]
     fn store(&self, p: &mut [u8; 3]) {
         put(p, 0, self.sequence);
-        put(p, 2, self.flags);
+        put(p, 2, self.flags.bits());
     }
 }
 

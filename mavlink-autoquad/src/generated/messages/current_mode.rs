@@ -71,7 +71,7 @@ impl wire::Message for CurrentMode {
     #[inline(always)]
     fn read(p: &[u8; 9]) -> Self {
         Self {
-            standard_mode: get(p, 8),
+            standard_mode: MavStandardMode(get(p, 8)),
             custom_mode: get(p, 0),
             intended_custom_mode: get(p, 4),
         }
@@ -81,7 +81,7 @@ impl wire::Message for CurrentMode {
     fn store(&self, p: &mut [u8; 9]) {
         put(p, 0, self.custom_mode);
         put(p, 4, self.intended_custom_mode);
-        put(p, 8, self.standard_mode);
+        put(p, 8, self.standard_mode.0);
     }
 }
 

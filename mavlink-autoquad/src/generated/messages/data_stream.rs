@@ -53,7 +53,7 @@ impl wire::Message for DataStream {
     #[inline(always)]
     fn read(p: &[u8; 4]) -> Self {
         Self {
-            stream_id: get(p, 2),
+            stream_id: MavDataStream(get(p, 2)),
             message_rate: get(p, 0),
             on_off: get(p, 3),
         }
@@ -62,7 +62,7 @@ impl wire::Message for DataStream {
     #[inline]
     fn store(&self, p: &mut [u8; 4]) {
         put(p, 0, self.message_rate);
-        put(p, 2, self.stream_id);
+        put(p, 2, self.stream_id.0);
         put(p, 3, self.on_off);
     }
 }

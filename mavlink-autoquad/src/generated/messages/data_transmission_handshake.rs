@@ -71,7 +71,7 @@ impl wire::Message for DataTransmissionHandshake {
     #[inline(always)]
     fn read(p: &[u8; 13]) -> Self {
         Self {
-            r#type: get(p, 10),
+            r#type: MavlinkDataStreamType(get(p, 10)),
             size: get(p, 0),
             width: get(p, 4),
             height: get(p, 6),
@@ -87,7 +87,7 @@ impl wire::Message for DataTransmissionHandshake {
         put(p, 4, self.width);
         put(p, 6, self.height);
         put(p, 8, self.packets);
-        put(p, 10, self.r#type);
+        put(p, 10, self.r#type.0);
         put(p, 11, self.payload);
         put(p, 12, self.jpg_quality);
     }

@@ -191,9 +191,9 @@ impl wire::Message for DistanceSensor {
             min_distance: get(p, 4),
             max_distance: get(p, 6),
             current_distance: get(p, 8),
-            r#type: get(p, 10),
+            r#type: MavDistanceSensor(get(p, 10)),
             id: get(p, 11),
-            orientation: get(p, 12),
+            orientation: MavSensorOrientation(get(p, 12)),
             covariance: get(p, 13),
             horizontal_fov: get(p, 14),
             vertical_fov: get(p, 18),
@@ -208,9 +208,9 @@ impl wire::Message for DistanceSensor {
         put(p, 4, self.min_distance);
         put(p, 6, self.max_distance);
         put(p, 8, self.current_distance);
-        put(p, 10, self.r#type);
+        put(p, 10, self.r#type.0);
         put(p, 11, self.id);
-        put(p, 12, self.orientation);
+        put(p, 12, self.orientation.0);
         put(p, 13, self.covariance);
         put(p, 14, self.horizontal_fov);
         put(p, 18, self.vertical_fov);

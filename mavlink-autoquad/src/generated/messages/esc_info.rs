@@ -118,7 +118,7 @@ impl wire::Message for EscInfo {
             time_usec: get(p, 0),
             counter: get(p, 24),
             count: get(p, 43),
-            connection_type: get(p, 44),
+            connection_type: EscConnectionType(get(p, 44)),
             info: get(p, 45),
             failure_flags: get(p, 26),
             error_count: get(p, 8),
@@ -135,7 +135,7 @@ impl wire::Message for EscInfo {
         put(p, 34, self.temperature);
         put(p, 42, self.index);
         put(p, 43, self.count);
-        put(p, 44, self.connection_type);
+        put(p, 44, self.connection_type.0);
         put(p, 45, self.info);
     }
 }

@@ -88,7 +88,7 @@ impl wire::Message for EstimatorStatus {
     fn read(p: &[u8; 42]) -> Self {
         Self {
             time_usec: get(p, 0),
-            flags: get(p, 40),
+            flags: EstimatorStatusFlags::from_bits_retain(get(p, 40)),
             vel_ratio: get(p, 8),
             pos_horiz_ratio: get(p, 12),
             pos_vert_ratio: get(p, 16),
@@ -111,7 +111,7 @@ impl wire::Message for EstimatorStatus {
         put(p, 28, self.tas_ratio);
         put(p, 32, self.pos_horiz_accuracy);
         put(p, 36, self.pos_vert_accuracy);
-        put(p, 40, self.flags);
+        put(p, 40, self.flags.bits());
     }
 }
 

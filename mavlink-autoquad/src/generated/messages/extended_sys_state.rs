@@ -47,15 +47,15 @@ impl wire::Message for ExtendedSysState {
     #[inline(always)]
     fn read(p: &[u8; 2]) -> Self {
         Self {
-            vtol_state: get(p, 0),
-            landed_state: get(p, 1),
+            vtol_state: MavVtolState(get(p, 0)),
+            landed_state: MavLandedState(get(p, 1)),
         }
     }
 
     #[inline]
     fn store(&self, p: &mut [u8; 2]) {
-        put(p, 0, self.vtol_state);
-        put(p, 1, self.landed_state);
+        put(p, 0, self.vtol_state.0);
+        put(p, 1, self.landed_state.0);
     }
 }
 

@@ -66,9 +66,9 @@ impl wire::Message for FenceStatus {
         Self {
             breach_status: get(p, 6),
             breach_count: get(p, 4),
-            breach_type: get(p, 7),
+            breach_type: FenceBreach(get(p, 7)),
             breach_time: get(p, 0),
-            breach_mitigation: get(p, 8),
+            breach_mitigation: FenceMitigate(get(p, 8)),
         }
     }
 
@@ -77,8 +77,8 @@ impl wire::Message for FenceStatus {
         put(p, 0, self.breach_time);
         put(p, 4, self.breach_count);
         put(p, 6, self.breach_status);
-        put(p, 7, self.breach_type);
-        put(p, 8, self.breach_mitigation);
+        put(p, 7, self.breach_type.0);
+        put(p, 8, self.breach_mitigation.0);
     }
 }
 

@@ -81,7 +81,7 @@ impl wire::Message for FigureEightExecutionStatus {
             major_radius: get(p, 8),
             minor_radius: get(p, 12),
             orientation: get(p, 16),
-            frame: get(p, 32),
+            frame: MavFrame(get(p, 32)),
             x: get(p, 20),
             y: get(p, 24),
             z: get(p, 28),
@@ -97,7 +97,7 @@ impl wire::Message for FigureEightExecutionStatus {
         put(p, 20, self.x);
         put(p, 24, self.y);
         put(p, 28, self.z);
-        put(p, 32, self.frame);
+        put(p, 32, self.frame.0);
     }
 }
 

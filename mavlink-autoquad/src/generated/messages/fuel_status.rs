@@ -152,7 +152,7 @@ impl wire::Message for FuelStatus {
             percent_remaining: get(p, 25),
             flow_rate: get(p, 12),
             temperature: get(p, 16),
-            fuel_type: get(p, 20),
+            fuel_type: MavFuelType(get(p, 20)),
         }
     }
 
@@ -163,7 +163,7 @@ impl wire::Message for FuelStatus {
         put(p, 8, self.remaining_fuel);
         put(p, 12, self.flow_rate);
         put(p, 16, self.temperature);
-        put(p, 20, self.fuel_type);
+        put(p, 20, self.fuel_type.0);
         put(p, 24, self.id);
         put(p, 25, self.percent_remaining);
     }

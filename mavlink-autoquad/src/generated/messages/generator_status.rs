@@ -235,7 +235,7 @@ impl wire::Message for GeneratorStatus {
     #[inline(always)]
     fn read(p: &[u8; 42]) -> Self {
         Self {
-            status: get(p, 0),
+            status: MavGeneratorStatusFlag::from_bits_retain(get(p, 0)),
             generator_speed: get(p, 36),
             battery_current: get(p, 8),
             load_current: get(p, 12),
@@ -251,7 +251,7 @@ impl wire::Message for GeneratorStatus {
 
     #[inline]
     fn store(&self, p: &mut [u8; 42]) {
-        put(p, 0, self.status);
+        put(p, 0, self.status.bits());
         put(p, 8, self.battery_current);
         put(p, 12, self.load_current);
         put(p, 16, self.power_generated);

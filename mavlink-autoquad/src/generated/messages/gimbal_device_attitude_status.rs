@@ -210,12 +210,12 @@ impl wire::Message for GimbalDeviceAttitudeStatus {
             target_system: get(p, 38),
             target_component: get(p, 39),
             time_boot_ms: get(p, 0),
-            flags: get(p, 36),
+            flags: GimbalDeviceFlags::from_bits_retain(get(p, 36)),
             q: get(p, 4),
             angular_velocity_x: get(p, 20),
             angular_velocity_y: get(p, 24),
             angular_velocity_z: get(p, 28),
-            failure_flags: get(p, 32),
+            failure_flags: GimbalDeviceErrorFlags::from_bits_retain(get(p, 32)),
             delta_yaw: get(p, 40),
             delta_yaw_velocity: get(p, 44),
             gimbal_device_id: get(p, 48),
@@ -229,8 +229,8 @@ impl wire::Message for GimbalDeviceAttitudeStatus {
         put(p, 20, self.angular_velocity_x);
         put(p, 24, self.angular_velocity_y);
         put(p, 28, self.angular_velocity_z);
-        put(p, 32, self.failure_flags);
-        put(p, 36, self.flags);
+        put(p, 32, self.failure_flags.bits());
+        put(p, 36, self.flags.bits());
         put(p, 38, self.target_system);
         put(p, 39, self.target_component);
         put(p, 40, self.delta_yaw);

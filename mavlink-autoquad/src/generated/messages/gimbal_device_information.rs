@@ -288,7 +288,7 @@ impl wire::Message for GimbalDeviceInformation {
             yaw_min: get(p, 36),
             yaw_max: get(p, 40),
             gimbal_device_id: get(p, 144),
-            cap_flags2: get(p, 145),
+            cap_flags2: GimbalDeviceCapFlags::from_bits_retain(get(p, 145)),
         }
     }
 
@@ -310,7 +310,7 @@ impl wire::Message for GimbalDeviceInformation {
         put(p, 80, self.model_name);
         put(p, 112, self.custom_name);
         put(p, 144, self.gimbal_device_id);
-        put(p, 145, self.cap_flags2);
+        put(p, 145, self.cap_flags2.bits());
     }
 }
 

@@ -157,7 +157,7 @@ impl wire::Message for GimbalDeviceSetAttitude {
         Self {
             target_system: get(p, 30),
             target_component: get(p, 31),
-            flags: get(p, 28),
+            flags: GimbalDeviceFlags::from_bits_retain(get(p, 28)),
             q: get(p, 0),
             angular_velocity_x: get(p, 16),
             angular_velocity_y: get(p, 20),
@@ -171,7 +171,7 @@ impl wire::Message for GimbalDeviceSetAttitude {
         put(p, 16, self.angular_velocity_x);
         put(p, 20, self.angular_velocity_y);
         put(p, 24, self.angular_velocity_z);
-        put(p, 28, self.flags);
+        put(p, 28, self.flags.bits());
         put(p, 30, self.target_system);
         put(p, 31, self.target_component);
     }

@@ -83,7 +83,7 @@ impl wire::Message for GimbalManagerInformation {
     fn read(p: &[u8; 33]) -> Self {
         Self {
             time_boot_ms: get(p, 0),
-            cap_flags: get(p, 4),
+            cap_flags: GimbalManagerCapFlags::from_bits_retain(get(p, 4)),
             gimbal_device_id: get(p, 32),
             roll_min: get(p, 8),
             roll_max: get(p, 12),
@@ -97,7 +97,7 @@ impl wire::Message for GimbalManagerInformation {
     #[inline]
     fn store(&self, p: &mut [u8; 33]) {
         put(p, 0, self.time_boot_ms);
-        put(p, 4, self.cap_flags);
+        put(p, 4, self.cap_flags.bits());
         put(p, 8, self.roll_min);
         put(p, 12, self.roll_max);
         put(p, 16, self.pitch_min);

@@ -138,7 +138,7 @@ impl wire::Message for GimbalManagerSetAttitude {
         Self {
             target_system: get(p, 32),
             target_component: get(p, 33),
-            flags: get(p, 0),
+            flags: GimbalManagerFlags::from_bits_retain(get(p, 0)),
             gimbal_device_id: get(p, 34),
             q: get(p, 4),
             angular_velocity_x: get(p, 20),
@@ -149,7 +149,7 @@ impl wire::Message for GimbalManagerSetAttitude {
 
     #[inline]
     fn store(&self, p: &mut [u8; 35]) {
-        put(p, 0, self.flags);
+        put(p, 0, self.flags.bits());
         put(p, 4, self.q);
         put(p, 20, self.angular_velocity_x);
         put(p, 24, self.angular_velocity_y);

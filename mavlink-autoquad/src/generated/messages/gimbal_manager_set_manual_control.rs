@@ -135,7 +135,7 @@ impl wire::Message for GimbalManagerSetManualControl {
         Self {
             target_system: get(p, 20),
             target_component: get(p, 21),
-            flags: get(p, 0),
+            flags: GimbalManagerFlags::from_bits_retain(get(p, 0)),
             gimbal_device_id: get(p, 22),
             pitch: get(p, 4),
             yaw: get(p, 8),
@@ -146,7 +146,7 @@ impl wire::Message for GimbalManagerSetManualControl {
 
     #[inline]
     fn store(&self, p: &mut [u8; 23]) {
-        put(p, 0, self.flags);
+        put(p, 0, self.flags.bits());
         put(p, 4, self.pitch);
         put(p, 8, self.yaw);
         put(p, 12, self.pitch_rate);

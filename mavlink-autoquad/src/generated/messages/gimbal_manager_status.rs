@@ -73,7 +73,7 @@ impl wire::Message for GimbalManagerStatus {
     fn read(p: &[u8; 13]) -> Self {
         Self {
             time_boot_ms: get(p, 0),
-            flags: get(p, 4),
+            flags: GimbalManagerFlags::from_bits_retain(get(p, 4)),
             gimbal_device_id: get(p, 8),
             primary_control_sysid: get(p, 9),
             primary_control_compid: get(p, 10),
@@ -85,7 +85,7 @@ impl wire::Message for GimbalManagerStatus {
     #[inline]
     fn store(&self, p: &mut [u8; 13]) {
         put(p, 0, self.time_boot_ms);
-        put(p, 4, self.flags);
+        put(p, 4, self.flags.bits());
         put(p, 8, self.gimbal_device_id);
         put(p, 9, self.primary_control_sysid);
         put(p, 10, self.primary_control_compid);

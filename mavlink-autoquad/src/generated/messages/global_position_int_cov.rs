@@ -104,7 +104,7 @@ impl wire::Message for GlobalPositionIntCov {
     fn read(p: &[u8; 181]) -> Self {
         Self {
             time_usec: get(p, 0),
-            estimator_type: get(p, 180),
+            estimator_type: MavEstimatorType(get(p, 180)),
             lat: get(p, 8),
             lon: get(p, 12),
             alt: get(p, 16),
@@ -127,7 +127,7 @@ impl wire::Message for GlobalPositionIntCov {
         put(p, 28, self.vy);
         put(p, 32, self.vz);
         put(p, 36, self.covariance);
-        put(p, 180, self.estimator_type);
+        put(p, 180, self.estimator_type.0);
     }
 }
 

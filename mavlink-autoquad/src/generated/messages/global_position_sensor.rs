@@ -196,8 +196,8 @@ impl wire::Message for GlobalPositionSensor {
             id: get(p, 38),
             time_usec: get(p, 0),
             processing_time: get(p, 8),
-            source: get(p, 39),
-            flags: get(p, 40),
+            source: GlobalPositionSrc(get(p, 39)),
+            flags: GlobalPositionFlags::from_bits_retain(get(p, 40)),
             lat: get(p, 12),
             lon: get(p, 16),
             alt_ellipsoid: get(p, 20),
@@ -220,8 +220,8 @@ impl wire::Message for GlobalPositionSensor {
         put(p, 36, self.target_system);
         put(p, 37, self.target_component);
         put(p, 38, self.id);
-        put(p, 39, self.source);
-        put(p, 40, self.flags);
+        put(p, 39, self.source.0);
+        put(p, 40, self.flags.bits());
     }
 
     #[inline]

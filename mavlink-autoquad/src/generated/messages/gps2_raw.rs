@@ -217,7 +217,7 @@ impl wire::Message for Gps2Raw {
     fn read(p: &[u8; 57]) -> Self {
         Self {
             time_usec: get(p, 0),
-            fix_type: get(p, 32),
+            fix_type: GpsFixType(get(p, 32)),
             lat: get(p, 8),
             lon: get(p, 12),
             alt: get(p, 16),
@@ -248,7 +248,7 @@ impl wire::Message for Gps2Raw {
         put(p, 26, self.epv);
         put(p, 28, self.vel);
         put(p, 30, self.cog);
-        put(p, 32, self.fix_type);
+        put(p, 32, self.fix_type.0);
         put(p, 33, self.satellites_visible);
         put(p, 34, self.dgps_numch);
         put(p, 35, self.yaw);

@@ -108,7 +108,7 @@ impl wire::Message for Gps2Rtk {
             rtk_health: get(p, 31),
             rtk_rate: get(p, 32),
             nsats: get(p, 33),
-            baseline_coords_type: get(p, 34),
+            baseline_coords_type: RtkBaselineCoordinateSystem(get(p, 34)),
             baseline_a_mm: get(p, 8),
             baseline_b_mm: get(p, 12),
             baseline_c_mm: get(p, 16),
@@ -131,7 +131,7 @@ impl wire::Message for Gps2Rtk {
         put(p, 31, self.rtk_health);
         put(p, 32, self.rtk_rate);
         put(p, 33, self.nsats);
-        put(p, 34, self.baseline_coords_type);
+        put(p, 34, self.baseline_coords_type.0);
     }
 }
 

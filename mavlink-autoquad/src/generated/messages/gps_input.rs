@@ -180,10 +180,10 @@ impl wire::Message for GpsInput {
         Self {
             time_usec: get(p, 0),
             gps_id: get(p, 60),
-            ignore_flags: get(p, 56),
+            ignore_flags: GpsInputIgnoreFlags::from_bits_retain(get(p, 56)),
             time_week_ms: get(p, 8),
             time_week: get(p, 58),
-            fix_type: get(p, 61),
+            fix_type: GpsFixType(get(p, 61)),
             lat: get(p, 12),
             lon: get(p, 16),
             alt: get(p, 20),
@@ -215,10 +215,10 @@ impl wire::Message for GpsInput {
         put(p, 44, self.speed_accuracy);
         put(p, 48, self.horiz_accuracy);
         put(p, 52, self.vert_accuracy);
-        put(p, 56, self.ignore_flags);
+        put(p, 56, self.ignore_flags.bits());
         put(p, 58, self.time_week);
         put(p, 60, self.gps_id);
-        put(p, 61, self.fix_type);
+        put(p, 61, self.fix_type.0);
         put(p, 62, self.satellites_visible);
         put(p, 63, self.yaw);
     }

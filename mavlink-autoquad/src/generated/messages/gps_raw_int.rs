@@ -207,7 +207,7 @@ impl wire::Message for GpsRawInt {
     fn read(p: &[u8; 52]) -> Self {
         Self {
             time_usec: get(p, 0),
-            fix_type: get(p, 28),
+            fix_type: GpsFixType(get(p, 28)),
             lat: get(p, 8),
             lon: get(p, 12),
             alt: get(p, 16),
@@ -235,7 +235,7 @@ impl wire::Message for GpsRawInt {
         put(p, 22, self.epv);
         put(p, 24, self.vel);
         put(p, 26, self.cog);
-        put(p, 28, self.fix_type);
+        put(p, 28, self.fix_type.0);
         put(p, 29, self.satellites_visible);
         put(p, 30, self.alt_ellipsoid);
         put(p, 34, self.h_acc);

@@ -96,11 +96,11 @@ impl wire::Message for Heartbeat {
     #[inline(always)]
     fn read(p: &[u8; 9]) -> Self {
         Self {
-            r#type: get(p, 4),
-            autopilot: get(p, 5),
-            base_mode: get(p, 6),
+            r#type: MavType(get(p, 4)),
+            autopilot: MavAutopilot(get(p, 5)),
+            base_mode: MavModeFlag::from_bits_retain(get(p, 6)),
             custom_mode: get(p, 0),
-            system_status: get(p, 7),
+            system_status: MavState(get(p, 7)),
             mavlink_version: get(p, 8),
         }
     }
@@ -108,10 +108,10 @@ impl wire::Message for Heartbeat {
     #[inline]
     fn store(&self, p: &mut [u8; 9]) {
         put(p, 0, self.custom_mode);
-        put(p, 4, self.r#type);
-        put(p, 5, self.autopilot);
-        put(p, 6, self.base_mode);
-        put(p, 7, self.system_status);
+        put(p, 4, self.r#type.0);
+        put(p, 5, self.autopilot.0);
+        put(p, 6, self.base_mode.bits());
+        put(p, 7, self.system_status.0);
         put(p, 8, self.mavlink_version);
     }
 }

@@ -176,9 +176,9 @@ impl wire::Message for HighLatency {
     #[inline(always)]
     fn read(p: &[u8; 40]) -> Self {
         Self {
-            base_mode: get(p, 26),
+            base_mode: MavModeFlag::from_bits_retain(get(p, 26)),
             custom_mode: get(p, 0),
-            landed_state: get(p, 27),
+            landed_state: MavLandedState(get(p, 27)),
             roll: get(p, 12),
             pitch: get(p, 14),
             heading: get(p, 16),
@@ -193,7 +193,7 @@ impl wire::Message for HighLatency {
             groundspeed: get(p, 31),
             climb_rate: get(p, 32),
             gps_nsat: get(p, 33),
-            gps_fix_type: get(p, 34),
+            gps_fix_type: GpsFixType(get(p, 34)),
             battery_remaining: get(p, 35),
             temperature: get(p, 36),
             temperature_air: get(p, 37),
@@ -215,15 +215,15 @@ impl wire::Message for HighLatency {
         put(p, 20, self.altitude_amsl);
         put(p, 22, self.altitude_sp);
         put(p, 24, self.wp_distance);
-        put(p, 26, self.base_mode);
-        put(p, 27, self.landed_state);
+        put(p, 26, self.base_mode.bits());
+        put(p, 27, self.landed_state.0);
         put(p, 28, self.throttle);
         put(p, 29, self.airspeed);
         put(p, 30, self.airspeed_sp);
         put(p, 31, self.groundspeed);
         put(p, 32, self.climb_rate);
         put(p, 33, self.gps_nsat);
-        put(p, 34, self.gps_fix_type);
+        put(p, 34, self.gps_fix_type.0);
         put(p, 35, self.battery_remaining);
         put(p, 36, self.temperature);
         put(p, 37, self.temperature_air);

@@ -190,8 +190,8 @@ impl wire::Message for HighLatency2 {
     fn read(p: &[u8; 42]) -> Self {
         Self {
             timestamp: get(p, 0),
-            r#type: get(p, 24),
-            autopilot: get(p, 25),
+            r#type: MavType(get(p, 24)),
+            autopilot: MavAutopilot(get(p, 25)),
             custom_mode: get(p, 12),
             latitude: get(p, 4),
             longitude: get(p, 8),
@@ -212,7 +212,7 @@ impl wire::Message for HighLatency2 {
             climb_rate: get(p, 37),
             battery: get(p, 38),
             wp_num: get(p, 20),
-            failure_flags: get(p, 22),
+            failure_flags: HlFailureFlag::from_bits_retain(get(p, 22)),
             custom0: get(p, 39),
             custom1: get(p, 40),
             custom2: get(p, 41),
@@ -229,9 +229,9 @@ impl wire::Message for HighLatency2 {
         put(p, 16, self.target_altitude);
         put(p, 18, self.target_distance);
         put(p, 20, self.wp_num);
-        put(p, 22, self.failure_flags);
-        put(p, 24, self.r#type);
-        put(p, 25, self.autopilot);
+        put(p, 22, self.failure_flags.bits());
+        put(p, 24, self.r#type.0);
+        put(p, 25, self.autopilot.0);
         put(p, 26, self.heading);
         put(p, 27, self.target_heading);
         put(p, 28, self.throttle);

@@ -134,7 +134,7 @@ impl wire::Message for HighresImu {
             diff_pressure: get(p, 48),
             pressure_alt: get(p, 52),
             temperature: get(p, 56),
-            fields_updated: get(p, 60),
+            fields_updated: HighresImuUpdatedFlags::from_bits_retain(get(p, 60)),
             id: get(p, 62),
         }
     }
@@ -155,7 +155,7 @@ impl wire::Message for HighresImu {
         put(p, 48, self.diff_pressure);
         put(p, 52, self.pressure_alt);
         put(p, 56, self.temperature);
-        put(p, 60, self.fields_updated);
+        put(p, 60, self.fields_updated.bits());
         put(p, 62, self.id);
     }
 }

@@ -60,17 +60,17 @@ impl wire::Message for HilActuatorControls {
         Self {
             time_usec: get(p, 0),
             controls: get(p, 16),
-            mode: get(p, 80),
-            flags: get(p, 8),
+            mode: MavModeFlag::from_bits_retain(get(p, 80)),
+            flags: HilActuatorControlsFlags::from_bits_retain(get(p, 8)),
         }
     }
 
     #[inline]
     fn store(&self, p: &mut [u8; 81]) {
         put(p, 0, self.time_usec);
-        put(p, 8, self.flags);
+        put(p, 8, self.flags.bits());
         put(p, 16, self.controls);
-        put(p, 80, self.mode);
+        put(p, 80, self.mode.bits());
     }
 }
 

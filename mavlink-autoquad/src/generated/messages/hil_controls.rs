@@ -101,7 +101,7 @@ impl wire::Message for HilControls {
             aux2: get(p, 28),
             aux3: get(p, 32),
             aux4: get(p, 36),
-            mode: get(p, 40),
+            mode: MavMode(get(p, 40)),
             nav_mode: get(p, 41),
         }
     }
@@ -117,7 +117,7 @@ impl wire::Message for HilControls {
         put(p, 28, self.aux2);
         put(p, 32, self.aux3);
         put(p, 36, self.aux4);
-        put(p, 40, self.mode);
+        put(p, 40, self.mode.0);
         put(p, 41, self.nav_mode);
     }
 }

@@ -95,9 +95,9 @@ impl wire::Message for IlluminatorStatus {
         Self {
             uptime_ms: get(p, 0),
             enable: get(p, 32),
-            mode_bitmask: get(p, 33),
-            error_status: get(p, 4),
-            mode: get(p, 34),
+            mode_bitmask: IlluminatorMode(get(p, 33)),
+            error_status: IlluminatorErrorFlags::from_bits_retain(get(p, 4)),
+            mode: IlluminatorMode(get(p, 34)),
             brightness: get(p, 8),
             strobe_period: get(p, 12),
             strobe_duty_cycle: get(p, 16),
@@ -110,7 +110,7 @@ impl wire::Message for IlluminatorStatus {
     #[inline]
     fn store(&self, p: &mut [u8; 35]) {
         put(p, 0, self.uptime_ms);
-        put(p, 4, self.error_status);
+        put(p, 4, self.error_status.bits());
         put(p, 8, self.brightness);
         put(p, 12, self.strobe_period);
         put(p, 16, self.strobe_duty_cycle);
@@ -118,8 +118,8 @@ impl wire::Message for IlluminatorStatus {
         put(p, 24, self.min_strobe_period);
         put(p, 28, self.max_strobe_period);
         put(p, 32, self.enable);
-        put(p, 33, self.mode_bitmask);
-        put(p, 34, self.mode);
+        put(p, 33, self.mode_bitmask.0);
+        put(p, 34, self.mode.0);
     }
 }
 

@@ -114,7 +114,7 @@ impl wire::Message for LandingTarget {
         Self {
             time_usec: get(p, 0),
             target_num: get(p, 28),
-            frame: get(p, 29),
+            frame: MavFrame(get(p, 29)),
             angle_x: get(p, 8),
             angle_y: get(p, 12),
             distance: get(p, 16),
@@ -124,8 +124,8 @@ impl wire::Message for LandingTarget {
             y: get(p, 34),
             z: get(p, 38),
             q: get(p, 42),
-            r#type: get(p, 58),
-            position_valid: get(p, 59),
+            r#type: LandingTargetType(get(p, 58)),
+            position_valid: MavBool::from_bits_retain(get(p, 59)),
         }
     }
 
@@ -138,13 +138,13 @@ impl wire::Message for LandingTarget {
         put(p, 20, self.size_x);
         put(p, 24, self.size_y);
         put(p, 28, self.target_num);
-        put(p, 29, self.frame);
+        put(p, 29, self.frame.0);
         put(p, 30, self.x);
         put(p, 34, self.y);
         put(p, 38, self.z);
         put(p, 42, self.q);
-        put(p, 58, self.r#type);
-        put(p, 59, self.position_valid);
+        put(p, 58, self.r#type.0);
+        put(p, 59, self.position_valid.bits());
     }
 }
 

@@ -115,7 +115,7 @@ impl wire::Message for LocalPositionNedCov {
     fn read(p: &[u8; 225]) -> Self {
         Self {
             time_usec: get(p, 0),
-            estimator_type: get(p, 224),
+            estimator_type: MavEstimatorType(get(p, 224)),
             x: get(p, 8),
             y: get(p, 12),
             z: get(p, 16),
@@ -142,7 +142,7 @@ impl wire::Message for LocalPositionNedCov {
         put(p, 36, self.ay);
         put(p, 40, self.az);
         put(p, 44, self.covariance);
-        put(p, 224, self.estimator_type);
+        put(p, 224, self.estimator_type.0);
     }
 }
 

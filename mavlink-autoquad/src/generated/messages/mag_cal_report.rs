@@ -133,7 +133,7 @@ impl wire::Message for MagCalReport {
         Self {
             compass_id: get(p, 40),
             cal_mask: get(p, 41),
-            cal_status: get(p, 42),
+            cal_status: MagCalStatus(get(p, 42)),
             autosaved: get(p, 43),
             fitness: get(p, 0),
             ofs_x: get(p, 4),
@@ -146,8 +146,8 @@ impl wire::Message for MagCalReport {
             offdiag_y: get(p, 32),
             offdiag_z: get(p, 36),
             orientation_confidence: get(p, 44),
-            old_orientation: get(p, 48),
-            new_orientation: get(p, 49),
+            old_orientation: MavSensorOrientation(get(p, 48)),
+            new_orientation: MavSensorOrientation(get(p, 49)),
             scale_factor: get(p, 50),
         }
     }
@@ -166,11 +166,11 @@ impl wire::Message for MagCalReport {
         put(p, 36, self.offdiag_z);
         put(p, 40, self.compass_id);
         put(p, 41, self.cal_mask);
-        put(p, 42, self.cal_status);
+        put(p, 42, self.cal_status.0);
         put(p, 43, self.autosaved);
         put(p, 44, self.orientation_confidence);
-        put(p, 48, self.old_orientation);
-        put(p, 49, self.new_orientation);
+        put(p, 48, self.old_orientation.0);
+        put(p, 49, self.new_orientation.0);
         put(p, 50, self.scale_factor);
     }
 }

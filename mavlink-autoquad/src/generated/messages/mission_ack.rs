@@ -84,8 +84,8 @@ impl wire::Message for MissionAck {
         Self {
             target_system: get(p, 0),
             target_component: get(p, 1),
-            r#type: get(p, 2),
-            mission_type: get(p, 3),
+            r#type: MavMissionResult(get(p, 2)),
+            mission_type: MavMissionType(get(p, 3)),
             opaque_id: get(p, 4),
         }
     }
@@ -94,8 +94,8 @@ impl wire::Message for MissionAck {
     fn store(&self, p: &mut [u8; 8]) {
         put(p, 0, self.target_system);
         put(p, 1, self.target_component);
-        put(p, 2, self.r#type);
-        put(p, 3, self.mission_type);
+        put(p, 2, self.r#type.0);
+        put(p, 3, self.mission_type.0);
         put(p, 4, self.opaque_id);
     }
 

@@ -57,7 +57,7 @@ impl wire::Message for MissionClearAll {
         Self {
             target_system: get(p, 0),
             target_component: get(p, 1),
-            mission_type: get(p, 2),
+            mission_type: MavMissionType(get(p, 2)),
         }
     }
 
@@ -65,7 +65,7 @@ impl wire::Message for MissionClearAll {
     fn store(&self, p: &mut [u8; 3]) {
         put(p, 0, self.target_system);
         put(p, 1, self.target_component);
-        put(p, 2, self.mission_type);
+        put(p, 2, self.mission_type.0);
     }
 
     #[inline]

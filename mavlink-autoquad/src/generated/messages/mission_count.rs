@@ -85,7 +85,7 @@ impl wire::Message for MissionCount {
             target_system: get(p, 2),
             target_component: get(p, 3),
             count: get(p, 0),
-            mission_type: get(p, 4),
+            mission_type: MavMissionType(get(p, 4)),
             opaque_id: get(p, 5),
         }
     }
@@ -95,7 +95,7 @@ impl wire::Message for MissionCount {
         put(p, 0, self.count);
         put(p, 2, self.target_system);
         put(p, 3, self.target_component);
-        put(p, 4, self.mission_type);
+        put(p, 4, self.mission_type.0);
         put(p, 5, self.opaque_id);
     }
 

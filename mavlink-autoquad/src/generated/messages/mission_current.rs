@@ -169,7 +169,7 @@ impl wire::Message for MissionCurrent {
         Self {
             seq: get(p, 0),
             total: get(p, 2),
-            mission_state: get(p, 4),
+            mission_state: MissionState(get(p, 4)),
             mission_mode: get(p, 5),
             mission_id: get(p, 6),
             fence_id: get(p, 10),
@@ -181,7 +181,7 @@ impl wire::Message for MissionCurrent {
     fn store(&self, p: &mut [u8; 18]) {
         put(p, 0, self.seq);
         put(p, 2, self.total);
-        put(p, 4, self.mission_state);
+        put(p, 4, self.mission_state.0);
         put(p, 5, self.mission_mode);
         put(p, 6, self.mission_id);
         put(p, 10, self.fence_id);

@@ -121,8 +121,8 @@ impl wire::Message for MissionItemInt {
             target_system: get(p, 32),
             target_component: get(p, 33),
             seq: get(p, 28),
-            frame: get(p, 34),
-            command: get(p, 30),
+            frame: MavFrame(get(p, 34)),
+            command: MavCmd(get(p, 30)),
             current: get(p, 35),
             autocontinue: get(p, 36),
             param1: get(p, 0),
@@ -132,7 +132,7 @@ impl wire::Message for MissionItemInt {
             x: get(p, 16),
             y: get(p, 20),
             z: get(p, 24),
-            mission_type: get(p, 37),
+            mission_type: MavMissionType(get(p, 37)),
         }
     }
 
@@ -146,13 +146,13 @@ impl wire::Message for MissionItemInt {
         put(p, 20, self.y);
         put(p, 24, self.z);
         put(p, 28, self.seq);
-        put(p, 30, self.command);
+        put(p, 30, self.command.0);
         put(p, 32, self.target_system);
         put(p, 33, self.target_component);
-        put(p, 34, self.frame);
+        put(p, 34, self.frame.0);
         put(p, 35, self.current);
         put(p, 36, self.autocontinue);
-        put(p, 37, self.mission_type);
+        put(p, 37, self.mission_type.0);
     }
 
     #[inline]

@@ -65,7 +65,7 @@ impl wire::Message for MissionRequest {
             target_system: get(p, 2),
             target_component: get(p, 3),
             seq: get(p, 0),
-            mission_type: get(p, 4),
+            mission_type: MavMissionType(get(p, 4)),
         }
     }
 
@@ -74,7 +74,7 @@ impl wire::Message for MissionRequest {
         put(p, 0, self.seq);
         put(p, 2, self.target_system);
         put(p, 3, self.target_component);
-        put(p, 4, self.mission_type);
+        put(p, 4, self.mission_type.0);
     }
 
     #[inline]

@@ -63,7 +63,7 @@ impl wire::Message for MissionRequestInt {
             target_system: get(p, 2),
             target_component: get(p, 3),
             seq: get(p, 0),
-            mission_type: get(p, 4),
+            mission_type: MavMissionType(get(p, 4)),
         }
     }
 
@@ -72,7 +72,7 @@ impl wire::Message for MissionRequestInt {
         put(p, 0, self.seq);
         put(p, 2, self.target_system);
         put(p, 3, self.target_component);
-        put(p, 4, self.mission_type);
+        put(p, 4, self.mission_type.0);
     }
 
     #[inline]

@@ -69,7 +69,7 @@ impl wire::Message for MissionRequestPartialList {
             target_component: get(p, 5),
             start_index: get(p, 0),
             end_index: get(p, 2),
-            mission_type: get(p, 6),
+            mission_type: MavMissionType(get(p, 6)),
         }
     }
 
@@ -79,7 +79,7 @@ impl wire::Message for MissionRequestPartialList {
         put(p, 2, self.end_index);
         put(p, 4, self.target_system);
         put(p, 5, self.target_component);
-        put(p, 6, self.mission_type);
+        put(p, 6, self.mission_type.0);
     }
 
     #[inline]

@@ -122,14 +122,14 @@ impl wire::Message for ObstacleDistance {
     fn read(p: &[u8; 167]) -> Self {
         Self {
             time_usec: get(p, 0),
-            sensor_type: get(p, 156),
+            sensor_type: MavDistanceSensor(get(p, 156)),
             distances: get(p, 8),
             increment: get(p, 157),
             min_distance: get(p, 152),
             max_distance: get(p, 154),
             increment_f: get(p, 158),
             angle_offset: get(p, 162),
-            frame: get(p, 166),
+            frame: MavFrame(get(p, 166)),
         }
     }
 
@@ -139,11 +139,11 @@ impl wire::Message for ObstacleDistance {
         put(p, 8, self.distances);
         put(p, 152, self.min_distance);
         put(p, 154, self.max_distance);
-        put(p, 156, self.sensor_type);
+        put(p, 156, self.sensor_type.0);
         put(p, 157, self.increment);
         put(p, 158, self.increment_f);
         put(p, 162, self.angle_offset);
-        put(p, 166, self.frame);
+        put(p, 166, self.frame.0);
     }
 }
 

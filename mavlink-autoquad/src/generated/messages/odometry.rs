@@ -183,8 +183,8 @@ impl wire::Message for Odometry {
     fn read(p: &[u8; 233]) -> Self {
         Self {
             time_usec: get(p, 0),
-            frame_id: get(p, 228),
-            child_frame_id: get(p, 229),
+            frame_id: MavFrame(get(p, 228)),
+            child_frame_id: MavFrame(get(p, 229)),
             x: get(p, 8),
             y: get(p, 12),
             z: get(p, 16),
@@ -198,7 +198,7 @@ impl wire::Message for Odometry {
             pose_covariance: get(p, 60),
             velocity_covariance: get(p, 144),
             reset_counter: get(p, 230),
-            estimator_type: get(p, 231),
+            estimator_type: MavEstimatorType(get(p, 231)),
             quality: get(p, 232),
         }
     }
@@ -218,10 +218,10 @@ impl wire::Message for Odometry {
         put(p, 56, self.yawspeed);
         put(p, 60, self.pose_covariance);
         put(p, 144, self.velocity_covariance);
-        put(p, 228, self.frame_id);
-        put(p, 229, self.child_frame_id);
+        put(p, 228, self.frame_id.0);
+        put(p, 229, self.child_frame_id.0);
         put(p, 230, self.reset_counter);
-        put(p, 231, self.estimator_type);
+        put(p, 231, self.estimator_type.0);
         put(p, 232, self.quality);
     }
 }

@@ -545,7 +545,7 @@ impl wire::Message for OnboardComputerStatus {
             link_rx_rate: get(p, 116),
             link_tx_max: get(p, 140),
             link_rx_max: get(p, 164),
-            status_flags: get(p, 238),
+            status_flags: ComputerStatusFlags::from_bits_retain(get(p, 238)),
         }
     }
 
@@ -571,7 +571,7 @@ impl wire::Message for OnboardComputerStatus {
         put(p, 219, self.gpu_combined);
         put(p, 229, self.temperature_board);
         put(p, 230, self.temperature_core);
-        put(p, 238, self.status_flags);
+        put(p, 238, self.status_flags.bits());
     }
 }
 

@@ -46,14 +46,14 @@ impl wire::Message for OpenDroneIdArmStatus {
     #[inline(always)]
     fn read(p: &[u8; 51]) -> Self {
         Self {
-            status: get(p, 0),
+            status: MavOdidArmStatus(get(p, 0)),
             error: get(p, 1),
         }
     }
 
     #[inline]
     fn store(&self, p: &mut [u8; 51]) {
-        put(p, 0, self.status);
+        put(p, 0, self.status.0);
         put(p, 1, self.error);
     }
 }

@@ -86,7 +86,7 @@ impl wire::Message for OpenDroneIdAuthentication {
             target_system: get(p, 4),
             target_component: get(p, 5),
             id_or_mac: get(p, 6),
-            authentication_type: get(p, 26),
+            authentication_type: MavOdidAuthType(get(p, 26)),
             data_page: get(p, 27),
             last_page_index: get(p, 28),
             length: get(p, 29),
@@ -101,7 +101,7 @@ impl wire::Message for OpenDroneIdAuthentication {
         put(p, 4, self.target_system);
         put(p, 5, self.target_component);
         put(p, 6, self.id_or_mac);
-        put(p, 26, self.authentication_type);
+        put(p, 26, self.authentication_type.0);
         put(p, 27, self.data_page);
         put(p, 28, self.last_page_index);
         put(p, 29, self.length);

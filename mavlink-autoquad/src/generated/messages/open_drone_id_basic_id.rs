@@ -72,8 +72,8 @@ impl wire::Message for OpenDroneIdBasicId {
             target_system: get(p, 0),
             target_component: get(p, 1),
             id_or_mac: get(p, 2),
-            id_type: get(p, 22),
-            ua_type: get(p, 23),
+            id_type: MavOdidIdType(get(p, 22)),
+            ua_type: MavOdidUaType(get(p, 23)),
             uas_id: get(p, 24),
         }
     }
@@ -83,8 +83,8 @@ impl wire::Message for OpenDroneIdBasicId {
         put(p, 0, self.target_system);
         put(p, 1, self.target_component);
         put(p, 2, self.id_or_mac);
-        put(p, 22, self.id_type);
-        put(p, 23, self.ua_type);
+        put(p, 22, self.id_type.0);
+        put(p, 23, self.ua_type.0);
         put(p, 24, self.uas_id);
     }
 

@@ -253,7 +253,7 @@ impl wire::Message for OpenDroneIdLocation {
             target_system: get(p, 30),
             target_component: get(p, 31),
             id_or_mac: get(p, 32),
-            status: get(p, 52),
+            status: MavOdidStatus(get(p, 52)),
             direction: get(p, 24),
             speed_horizontal: get(p, 26),
             speed_vertical: get(p, 28),
@@ -261,14 +261,14 @@ impl wire::Message for OpenDroneIdLocation {
             longitude: get(p, 4),
             altitude_barometric: get(p, 8),
             altitude_geodetic: get(p, 12),
-            height_reference: get(p, 53),
+            height_reference: MavOdidHeightRef(get(p, 53)),
             height: get(p, 16),
-            horizontal_accuracy: get(p, 54),
-            vertical_accuracy: get(p, 55),
-            barometer_accuracy: get(p, 56),
-            speed_accuracy: get(p, 57),
+            horizontal_accuracy: MavOdidHorAcc(get(p, 54)),
+            vertical_accuracy: MavOdidVerAcc(get(p, 55)),
+            barometer_accuracy: MavOdidVerAcc(get(p, 56)),
+            speed_accuracy: MavOdidSpeedAcc(get(p, 57)),
             timestamp: get(p, 20),
-            timestamp_accuracy: get(p, 58),
+            timestamp_accuracy: MavOdidTimeAcc(get(p, 58)),
         }
     }
 
@@ -286,13 +286,13 @@ impl wire::Message for OpenDroneIdLocation {
         put(p, 30, self.target_system);
         put(p, 31, self.target_component);
         put(p, 32, self.id_or_mac);
-        put(p, 52, self.status);
-        put(p, 53, self.height_reference);
-        put(p, 54, self.horizontal_accuracy);
-        put(p, 55, self.vertical_accuracy);
-        put(p, 56, self.barometer_accuracy);
-        put(p, 57, self.speed_accuracy);
-        put(p, 58, self.timestamp_accuracy);
+        put(p, 52, self.status.0);
+        put(p, 53, self.height_reference.0);
+        put(p, 54, self.horizontal_accuracy.0);
+        put(p, 55, self.vertical_accuracy.0);
+        put(p, 56, self.barometer_accuracy.0);
+        put(p, 57, self.speed_accuracy.0);
+        put(p, 58, self.timestamp_accuracy.0);
     }
 
     #[inline]

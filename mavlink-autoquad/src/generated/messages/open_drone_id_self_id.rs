@@ -66,7 +66,7 @@ impl wire::Message for OpenDroneIdSelfId {
             target_system: get(p, 0),
             target_component: get(p, 1),
             id_or_mac: get(p, 2),
-            description_type: get(p, 22),
+            description_type: MavOdidDescType(get(p, 22)),
             description: get(p, 23),
         }
     }
@@ -76,7 +76,7 @@ impl wire::Message for OpenDroneIdSelfId {
         put(p, 0, self.target_system);
         put(p, 1, self.target_component);
         put(p, 2, self.id_or_mac);
-        put(p, 22, self.description_type);
+        put(p, 22, self.description_type.0);
         put(p, 23, self.description);
     }
 

@@ -198,16 +198,16 @@ impl wire::Message for OpenDroneIdSystem {
             target_system: get(p, 28),
             target_component: get(p, 29),
             id_or_mac: get(p, 30),
-            operator_location_type: get(p, 50),
-            classification_type: get(p, 51),
+            operator_location_type: MavOdidOperatorLocationType(get(p, 50)),
+            classification_type: MavOdidClassificationType(get(p, 51)),
             operator_latitude: get(p, 0),
             operator_longitude: get(p, 4),
             area_count: get(p, 24),
             area_radius: get(p, 26),
             area_ceiling: get(p, 8),
             area_floor: get(p, 12),
-            category_eu: get(p, 52),
-            class_eu: get(p, 53),
+            category_eu: MavOdidCategoryEu(get(p, 52)),
+            class_eu: MavOdidClassEu(get(p, 53)),
             operator_altitude_geo: get(p, 16),
             timestamp: get(p, 20),
         }
@@ -226,10 +226,10 @@ impl wire::Message for OpenDroneIdSystem {
         put(p, 28, self.target_system);
         put(p, 29, self.target_component);
         put(p, 30, self.id_or_mac);
-        put(p, 50, self.operator_location_type);
-        put(p, 51, self.classification_type);
-        put(p, 52, self.category_eu);
-        put(p, 53, self.class_eu);
+        put(p, 50, self.operator_location_type.0);
+        put(p, 51, self.classification_type.0);
+        put(p, 52, self.category_eu.0);
+        put(p, 53, self.class_eu.0);
     }
 
     #[inline]

@@ -69,7 +69,7 @@ impl wire::Message for OrbitExecutionStatus {
         Self {
             time_usec: get(p, 0),
             radius: get(p, 8),
-            frame: get(p, 24),
+            frame: MavFrame(get(p, 24)),
             x: get(p, 12),
             y: get(p, 16),
             z: get(p, 20),
@@ -83,7 +83,7 @@ impl wire::Message for OrbitExecutionStatus {
         put(p, 12, self.x);
         put(p, 16, self.y);
         put(p, 20, self.z);
-        put(p, 24, self.frame);
+        put(p, 24, self.frame.0);
     }
 }
 

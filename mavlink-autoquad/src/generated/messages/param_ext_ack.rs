@@ -59,8 +59,8 @@ impl wire::Message for ParamExtAck {
         Self {
             param_id: get(p, 0),
             param_value: get(p, 16),
-            param_type: get(p, 144),
-            param_result: get(p, 145),
+            param_type: MavParamExtType(get(p, 144)),
+            param_result: ParamAck(get(p, 145)),
         }
     }
 
@@ -68,8 +68,8 @@ impl wire::Message for ParamExtAck {
     fn store(&self, p: &mut [u8; 146]) {
         put(p, 0, self.param_id);
         put(p, 16, self.param_value);
-        put(p, 144, self.param_type);
-        put(p, 145, self.param_result);
+        put(p, 144, self.param_type.0);
+        put(p, 145, self.param_result.0);
     }
 }
 

@@ -67,7 +67,7 @@ impl wire::Message for ParamExtSet {
             target_component: get(p, 1),
             param_id: get(p, 2),
             param_value: get(p, 18),
-            param_type: get(p, 146),
+            param_type: MavParamExtType(get(p, 146)),
         }
     }
 
@@ -77,7 +77,7 @@ impl wire::Message for ParamExtSet {
         put(p, 1, self.target_component);
         put(p, 2, self.param_id);
         put(p, 18, self.param_value);
-        put(p, 146, self.param_type);
+        put(p, 146, self.param_type.0);
     }
 
     #[inline]

@@ -63,7 +63,7 @@ impl wire::Message for ParamExtValue {
         Self {
             param_id: get(p, 4),
             param_value: get(p, 20),
-            param_type: get(p, 148),
+            param_type: MavParamExtType(get(p, 148)),
             param_count: get(p, 0),
             param_index: get(p, 2),
         }
@@ -75,7 +75,7 @@ impl wire::Message for ParamExtValue {
         put(p, 2, self.param_index);
         put(p, 4, self.param_id);
         put(p, 20, self.param_value);
-        put(p, 148, self.param_type);
+        put(p, 148, self.param_type.0);
     }
 }
 

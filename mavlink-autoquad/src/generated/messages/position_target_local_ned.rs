@@ -108,8 +108,8 @@ impl wire::Message for PositionTargetLocalNed {
     fn read(p: &[u8; 51]) -> Self {
         Self {
             time_boot_ms: get(p, 0),
-            coordinate_frame: get(p, 50),
-            type_mask: get(p, 48),
+            coordinate_frame: MavFrame(get(p, 50)),
+            type_mask: PositionTargetTypemask::from_bits_retain(get(p, 48)),
             x: get(p, 4),
             y: get(p, 8),
             z: get(p, 12),
@@ -138,8 +138,8 @@ impl wire::Message for PositionTargetLocalNed {
         put(p, 36, self.afz);
         put(p, 40, self.yaw);
         put(p, 44, self.yaw_rate);
-        put(p, 48, self.type_mask);
-        put(p, 50, self.coordinate_frame);
+        put(p, 48, self.type_mask.bits());
+        put(p, 50, self.coordinate_frame.0);
     }
 }
 

@@ -53,7 +53,7 @@ impl wire::Message for PowerStatus {
         Self {
             vcc: get(p, 0),
             vservo: get(p, 2),
-            flags: get(p, 4),
+            flags: MavPowerStatus::from_bits_retain(get(p, 4)),
         }
     }
 
@@ -61,7 +61,7 @@ impl wire::Message for PowerStatus {
     fn store(&self, p: &mut [u8; 6]) {
         put(p, 0, self.vcc);
         put(p, 2, self.vservo);
-        put(p, 4, self.flags);
+        put(p, 4, self.flags.bits());
     }
 }
 

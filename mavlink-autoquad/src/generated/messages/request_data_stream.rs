@@ -67,7 +67,7 @@ impl wire::Message for RequestDataStream {
         Self {
             target_system: get(p, 2),
             target_component: get(p, 3),
-            req_stream_id: get(p, 4),
+            req_stream_id: MavDataStream(get(p, 4)),
             req_message_rate: get(p, 0),
             start_stop: get(p, 5),
         }
@@ -78,7 +78,7 @@ impl wire::Message for RequestDataStream {
         put(p, 0, self.req_message_rate);
         put(p, 2, self.target_system);
         put(p, 3, self.target_component);
-        put(p, 4, self.req_stream_id);
+        put(p, 4, self.req_stream_id.0);
         put(p, 5, self.start_stop);
     }
 

@@ -69,7 +69,7 @@ impl wire::Message for ResponseEventError {
             target_component: get(p, 5),
             sequence: get(p, 0),
             sequence_oldest_available: get(p, 2),
-            reason: get(p, 6),
+            reason: MavEventErrorReason(get(p, 6)),
         }
     }
 
@@ -79,7 +79,7 @@ impl wire::Message for ResponseEventError {
         put(p, 2, self.sequence_oldest_available);
         put(p, 4, self.target_system);
         put(p, 5, self.target_component);
-        put(p, 6, self.reason);
+        put(p, 6, self.reason.0);
     }
 
     #[inline]

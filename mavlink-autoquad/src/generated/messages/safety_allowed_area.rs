@@ -71,7 +71,7 @@ impl wire::Message for SafetyAllowedArea {
     #[inline(always)]
     fn read(p: &[u8; 25]) -> Self {
         Self {
-            frame: get(p, 24),
+            frame: MavFrame(get(p, 24)),
             p1x: get(p, 0),
             p1y: get(p, 4),
             p1z: get(p, 8),
@@ -89,7 +89,7 @@ impl wire::Message for SafetyAllowedArea {
         put(p, 12, self.p2x);
         put(p, 16, self.p2y);
         put(p, 20, self.p2z);
-        put(p, 24, self.frame);
+        put(p, 24, self.frame.0);
     }
 }
 

@@ -85,7 +85,7 @@ impl wire::Message for SafetySetAllowedArea {
         Self {
             target_system: get(p, 24),
             target_component: get(p, 25),
-            frame: get(p, 26),
+            frame: MavFrame(get(p, 26)),
             p1x: get(p, 0),
             p1y: get(p, 4),
             p1z: get(p, 8),
@@ -105,7 +105,7 @@ impl wire::Message for SafetySetAllowedArea {
         put(p, 20, self.p2z);
         put(p, 24, self.target_system);
         put(p, 25, self.target_component);
-        put(p, 26, self.frame);
+        put(p, 26, self.frame.0);
     }
 
     #[inline]

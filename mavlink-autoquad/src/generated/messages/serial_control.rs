@@ -81,8 +81,8 @@ impl wire::Message for SerialControl {
     #[inline(always)]
     fn read(p: &[u8; 81]) -> Self {
         Self {
-            device: get(p, 6),
-            flags: get(p, 7),
+            device: SerialControlDev(get(p, 6)),
+            flags: SerialControlFlag::from_bits_retain(get(p, 7)),
             timeout: get(p, 4),
             baudrate: get(p, 0),
             count: get(p, 8),
@@ -96,8 +96,8 @@ impl wire::Message for SerialControl {
     fn store(&self, p: &mut [u8; 81]) {
         put(p, 0, self.baudrate);
         put(p, 4, self.timeout);
-        put(p, 6, self.device);
-        put(p, 7, self.flags);
+        put(p, 6, self.device.0);
+        put(p, 7, self.flags.bits());
         put(p, 8, self.count);
         put(p, 9, self.data);
         put(p, 79, self.target_system);

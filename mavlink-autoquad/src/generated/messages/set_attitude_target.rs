@@ -93,7 +93,7 @@ impl wire::Message for SetAttitudeTarget {
             time_boot_ms: get(p, 0),
             target_system: get(p, 36),
             target_component: get(p, 37),
-            type_mask: get(p, 38),
+            type_mask: AttitudeTargetTypemask::from_bits_retain(get(p, 38)),
             q: get(p, 4),
             body_roll_rate: get(p, 20),
             body_pitch_rate: get(p, 24),
@@ -113,7 +113,7 @@ impl wire::Message for SetAttitudeTarget {
         put(p, 32, self.thrust);
         put(p, 36, self.target_system);
         put(p, 37, self.target_component);
-        put(p, 38, self.type_mask);
+        put(p, 38, self.type_mask.bits());
         put(p, 39, self.thrust_body);
     }
 

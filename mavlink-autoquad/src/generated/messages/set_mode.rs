@@ -55,7 +55,7 @@ impl wire::Message for SetMode {
     fn read(p: &[u8; 6]) -> Self {
         Self {
             target_system: get(p, 4),
-            base_mode: get(p, 5),
+            base_mode: MavModeFlag::from_bits_retain(get(p, 5)),
             custom_mode: get(p, 0),
         }
     }
@@ -64,7 +64,7 @@ impl wire::Message for SetMode {
     fn store(&self, p: &mut [u8; 6]) {
         put(p, 0, self.custom_mode);
         put(p, 4, self.target_system);
-        put(p, 5, self.base_mode);
+        put(p, 5, self.base_mode.bits());
     }
 
     #[inline]

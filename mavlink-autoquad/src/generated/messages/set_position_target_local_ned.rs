@@ -122,8 +122,8 @@ impl wire::Message for SetPositionTargetLocalNed {
             time_boot_ms: get(p, 0),
             target_system: get(p, 50),
             target_component: get(p, 51),
-            coordinate_frame: get(p, 52),
-            type_mask: get(p, 48),
+            coordinate_frame: MavFrame(get(p, 52)),
+            type_mask: PositionTargetTypemask::from_bits_retain(get(p, 48)),
             x: get(p, 4),
             y: get(p, 8),
             z: get(p, 12),
@@ -152,10 +152,10 @@ impl wire::Message for SetPositionTargetLocalNed {
         put(p, 36, self.afz);
         put(p, 40, self.yaw);
         put(p, 44, self.yaw_rate);
-        put(p, 48, self.type_mask);
+        put(p, 48, self.type_mask.bits());
         put(p, 50, self.target_system);
         put(p, 51, self.target_component);
-        put(p, 52, self.coordinate_frame);
+        put(p, 52, self.coordinate_frame.0);
     }
 
     #[inline]

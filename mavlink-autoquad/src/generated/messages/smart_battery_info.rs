@@ -318,8 +318,8 @@ impl wire::Message for SmartBatteryInfo {
     fn read(p: &[u8; 109]) -> Self {
         Self {
             id: get(p, 18),
-            battery_function: get(p, 19),
-            r#type: get(p, 20),
+            battery_function: MavBatteryFunction(get(p, 19)),
+            r#type: MavBatteryType(get(p, 20)),
             capacity_full_specification: get(p, 0),
             capacity_full: get(p, 4),
             cycle_count: get(p, 8),
@@ -347,8 +347,8 @@ impl wire::Message for SmartBatteryInfo {
         put(p, 14, self.charging_minimum_voltage);
         put(p, 16, self.resting_minimum_voltage);
         put(p, 18, self.id);
-        put(p, 19, self.battery_function);
-        put(p, 20, self.r#type);
+        put(p, 19, self.battery_function.0);
+        put(p, 20, self.r#type.0);
         put(p, 21, self.serial_number);
         put(p, 37, self.device_name);
         put(p, 87, self.charging_maximum_voltage);

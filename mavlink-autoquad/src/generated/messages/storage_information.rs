@@ -104,15 +104,15 @@ impl wire::Message for StorageInformation {
             time_boot_ms: get(p, 0),
             storage_id: get(p, 24),
             storage_count: get(p, 25),
-            status: get(p, 26),
+            status: StorageStatus(get(p, 26)),
             total_capacity: get(p, 4),
             used_capacity: get(p, 8),
             available_capacity: get(p, 12),
             read_speed: get(p, 16),
             write_speed: get(p, 20),
-            r#type: get(p, 27),
+            r#type: StorageType(get(p, 27)),
             name: get(p, 28),
-            storage_usage: get(p, 60),
+            storage_usage: StorageUsageFlag::from_bits_retain(get(p, 60)),
         }
     }
 
@@ -126,10 +126,10 @@ impl wire::Message for StorageInformation {
         put(p, 20, self.write_speed);
         put(p, 24, self.storage_id);
         put(p, 25, self.storage_count);
-        put(p, 26, self.status);
-        put(p, 27, self.r#type);
+        put(p, 26, self.status.0);
+        put(p, 27, self.r#type.0);
         put(p, 28, self.name);
-        put(p, 60, self.storage_usage);
+        put(p, 60, self.storage_usage.bits());
     }
 }
 

@@ -55,13 +55,13 @@ impl wire::Message for SupportedTunes {
         Self {
             target_system: get(p, 4),
             target_component: get(p, 5),
-            format: get(p, 0),
+            format: TuneFormat(get(p, 0)),
         }
     }
 
     #[inline]
     fn store(&self, p: &mut [u8; 6]) {
-        put(p, 0, self.format);
+        put(p, 0, self.format.0);
         put(p, 4, self.target_system);
         put(p, 5, self.target_component);
     }

@@ -183,9 +183,15 @@ impl wire::Message for SysStatus {
     #[inline(always)]
     fn read(p: &[u8; 43]) -> Self {
         Self {
-            onboard_control_sensors_present: get(p, 0),
-            onboard_control_sensors_enabled: get(p, 4),
-            onboard_control_sensors_health: get(p, 8),
+            onboard_control_sensors_present: MavSysStatusSensor::from_bits_retain(
+                get(p, 0),
+            ),
+            onboard_control_sensors_enabled: MavSysStatusSensor::from_bits_retain(
+                get(p, 4),
+            ),
+            onboard_control_sensors_health: MavSysStatusSensor::from_bits_retain(
+                get(p, 8),
+            ),
             load: get(p, 12),
             voltage_battery: get(p, 14),
             current_battery: get(p, 16),
@@ -196,17 +202,23 @@ impl wire::Message for SysStatus {
             errors_count2: get(p, 24),
             errors_count3: get(p, 26),
             errors_count4: get(p, 28),
-            onboard_control_sensors_present_extended: get(p, 31),
-            onboard_control_sensors_enabled_extended: get(p, 35),
-            onboard_control_sensors_health_extended: get(p, 39),
+            onboard_control_sensors_present_extended: MavSysStatusSensorExtended::from_bits_retain(
+                get(p, 31),
+            ),
+            onboard_control_sensors_enabled_extended: MavSysStatusSensorExtended::from_bits_retain(
+                get(p, 35),
+            ),
+            onboard_control_sensors_health_extended: MavSysStatusSensorExtended::from_bits_retain(
+                get(p, 39),
+            ),
         }
     }
 
     #[inline]
     fn store(&self, p: &mut [u8; 43]) {
-        put(p, 0, self.onboard_control_sensors_present);
-        put(p, 4, self.onboard_control_sensors_enabled);
-        put(p, 8, self.onboard_control_sensors_health);
+        put(p, 0, self.onboard_control_sensors_present.bits());
+        put(p, 4, self.onboard_control_sensors_enabled.bits());
+        put(p, 8, self.onboard_control_sensors_health.bits());
         put(p, 12, self.load);
         put(p, 14, self.voltage_battery);
         put(p, 16, self.current_battery);
@@ -217,9 +229,9 @@ impl wire::Message for SysStatus {
         put(p, 26, self.errors_count3);
         put(p, 28, self.errors_count4);
         put(p, 30, self.battery_remaining);
-        put(p, 31, self.onboard_control_sensors_present_extended);
-        put(p, 35, self.onboard_control_sensors_enabled_extended);
-        put(p, 39, self.onboard_control_sensors_health_extended);
+        put(p, 31, self.onboard_control_sensors_present_extended.bits());
+        put(p, 35, self.onboard_control_sensors_enabled_extended.bits());
+        put(p, 39, self.onboard_control_sensors_health_extended.bits());
     }
 }
 

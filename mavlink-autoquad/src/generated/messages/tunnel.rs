@@ -65,7 +65,7 @@ impl wire::Message for Tunnel {
         Self {
             target_system: get(p, 2),
             target_component: get(p, 3),
-            payload_type: get(p, 0),
+            payload_type: MavTunnelPayloadType(get(p, 0)),
             payload_length: get(p, 4),
             payload: get(p, 5),
         }
@@ -73,7 +73,7 @@ impl wire::Message for Tunnel {
 
     #[inline]
     fn store(&self, p: &mut [u8; 133]) {
-        put(p, 0, self.payload_type);
+        put(p, 0, self.payload_type.0);
         put(p, 2, self.target_system);
         put(p, 3, self.target_component);
         put(p, 4, self.payload_length);

@@ -70,8 +70,8 @@ impl wire::Message for UavcanNodeStatus {
         Self {
             time_usec: get(p, 0),
             uptime_sec: get(p, 8),
-            health: get(p, 14),
-            mode: get(p, 15),
+            health: UavcanNodeHealth(get(p, 14)),
+            mode: UavcanNodeMode(get(p, 15)),
             sub_mode: get(p, 16),
             vendor_specific_status_code: get(p, 12),
         }
@@ -82,8 +82,8 @@ impl wire::Message for UavcanNodeStatus {
         put(p, 0, self.time_usec);
         put(p, 8, self.uptime_sec);
         put(p, 12, self.vendor_specific_status_code);
-        put(p, 14, self.health);
-        put(p, 15, self.mode);
+        put(p, 14, self.health.0);
+        put(p, 15, self.mode.0);
         put(p, 16, self.sub_mode);
     }
 }

@@ -159,8 +159,8 @@ impl wire::Message for UtmGlobalPosition {
             next_lon: get(p, 28),
             next_alt: get(p, 32),
             update_rate: get(p, 48),
-            flight_state: get(p, 68),
-            flags: get(p, 69),
+            flight_state: UtmFlightState(get(p, 68)),
+            flags: UtmDataAvailFlags::from_bits_retain(get(p, 69)),
         }
     }
 
@@ -182,8 +182,8 @@ impl wire::Message for UtmGlobalPosition {
         put(p, 46, self.vel_acc);
         put(p, 48, self.update_rate);
         put(p, 50, self.uas_id);
-        put(p, 68, self.flight_state);
-        put(p, 69, self.flags);
+        put(p, 68, self.flight_state.0);
+        put(p, 69, self.flags.bits());
     }
 }
 

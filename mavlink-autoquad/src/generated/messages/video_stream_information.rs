@@ -113,8 +113,8 @@ impl wire::Message for VideoStreamInformation {
         Self {
             stream_id: get(p, 18),
             count: get(p, 19),
-            r#type: get(p, 20),
-            flags: get(p, 8),
+            r#type: VideoStreamType(get(p, 20)),
+            flags: VideoStreamStatusFlags::from_bits_retain(get(p, 8)),
             framerate: get(p, 0),
             resolution_h: get(p, 10),
             resolution_v: get(p, 12),
@@ -123,7 +123,7 @@ impl wire::Message for VideoStreamInformation {
             hfov: get(p, 16),
             name: get(p, 21),
             uri: get(p, 53),
-            encoding: get(p, 213),
+            encoding: VideoStreamEncoding(get(p, 213)),
             camera_device_id: get(p, 214),
         }
     }
@@ -132,17 +132,17 @@ impl wire::Message for VideoStreamInformation {
     fn store(&self, p: &mut [u8; 215]) {
         put(p, 0, self.framerate);
         put(p, 4, self.bitrate);
-        put(p, 8, self.flags);
+        put(p, 8, self.flags.bits());
         put(p, 10, self.resolution_h);
         put(p, 12, self.resolution_v);
         put(p, 14, self.rotation);
         put(p, 16, self.hfov);
         put(p, 18, self.stream_id);
         put(p, 19, self.count);
-        put(p, 20, self.r#type);
+        put(p, 20, self.r#type.0);
         put(p, 21, self.name);
         put(p, 53, self.uri);
-        put(p, 213, self.encoding);
+        put(p, 213, self.encoding.0);
         put(p, 214, self.camera_device_id);
     }
 }

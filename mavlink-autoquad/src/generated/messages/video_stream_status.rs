@@ -84,7 +84,7 @@ impl wire::Message for VideoStreamStatus {
     fn read(p: &[u8; 20]) -> Self {
         Self {
             stream_id: get(p, 18),
-            flags: get(p, 8),
+            flags: VideoStreamStatusFlags::from_bits_retain(get(p, 8)),
             framerate: get(p, 0),
             resolution_h: get(p, 10),
             resolution_v: get(p, 12),
@@ -99,7 +99,7 @@ impl wire::Message for VideoStreamStatus {
     fn store(&self, p: &mut [u8; 20]) {
         put(p, 0, self.framerate);
         put(p, 4, self.bitrate);
-        put(p, 8, self.flags);
+        put(p, 8, self.flags.bits());
         put(p, 10, self.resolution_h);
         put(p, 12, self.resolution_v);
         put(p, 14, self.rotation);

@@ -62,8 +62,8 @@ impl wire::Message for WifiConfigAp {
         Self {
             ssid: get(p, 0),
             password: get(p, 32),
-            mode: get(p, 96),
-            response: get(p, 97),
+            mode: WifiConfigApMode(get(p, 96)),
+            response: WifiConfigApResponse(get(p, 97)),
         }
     }
 
@@ -71,8 +71,8 @@ impl wire::Message for WifiConfigAp {
     fn store(&self, p: &mut [u8; 98]) {
         put(p, 0, self.ssid);
         put(p, 32, self.password);
-        put(p, 96, self.mode);
-        put(p, 97, self.response);
+        put(p, 96, self.mode.0);
+        put(p, 97, self.response.0);
     }
 }
 

@@ -170,7 +170,7 @@ impl wire::Message for WinchStatus {
             voltage: get(p, 20),
             current: get(p, 24),
             temperature: get(p, 32),
-            status: get(p, 28),
+            status: MavWinchStatusFlag::from_bits_retain(get(p, 28)),
         }
     }
 
@@ -182,7 +182,7 @@ impl wire::Message for WinchStatus {
         put(p, 16, self.tension);
         put(p, 20, self.voltage);
         put(p, 24, self.current);
-        put(p, 28, self.status);
+        put(p, 28, self.status.bits());
         put(p, 32, self.temperature);
     }
 }

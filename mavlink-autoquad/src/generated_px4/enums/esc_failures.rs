@@ -3,7 +3,7 @@
 use ::mavlink_wire as wire;
 
 /// Flags in a `u16`: constants of `EscReport`.
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct EscFailures(u16);
 
 impl EscFailures {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `ACTUATOR_OUTPUT_FUNCTION` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#ACTUATOR_OUTPUT_FUNCTION).
 #[doc(alias = "ACTUATOR_OUTPUT_FUNCTION")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct ActuatorOutputFunction(pub u8);
 
 impl ActuatorOutputFunction {

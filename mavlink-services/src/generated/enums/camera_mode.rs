@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `CAMERA_MODE` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#CAMERA_MODE).
 #[doc(alias = "CAMERA_MODE")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct CameraMode(pub u8);
 
 impl CameraMode {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `CAMERA_SOURCE` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#CAMERA_SOURCE).
 #[doc(alias = "CAMERA_SOURCE")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct CameraSource(pub u8);
 
 impl CameraSource {

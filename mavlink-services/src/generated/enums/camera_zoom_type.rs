@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `CAMERA_ZOOM_TYPE` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#CAMERA_ZOOM_TYPE).
 #[doc(alias = "CAMERA_ZOOM_TYPE")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct CameraZoomType(pub u8);
 
 impl CameraZoomType {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `GIMBAL_MANAGER_FLAGS` of `common.xml`: flags in a `u32`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#GIMBAL_MANAGER_FLAGS).
 #[doc(alias = "GIMBAL_MANAGER_FLAGS")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct GimbalManagerFlags(u32);
 
 impl GimbalManagerFlags {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `ILLUMINATOR_MODE` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#ILLUMINATOR_MODE).
 #[doc(alias = "ILLUMINATOR_MODE")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct IlluminatorMode(pub u8);
 
 impl IlluminatorMode {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `MAV_AUTOPILOT` of `minimal.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/minimal.html#MAV_AUTOPILOT).
 #[doc(alias = "MAV_AUTOPILOT")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MavAutopilot(pub u8);
 
 impl MavAutopilot {

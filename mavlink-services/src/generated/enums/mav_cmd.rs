@@ -9,7 +9,7 @@ use ::mavlink_wire as wire;
 /// `MAV_CMD` of `common.xml`: numbers of type `u16`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MAV_CMD).
 #[doc(alias = "MAV_CMD")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MavCmd(pub u16);
 
 impl MavCmd {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `MAV_GOTO` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MAV_GOTO).
 #[doc(alias = "MAV_GOTO")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MavGoto(pub u8);
 
 impl MavGoto {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `MAV_MISSION_RESULT` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MAV_MISSION_RESULT).
 #[doc(alias = "MAV_MISSION_RESULT")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MavMissionResult(pub u8);
 
 impl MavMissionResult {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `MAV_PARAM_TYPE` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MAV_PARAM_TYPE).
 #[doc(alias = "MAV_PARAM_TYPE")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MavParamType(pub u8);
 
 impl MavParamType {

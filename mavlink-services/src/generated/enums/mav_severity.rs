@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `MAV_SEVERITY` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MAV_SEVERITY).
 #[doc(alias = "MAV_SEVERITY")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MavSeverity(pub u8);
 
 impl MavSeverity {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `MAV_STANDARD_MODE` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MAV_STANDARD_MODE).
 #[doc(alias = "MAV_STANDARD_MODE")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MavStandardMode(pub u8);
 
 impl MavStandardMode {

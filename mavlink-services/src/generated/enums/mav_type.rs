@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `MAV_TYPE` of `minimal.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/minimal.html#MAV_TYPE).
 #[doc(alias = "MAV_TYPE")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MavType(pub u8);
 
 impl MavType {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `MAV_VTOL_STATE` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MAV_VTOL_STATE).
 #[doc(alias = "MAV_VTOL_STATE")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MavVtolState(pub u8);
 
 impl MavVtolState {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `MOTOR_TEST_ORDER` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#MOTOR_TEST_ORDER).
 #[doc(alias = "MOTOR_TEST_ORDER")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MotorTestOrder(pub u8);
 
 impl MotorTestOrder {

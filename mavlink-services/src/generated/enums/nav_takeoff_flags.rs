@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `NAV_TAKEOFF_FLAGS` of `common.xml`: flags in a `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#NAV_TAKEOFF_FLAGS).
 #[doc(alias = "NAV_TAKEOFF_FLAGS")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct NavTakeoffFlags(u8);
 
 impl NavTakeoffFlags {

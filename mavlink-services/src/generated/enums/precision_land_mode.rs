@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `PRECISION_LAND_MODE` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#PRECISION_LAND_MODE).
 #[doc(alias = "PRECISION_LAND_MODE")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct PrecisionLandMode(pub u8);
 
 impl PrecisionLandMode {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `PREFLIGHT_CALIBRATION_ACCELEROMETER` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#PREFLIGHT_CALIBRATION_ACCELEROMETER).
 #[doc(alias = "PREFLIGHT_CALIBRATION_ACCELEROMETER")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct PreflightCalibrationAccelerometer(pub u8);
 
 impl PreflightCalibrationAccelerometer {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `PREFLIGHT_STORAGE_MISSION_ACTION` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#PREFLIGHT_STORAGE_MISSION_ACTION).
 #[doc(alias = "PREFLIGHT_STORAGE_MISSION_ACTION")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct PreflightStorageMissionAction(pub u8);
 
 impl PreflightStorageMissionAction {

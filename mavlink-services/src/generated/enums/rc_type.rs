@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `RC_TYPE` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#RC_TYPE).
 #[doc(alias = "RC_TYPE")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct RcType(pub u8);
 
 impl RcType {

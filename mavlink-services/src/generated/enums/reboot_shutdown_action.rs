@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `REBOOT_SHUTDOWN_ACTION` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#REBOOT_SHUTDOWN_ACTION).
 #[doc(alias = "REBOOT_SHUTDOWN_ACTION")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct RebootShutdownAction(pub u8);
 
 impl RebootShutdownAction {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `REBOOT_SHUTDOWN_CONDITIONS` of `common.xml`: numbers of type `u32`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#REBOOT_SHUTDOWN_CONDITIONS).
 #[doc(alias = "REBOOT_SHUTDOWN_CONDITIONS")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct RebootShutdownConditions(pub u32);
 
 impl RebootShutdownConditions {

@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `SAFETY_SWITCH_STATE` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#SAFETY_SWITCH_STATE).
 #[doc(alias = "SAFETY_SWITCH_STATE")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct SafetySwitchState(pub u8);
 
 impl SafetySwitchState {

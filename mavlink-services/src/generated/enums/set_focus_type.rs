@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `SET_FOCUS_TYPE` of `common.xml`: numbers of type `u8`.
 /// See the [message reference](https://mavlink.io/en/messages/common.html#SET_FOCUS_TYPE).
 #[doc(alias = "SET_FOCUS_TYPE")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct SetFocusType(pub u8);
 
 impl SetFocusType {

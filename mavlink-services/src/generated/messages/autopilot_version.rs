@@ -97,7 +97,7 @@ impl wire::Message for AutopilotVersion {
     #[inline(always)]
     fn read(p: &[u8; 78]) -> Self {
         Self {
-            capabilities: get(p, 0),
+            capabilities: MavProtocolCapability::from_bits_retain(get(p, 0)),
             flight_sw_version: get(p, 16),
             middleware_sw_version: get(p, 20),
             os_sw_version: get(p, 24),
@@ -114,7 +114,7 @@ impl wire::Message for AutopilotVersion {
 
     #[inline]
     fn store(&self, p: &mut [u8; 78]) {
-        put(p, 0, self.capabilities);
+        put(p, 0, self.capabilities.bits());
         put(p, 8, self.uid);
         put(p, 16, self.flight_sw_version);
         put(p, 20, self.middleware_sw_version);

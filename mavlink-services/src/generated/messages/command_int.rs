@@ -203,8 +203,8 @@ impl wire::Message for CommandInt {
         Self {
             target_system: get(p, 30),
             target_component: get(p, 31),
-            frame: get(p, 32),
-            command: get(p, 28),
+            frame: MavFrame(get(p, 32)),
+            command: MavCmd(get(p, 28)),
             current: get(p, 33),
             autocontinue: get(p, 34),
             param1: get(p, 0),
@@ -226,10 +226,10 @@ impl wire::Message for CommandInt {
         put(p, 16, self.x);
         put(p, 20, self.y);
         put(p, 24, self.z);
-        put(p, 28, self.command);
+        put(p, 28, self.command.0);
         put(p, 30, self.target_system);
         put(p, 31, self.target_component);
-        put(p, 32, self.frame);
+        put(p, 32, self.frame.0);
         put(p, 33, self.current);
         put(p, 34, self.autocontinue);
     }

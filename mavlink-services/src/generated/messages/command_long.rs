@@ -188,7 +188,7 @@ impl wire::Message for CommandLong {
         Self {
             target_system: get(p, 30),
             target_component: get(p, 31),
-            command: get(p, 28),
+            command: MavCmd(get(p, 28)),
             confirmation: get(p, 32),
             param1: get(p, 0),
             param2: get(p, 4),
@@ -209,7 +209,7 @@ impl wire::Message for CommandLong {
         put(p, 16, self.param5);
         put(p, 20, self.param6);
         put(p, 24, self.param7);
-        put(p, 28, self.command);
+        put(p, 28, self.command.0);
         put(p, 30, self.target_system);
         put(p, 31, self.target_component);
         put(p, 32, self.confirmation);

@@ -69,7 +69,7 @@ impl wire::Message for ParamError {
             target_component: get(p, 3),
             param_id: get(p, 4),
             param_index: get(p, 0),
-            error: get(p, 20),
+            error: MavParamError(get(p, 20)),
         }
     }
 
@@ -79,7 +79,7 @@ impl wire::Message for ParamError {
         put(p, 2, self.target_system);
         put(p, 3, self.target_component);
         put(p, 4, self.param_id);
-        put(p, 20, self.error);
+        put(p, 20, self.error.0);
     }
 
     #[inline]

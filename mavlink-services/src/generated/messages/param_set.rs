@@ -69,7 +69,7 @@ impl wire::Message for ParamSet {
             target_component: get(p, 5),
             param_id: get(p, 6),
             param_value: get(p, 0),
-            param_type: get(p, 22),
+            param_type: MavParamType(get(p, 22)),
         }
     }
 
@@ -79,7 +79,7 @@ impl wire::Message for ParamSet {
         put(p, 4, self.target_system);
         put(p, 5, self.target_component);
         put(p, 6, self.param_id);
-        put(p, 22, self.param_type);
+        put(p, 22, self.param_type.0);
     }
 
     #[inline]

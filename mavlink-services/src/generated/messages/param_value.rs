@@ -65,7 +65,7 @@ impl wire::Message for ParamValue {
         Self {
             param_id: get(p, 8),
             param_value: get(p, 0),
-            param_type: get(p, 24),
+            param_type: MavParamType(get(p, 24)),
             param_count: get(p, 4),
             param_index: get(p, 6),
         }
@@ -77,7 +77,7 @@ impl wire::Message for ParamValue {
         put(p, 4, self.param_count);
         put(p, 6, self.param_index);
         put(p, 8, self.param_id);
-        put(p, 24, self.param_type);
+        put(p, 24, self.param_type.0);
     }
 }
 

@@ -59,7 +59,7 @@ impl wire::Message for Statustext {
     #[inline(always)]
     fn read(p: &[u8; 54]) -> Self {
         Self {
-            severity: get(p, 0),
+            severity: MavSeverity(get(p, 0)),
             text: get(p, 1),
             id: get(p, 51),
             chunk_seq: get(p, 53),
@@ -68,7 +68,7 @@ impl wire::Message for Statustext {
 
     #[inline]
     fn store(&self, p: &mut [u8; 54]) {
-        put(p, 0, self.severity);
+        put(p, 0, self.severity.0);
         put(p, 1, self.text);
         put(p, 51, self.id);
         put(p, 53, self.chunk_seq);

@@ -7,7 +7,7 @@ use serde_core::ser::Serializer;
 
 use super::value::{Shape, Value, is_signed};
 use crate::EnumInfo;
-use crate::flags::{fmt_flags, parse_flags};
+use crate::flags::{fmt_bits, parse_bits};
 use crate::message::enums::parse_entry;
 
 pub(super) fn serialize<S: Serializer>(
@@ -35,7 +35,7 @@ struct Flags {
 
 impl fmt::Display for Flags {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt_flags(self.info, self.bits, f)
+        fmt_bits(self.info, self.bits, f)
     }
 }
 
@@ -51,7 +51,7 @@ impl NamedVisitor {
             return self.shape.fit(parse_entry(self.info, text, is_signed(self.shape.kind)).ok()?);
         }
         let mask = u64::MAX >> (64 - 8 * self.shape.kind.size());
-        if text.is_empty() { Some(0) } else { parse_flags(self.info, mask, text).ok() }
+        if text.is_empty() { Some(0) } else { parse_bits(self.info, mask, text).ok() }
     }
 
     fn text<E: Error>(&self, text: &str) -> Result<u64, E> {

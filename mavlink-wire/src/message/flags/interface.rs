@@ -3,13 +3,13 @@
 /// Completes `pub struct MavModeFlag(u8)` to a flags type with the interface of `bitflags` 2.
 ///
 /// `flags!(MavModeFlag, u8, INFO)` takes the type, its integer and a [`EnumInfo`](crate::EnumInfo) static. The type
-/// and its constants are written out beside it, with `Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash`
-/// derived. Bits that no entry names are kept, unless a method says otherwise.
+/// and its constants are written out beside it, with `Clone, Copy, PartialEq` derived. Bits that no entry names are kept,
+/// unless a method says otherwise.
 ///
 /// ```
 /// use mavlink_wire as wire;
 ///
-/// #[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+/// #[derive(Clone, Copy, PartialEq)]
 /// pub struct EscFailure(u16);
 ///
 /// impl EscFailure {
@@ -163,13 +163,13 @@ macro_rules! flags {
             /// The entries that are set, and in the end the bits without an entry.
             #[inline]
             pub const fn iter(&self) -> $crate::flags::Iter<Self> {
-                $crate::flags::Iter::new(&$info, self.0 as u64 & $crate::flags!(@mask $repr))
+                $crate::flags::Iter::new(&$info, self.0 as u64, $repr::BITS)
             }
 
             /// The entries that are set, with their names in the XML.
             #[inline]
             pub const fn iter_names(&self) -> $crate::flags::IterNames<Self> {
-                $crate::flags::IterNames::new(&$info, self.0 as u64 & $crate::flags!(@mask $repr))
+                $crate::flags::IterNames::new(&$info, self.0 as u64, $repr::BITS)
             }
         }
 
@@ -181,14 +181,14 @@ macro_rules! flags {
         impl ::core::fmt::Debug for $name {
             #[inline]
             fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
-                $crate::generated::fmt_flags(&$info, $crate::Repr::bits(self.0), f)
+                $crate::generated::fmt_flags(self, f)
             }
         }
 
         impl ::core::fmt::Display for $name {
             #[inline]
             fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
-                $crate::generated::fmt_flags(&$info, $crate::Repr::bits(self.0), f)
+                $crate::generated::fmt_flags(self, f)
             }
         }
 
@@ -197,42 +197,23 @@ macro_rules! flags {
 
             #[inline]
             fn from_str(text: &str) -> ::core::result::Result<Self, $crate::UnknownName> {
-                match $crate::generated::parse_flags(&$info, $crate::flags!(@mask $repr), text) {
-                    ::core::result::Result::Ok(bits) => ::core::result::Result::Ok(Self(bits as $repr)),
-                    ::core::result::Result::Err(error) => ::core::result::Result::Err(error),
-                }
+                $crate::generated::parse_flags(text)
             }
         }
 
-        impl ::core::convert::From<$repr> for $name {
-            #[inline]
-            fn from(bits: $repr) -> Self {
-                Self(bits)
-            }
-        }
-
-        impl ::core::convert::From<$name> for $repr {
-            #[inline]
-            fn from(flags: $name) -> Self {
-                flags.0
-            }
-        }
+        $crate::__number!($name, $repr);
 
         impl ::core::iter::Extend<$name> for $name {
             #[inline]
             fn extend<T: ::core::iter::IntoIterator<Item = Self>>(&mut self, flags: T) {
-                for flags in flags {
-                    self.0 |= flags.0
-                }
+                *self = $crate::generated::union(*self, flags)
             }
         }
 
         impl ::core::iter::FromIterator<$name> for $name {
             #[inline]
             fn from_iter<T: ::core::iter::IntoIterator<Item = Self>>(flags: T) -> Self {
-                let mut all = Self(0);
-                ::core::iter::Extend::extend(&mut all, flags);
-                all
+                $crate::generated::union(Self(0), flags)
             }
         }
 
@@ -271,9 +252,6 @@ macro_rules! flags {
         $crate::__defmt!($name, value);
         $crate::__arbitrary!($name, value, value_size);
         $crate::__bitflags!($name, $repr, $info);
-    };
-    (@mask $repr:ident) => {
-        (u64::MAX >> (u64::BITS - $repr::BITS))
     };
     (@operator $name:ident $operator:ident $method:ident $by:ident $($assign:ident $assign_method:ident $assign_by:ident)?) => {
         impl ::core::ops::$operator for $name {

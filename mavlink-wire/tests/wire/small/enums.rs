@@ -1,6 +1,6 @@
 use mavlink_wire as wire;
 
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub(crate) struct MavState(pub(crate) u8);
 
 impl MavState {
@@ -13,7 +13,7 @@ static STATE: wire::EnumInfo =
     wire::EnumInfo::new("MAV_STATE", &[(0, "MAV_STATE_UNINIT"), (3, "MAV_STATE_STANDBY"), (4, "MAV_STATE_ACTIVE")]);
 wire::open_enum!(MavState, u8, STATE);
 
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub(crate) struct MavSeverity(pub(crate) u8);
 
 impl MavSeverity {
@@ -25,7 +25,7 @@ static SEVERITY: wire::EnumInfo =
     wire::EnumInfo::new("MAV_SEVERITY", &[(0, "MAV_SEVERITY_EMERGENCY"), (6, "MAV_SEVERITY_INFO")]);
 wire::open_enum!(MavSeverity, u8, SEVERITY);
 
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub(crate) struct MavModeFlag(u8);
 
 impl MavModeFlag {

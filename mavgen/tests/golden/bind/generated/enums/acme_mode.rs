@@ -4,7 +4,7 @@ use ::mavlink_wire as wire;
 
 /// `ACME_MODE` of `main.overlay.xml`: flags in a `u32`.
 #[doc(alias = "ACME_MODE")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct AcmeMode(u32);
 
 impl AcmeMode {

@@ -4,7 +4,7 @@ use ::mavlink_wire as wire;
 
 /// `STATE` of `main.overlay.xml`: numbers of type `i8`.
 #[doc(alias = "STATE")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct State(pub i8);
 
 impl State {

@@ -4,7 +4,7 @@ use ::mavlink_wire as wire;
 
 /// `VENDOR` of `main.xml`: numbers of type `u8`.
 #[doc(alias = "VENDOR")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Vendor(pub u8);
 
 impl Vendor {

@@ -80,7 +80,7 @@ impl wire::Message for Beat {
     #[inline(always)]
     fn read(p: &[u8; 6]) -> Self {
         Self {
-            vendor: get(p, 4),
+            vendor: Vendor(get(p, 4)),
             custom: get(p, 0),
             state: get(p, 5),
         }
@@ -89,7 +89,7 @@ impl wire::Message for Beat {
     #[inline]
     fn store(&self, p: &mut [u8; 6]) {
         put(p, 0, self.custom);
-        put(p, 4, self.vendor);
+        put(p, 4, self.vendor.0);
         put(p, 5, self.state);
     }
 }

@@ -4,7 +4,7 @@ use ::mavlink_wire as wire;
 
 /// `MAV_CMD` of `main.xml`: numbers of type `u16`.
 #[doc(alias = "MAV_CMD")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MavCmd(pub u16);
 
 impl MavCmd {

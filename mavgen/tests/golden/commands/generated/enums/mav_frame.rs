@@ -4,7 +4,7 @@ use ::mavlink_wire as wire;
 
 /// `MAV_FRAME` of `main.xml`: numbers of type `u8`.
 #[doc(alias = "MAV_FRAME")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MavFrame(pub u8);
 
 impl MavFrame {

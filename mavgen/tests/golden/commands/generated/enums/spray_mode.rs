@@ -4,7 +4,7 @@ use ::mavlink_wire as wire;
 
 /// `SPRAY_MODE` of `main.xml`: numbers of type `u8`.
 #[doc(alias = "SPRAY_MODE")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct SprayMode(pub u8);
 
 impl SprayMode {

@@ -4,7 +4,7 @@ use ::mavlink_wire as wire;
 
 /// `SPRAY_PARTS` of `main.xml`: flags in a `u32`.
 #[doc(alias = "SPRAY_PARTS")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct SprayParts(u32);
 
 impl SprayParts {

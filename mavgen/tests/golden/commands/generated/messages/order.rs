@@ -43,7 +43,7 @@ impl wire::Message for Order {
     #[inline(always)]
     fn read(p: &[u8; 30]) -> Self {
         Self {
-            command: get(p, 28),
+            command: MavCmd(get(p, 28)),
             params: get(p, 0),
         }
     }
@@ -51,7 +51,7 @@ impl wire::Message for Order {
     #[inline]
     fn store(&self, p: &mut [u8; 30]) {
         put(p, 0, self.params);
-        put(p, 28, self.command);
+        put(p, 28, self.command.0);
     }
 }
 

@@ -4,7 +4,7 @@ use ::mavlink_wire as wire;
 
 /// `NEW_MODE` of `main.xml`: numbers of type `u8`.
 #[doc(alias = "NEW_MODE")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct NewMode(pub u8);
 
 impl NewMode {

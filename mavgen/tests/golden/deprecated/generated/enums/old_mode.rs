@@ -7,7 +7,7 @@ use ::mavlink_wire as wire;
 /// `OLD_MODE` of `main.xml`: numbers of type `u8`.
 #[doc(alias = "OLD_MODE")]
 #[deprecated(note = "since 2020-01, replaced by `NEW_MODE`")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct OldMode(pub u8);
 
 impl OldMode {

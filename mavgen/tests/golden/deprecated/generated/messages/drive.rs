@@ -86,8 +86,8 @@ impl wire::Message for Drive {
     #[inline(always)]
     fn read(p: &[u8; 4]) -> Self {
         Self {
-            mode: get(p, 0),
-            old_mode: get(p, 1),
+            mode: NewMode(get(p, 0)),
+            old_mode: OldMode(get(p, 1)),
             bound: get(p, 2),
             packed: get(p, 3),
         }
@@ -95,8 +95,8 @@ impl wire::Message for Drive {
 
     #[inline]
     fn store(&self, p: &mut [u8; 4]) {
-        put(p, 0, self.mode);
-        put(p, 1, self.old_mode);
+        put(p, 0, self.mode.0);
+        put(p, 1, self.old_mode.0);
         put(p, 2, self.bound);
         put(p, 3, self.packed);
     }

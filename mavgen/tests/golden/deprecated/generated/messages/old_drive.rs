@@ -37,12 +37,12 @@ impl wire::Message for OldDrive {
 
     #[inline(always)]
     fn read(p: &[u8; 1]) -> Self {
-        Self { mode: get(p, 0) }
+        Self { mode: OldMode(get(p, 0)) }
     }
 
     #[inline]
     fn store(&self, p: &mut [u8; 1]) {
-        put(p, 0, self.mode);
+        put(p, 0, self.mode.0);
     }
 }
 

@@ -4,7 +4,7 @@ use ::mavlink_wire as wire;
 
 /// `FAULT` of `main.xml`: flags in a `u8`.
 #[doc(alias = "FAULT")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Fault(u8);
 
 impl Fault {

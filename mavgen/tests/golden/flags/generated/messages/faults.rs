@@ -44,14 +44,14 @@ impl wire::Message for Faults {
     #[inline(always)]
     fn read(p: &[u8; 4]) -> Self {
         Self {
-            now: get(p, 0),
+            now: Fault::from_bits_retain(get(p, 0)),
             before: get(p, 1),
         }
     }
 
     #[inline]
     fn store(&self, p: &mut [u8; 4]) {
-        put(p, 0, self.now);
+        put(p, 0, self.now.bits());
         put(p, 1, self.before);
     }
 }

@@ -4,7 +4,7 @@ use ::mavlink_wire as wire;
 
 /// `FLOW` of `main.xml`: numbers of type `u8`.
 #[doc(alias = "FLOW")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Flow(pub u8);
 
 impl Flow {

@@ -180,7 +180,7 @@ impl wire::Message for Measured {
         Self {
             pressure: get(p, 4),
             temperature: get(p, 0),
-            flow: get(p, 10),
+            flow: Flow(get(p, 10)),
             each: get(p, 6),
             whole: get(p, 11),
             first: get(p, 14),
@@ -193,7 +193,7 @@ impl wire::Message for Measured {
         put(p, 0, self.temperature);
         put(p, 4, self.pressure);
         put(p, 6, self.each);
-        put(p, 10, self.flow);
+        put(p, 10, self.flow.0);
         put(p, 11, self.whole);
         put(p, 14, self.first);
         put(p, 17, self.name);

@@ -4,7 +4,7 @@ use ::mavlink_wire as wire;
 
 /// `OPTION` of `main.xml`: numbers of type `u8`.
 #[doc(alias = "OPTION")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct OptionEnum(pub u8);
 
 impl OptionEnum {

@@ -86,7 +86,7 @@ impl wire::Message for Iterator_ {
     #[inline(always)]
     fn read(p: &[u8; 6]) -> Self {
         Self {
-            r#type: get(p, 0),
+            r#type: OptionEnum(get(p, 0)),
             self_: get(p, 1),
             decode: get(p, 2),
             baro_alt_msl: get(p, 3),
@@ -96,7 +96,7 @@ impl wire::Message for Iterator_ {
 
     #[inline]
     fn store(&self, p: &mut [u8; 6]) {
-        put(p, 0, self.r#type);
+        put(p, 0, self.r#type.0);
         put(p, 1, self.self_);
         put(p, 2, self.decode);
         put(p, 3, self.baro_alt_msl);

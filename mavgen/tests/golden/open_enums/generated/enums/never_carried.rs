@@ -4,7 +4,7 @@ use ::mavlink_wire as wire;
 
 /// `NEVER_CARRIED` of `main.xml`: numbers of type `u32`.
 #[doc(alias = "NEVER_CARRIED")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct NeverCarried(pub u32);
 
 impl NeverCarried {

@@ -6,7 +6,7 @@ use ::mavlink_wire as wire;
 ///
 /// `PUMP_STATE` of `main.xml`: numbers of type `u16`.
 #[doc(alias = "PUMP_STATE")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct PumpState(pub u16);
 
 impl PumpState {

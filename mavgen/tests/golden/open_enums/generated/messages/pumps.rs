@@ -109,13 +109,13 @@ impl wire::Message for Pumps {
             state: get(p, 2),
             others: get(p, 3),
             signed_state: get(p, 5),
-            wide_state: get(p, 0),
+            wide_state: PumpState(get(p, 0)),
         }
     }
 
     #[inline]
     fn store(&self, p: &mut [u8; 6]) {
-        put(p, 0, self.wide_state);
+        put(p, 0, self.wide_state.0);
         put(p, 2, self.state);
         put(p, 3, self.others);
         put(p, 5, self.signed_state);

@@ -4,7 +4,7 @@ use ::mavlink_wire as wire;
 
 /// `COLOR` of `main.xml`: numbers of type `u8`.
 #[doc(alias = "COLOR")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Color(pub u8);
 
 impl Color {

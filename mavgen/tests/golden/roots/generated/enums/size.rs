@@ -4,7 +4,7 @@ use ::mavlink_wire as wire;
 
 /// `SIZE` of `main.xml`: numbers of type `u8`.
 #[doc(alias = "SIZE")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Size(pub u8);
 
 impl Size {

@@ -35,12 +35,12 @@ impl wire::Message for Paint {
 
     #[inline(always)]
     fn read(p: &[u8; 1]) -> Self {
-        Self { color: get(p, 0) }
+        Self { color: Color(get(p, 0)) }
     }
 
     #[inline]
     fn store(&self, p: &mut [u8; 1]) {
-        put(p, 0, self.color);
+        put(p, 0, self.color.0);
     }
 }
 

@@ -3,7 +3,7 @@
 use ::mavlink_wire as wire;
 
 /// Flags in a `u16`: constants of `PumpStatus`.
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct PumpFaults(u16);
 
 impl PumpFaults {

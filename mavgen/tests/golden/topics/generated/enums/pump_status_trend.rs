@@ -3,7 +3,7 @@
 use ::mavlink_wire as wire;
 
 /// Numbers of type `i8`: constants of `PumpStatus`.
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct PumpStatusTrend(pub i8);
 
 impl PumpStatusTrend {

@@ -4,7 +4,7 @@ use ::mavlink_wire as wire;
 
 /// `GEAR` of `main.xml`: numbers of type `u8`.
 #[doc(alias = "GEAR")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Gear(pub u8);
 
 impl Gear {

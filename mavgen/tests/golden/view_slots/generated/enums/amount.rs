@@ -4,7 +4,7 @@ use ::mavlink_wire as wire;
 
 /// `AMOUNT` of `main.xml`: numbers of type `u8`.
 #[doc(alias = "AMOUNT")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Amount(pub u8);
 
 impl Amount {

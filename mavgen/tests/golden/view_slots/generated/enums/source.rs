@@ -4,7 +4,7 @@ use ::mavlink_wire as wire;
 
 /// `SOURCE` of `main.xml`: numbers of type `u8`.
 #[doc(alias = "SOURCE")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Source(pub u8);
 
 impl Source {

@@ -68,7 +68,7 @@ impl wire::Message for Wheels {
         Self {
             low: get(p, 4),
             high: get(p, 20),
-            used: get(p, 24),
+            used: Amount(get(p, 24)),
             source: get(p, 25),
             age: get(p, 12),
             radius: get(p, 0),
@@ -81,7 +81,7 @@ impl wire::Message for Wheels {
         put(p, 4, self.low);
         put(p, 12, self.age);
         put(p, 20, self.high);
-        put(p, 24, self.used);
+        put(p, 24, self.used.0);
         put(p, 25, self.source);
     }
 }

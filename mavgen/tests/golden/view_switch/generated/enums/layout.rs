@@ -4,7 +4,7 @@ use ::mavlink_wire as wire;
 
 /// `LAYOUT` of `main.xml`: numbers of type `u8`.
 #[doc(alias = "LAYOUT")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Layout(pub u8);
 
 impl Layout {

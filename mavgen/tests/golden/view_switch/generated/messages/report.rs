@@ -51,7 +51,7 @@ impl wire::Message for Report {
     #[inline(always)]
     fn read(p: &[u8; 5]) -> Self {
         Self {
-            layout: get(p, 4),
+            layout: Layout(get(p, 4)),
             word: get(p, 0),
             other: get(p, 2),
         }
@@ -61,7 +61,7 @@ impl wire::Message for Report {
     fn store(&self, p: &mut [u8; 5]) {
         put(p, 0, self.word);
         put(p, 2, self.other);
-        put(p, 4, self.layout);
+        put(p, 4, self.layout.0);
     }
 }
 

@@ -4,7 +4,7 @@ use ::mavlink_wire as wire;
 
 /// `SPRAYING` of `main.xml`: flags in a `u8`.
 #[doc(alias = "SPRAYING")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Spraying(u8);
 
 impl Spraying {

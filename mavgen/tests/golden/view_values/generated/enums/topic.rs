@@ -4,7 +4,7 @@ use ::mavlink_wire as wire;
 
 /// `TOPIC` of `main.xml`: numbers of type `u16`.
 #[doc(alias = "TOPIC")]
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Topic(pub u16);
 
 impl Topic {

@@ -74,12 +74,12 @@ impl wire::Message for Sensors {
     #[inline(always)]
     fn read(p: &[u8; 22]) -> Self {
         Self {
-            index: get(p, 16),
+            index: Topic(get(p, 16)),
             value1: get(p, 8),
             value2: get(p, 12),
             precise: get(p, 0),
             whole: get(p, 18),
-            flags: get(p, 20),
+            flags: Spraying::from_bits_retain(get(p, 20)),
             small: get(p, 21),
         }
     }
@@ -89,9 +89,9 @@ impl wire::Message for Sensors {
         put(p, 0, self.precise);
         put(p, 8, self.value1);
         put(p, 12, self.value2);
-        put(p, 16, self.index);
+        put(p, 16, self.index.0);
         put(p, 18, self.whole);
-        put(p, 20, self.flags);
+        put(p, 20, self.flags.bits());
         put(p, 21, self.small);
     }
 }

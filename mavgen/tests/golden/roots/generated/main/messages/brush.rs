@@ -37,12 +37,12 @@ impl wire::Message for Brush {
 
     #[inline(always)]
     fn read(p: &[u8; 1]) -> Self {
-        Self { size: get(p, 0) }
+        Self { size: Size(get(p, 0)) }
     }
 
     #[inline]
     fn store(&self, p: &mut [u8; 1]) {
-        put(p, 0, self.size);
+        put(p, 0, self.size.0);
     }
 }
 
