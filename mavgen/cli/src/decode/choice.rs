@@ -28,7 +28,8 @@ impl Choice {
         let all = named(&[fields, views].concat());
         means_something(&self.fields, &all, "field or value of a view")?;
         means_something(&self.views, &tops, "view")?;
-        means_something(&self.no_view, &tops, "view")
+        // Where there are no views, none at all is what there is.
+        if tops.is_empty() && self.no_view == ["*"] { Ok(()) } else { means_something(&self.no_view, &tops, "view") }
     }
 
     /// Whether only some fields are printed, and of other messages nothing.
@@ -176,5 +177,7 @@ mod tests {
         let said = "no view of these messages is called `roll`";
         assert_eq!(check(Choice { views: named("roll"), ..Choice::default() }), Err(said.to_owned()));
         assert!(check(Choice { no_view: named("escs"), ..Choice::default() }).is_ok());
+        assert!(check(Choice { no_view: named("esc"), ..Choice::default() }).is_err());
+        assert!(Choice { no_view: named("*"), ..Choice::default() }.check(&fields, &[]).is_ok());
     }
 }
