@@ -1,6 +1,7 @@
 //! Prints when a PX4 changed its mode, and when its processor was busy: `cargo run -p px4-topics -- flight.ulg`. The log may be of any release.
 
 use std::error::Error;
+use std::process::ExitCode;
 
 use mavlink_wire::uorb::ulog::Log;
 use px4::{NavState, Px4, VehicleStatus};
@@ -8,9 +9,16 @@ use px4::{NavState, Px4, VehicleStatus};
 // The module `px4`, which the build script made.
 mavlink_wire::include_dialect!("px4");
 
-fn main() -> Result<(), Box<dyn Error>> {
+fn main() -> ExitCode {
+    let Err(error) = run() else { return ExitCode::SUCCESS };
+    eprintln!("px4-topics: {error}");
+    ExitCode::FAILURE
+}
+
+fn run() -> Result<(), Box<dyn Error>> {
     let path = std::env::args_os().nth(1).ok_or("usage: px4-topics LOG.ulg")?;
-    for line in events(&std::fs::read(path)?)? {
+    let log = std::fs::read(&path).map_err(|error| format!("{}: {error}", path.display()))?;
+    for line in events(&log)? {
         println!("{line}");
     }
     Ok(())

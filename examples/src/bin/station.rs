@@ -4,6 +4,7 @@
 
 use std::error::Error;
 use std::io::{self, Write};
+use std::process::ExitCode;
 
 use mavlink_autoquad::autoquad::commands::NavTakeoff;
 use mavlink_autoquad::wire::Command;
@@ -11,7 +12,13 @@ use mavlink_services::Station;
 use mavlink_services::common::{MavCmd, MavMissionType};
 use mavlink_services::mission::MissionItem;
 
-fn main() -> Result<(), Box<dyn Error>> {
+fn main() -> ExitCode {
+    let Err(error) = run() else { return ExitCode::SUCCESS };
+    eprintln!("station: {error}");
+    ExitCode::FAILURE
+}
+
+fn run() -> Result<(), Box<dyn Error>> {
     let address = std::env::args().nth(1).unwrap_or_else(|| "udpin:0.0.0.0:14550".into());
     let mut station = Station::connect(&address)?;
     println!("{} is a {} with {}", station.vehicle(), station.heartbeat().r#type, station.heartbeat().autopilot);

@@ -3,6 +3,7 @@
 //! `vehicle [ADDRESS]` sends to `udpout:127.0.0.1:14550` unless told otherwise, until it is stopped.
 
 use std::error::Error;
+use std::process::ExitCode;
 use std::time::{self, Duration};
 
 use mavlink_autoquad::autoquad::{self as aq, MavProtocolCapability as Capability};
@@ -120,7 +121,13 @@ impl AutoQuad {
     }
 }
 
-fn main() -> Result<(), Box<dyn Error>> {
+fn main() -> ExitCode {
+    let Err(error) = run() else { return ExitCode::SUCCESS };
+    eprintln!("vehicle: {error}");
+    ExitCode::FAILURE
+}
+
+fn run() -> Result<(), Box<dyn Error>> {
     let address = std::env::args().nth(1).unwrap_or_else(|| "udpout:127.0.0.1:14550".into());
     let mut link =
         Link::connect(&address, Options::new(aq::Autoquad::TABLE, Sender::v2(1, aq::MavComponent::AUTOPILOT1)))?;
