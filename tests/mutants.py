@@ -35,7 +35,7 @@ ENOUGH = 0.9
 QUICK, QUICK_CASES = ["goldens", "units", "quick"], "16"
 
 # Many seconds long: they run only for what the others let pass.
-MAVGEN_SLOW = ["vendor::tests::part", "resolve::tests::hostile", "docs::hostile", "output::tests", "uorb::tests", "select::tests"]
+MAVGEN_SLOW = ["vendor::tests::part", "resolve::tests::hostile", "docs::tests::hostile", "output::tests", "uorb::tests", "select::tests"]
 WIRE_SLOW = ["hostile::", "crowds_of_starts", "does_not_block", "full_buffer", "silent_client", "dropped_sender", "work::counted"]
 OPTIONAL = [f"--test={name}" for name in ["arbitrary", "bitflags", "defmt", "serde"]]
 

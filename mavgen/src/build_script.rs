@@ -5,6 +5,7 @@ mod place;
 use std::path::{PathBuf, absolute};
 
 use crate::builder::{Builder, Failure};
+use crate::collect::CollectVec as _;
 use crate::diag::{Diagnostic, Severity, Style, render};
 use crate::emit::GeneratedFile;
 use crate::ir::Dialect;
@@ -54,7 +55,7 @@ impl Builder {
         let watched = found.watched.iter().map(|path| place.for_cargo(path));
         let watched = watched.map(|path| format!("cargo::rerun-if-changed={}", path.display()));
         let failure = failure.map(|failure| format!("cargo::error={failure}"));
-        watched.chain(self.for_cargo(&found)).chain(failure).collect()
+        watched.chain(self.for_cargo(&found)).chain(failure).collect_vec()
     }
 
     /// Writes the tree and the one-line file that `include_dialect!` names.
@@ -89,9 +90,9 @@ impl Builder {
         let kinds = diagnostics.iter().filter_map(|diagnostic| Some((kind(diagnostic)?, diagnostic)));
         let directives = |(kind, diagnostic): (&str, &Diagnostic)| -> Vec<String> {
             let drawn = render(diagnostic, sources, Style::Plain);
-            drawn.lines().map(|line| format!("cargo::{kind}={line}")).collect()
+            drawn.lines().map(|line| format!("cargo::{kind}={line}")).collect_vec()
         };
-        kinds.flat_map(directives).collect()
+        kinds.flat_map(directives).collect_vec()
     }
 }
 
@@ -160,7 +161,7 @@ fn of_one(dialect: &Dialect, type_name: &str) -> String {
 
 /// What stands over the module of several dialects.
 fn of_several(union: &Union) -> String {
-    let names: Vec<String> = union.roots.iter().map(|root| format!("`{}`", root.name)).collect();
+    let names = union.roots.iter().map(|root| format!("`{}`", root.name)).collect_vec();
     format!("The dialects {}, each in its module, and what they share.", names.join(", "))
 }
 

@@ -30,6 +30,7 @@ pub use overlay::overlays;
 pub use read::read;
 pub use scalar::Scalar;
 
+use crate::collect::CollectVec as _;
 use crate::diag::Diagnostics;
 use crate::select::Selection;
 use crate::source::Sources;
@@ -59,7 +60,7 @@ pub fn load(
             return model::Package::default();
         }
     };
-    let names: Vec<String> = folder.meant(path).filter(|name| wanted(name)).map(str::to_owned).collect();
+    let names = folder.meant(path).filter(|name| wanted(name)).map(str::to_owned).collect_vec();
     let said = Said::of(overlays, &folder, diagnostics);
     let mut resolver = Resolver::new(folder, said, sources, diagnostics);
     resolver.load(&names);
@@ -81,11 +82,11 @@ pub fn selected(path: &Path, names: &[String]) -> Result<Vec<String>, String> {
     let folder = Folder::of(path).map_err(|problem| problem.message)?;
     let all = || folder.meant(path);
     if names.is_empty() {
-        return Ok(all().map(str::to_owned).collect());
+        return Ok(all().map(str::to_owned).collect_vec());
     }
     let selection = Selection::new(names.iter().map(String::as_str))?;
     selection.check_names(all, &path.display().to_string())?;
-    Ok(all().filter(|name| selection.has(name)).map(str::to_owned).collect())
+    Ok(all().filter(|name| selection.has(name)).map(str::to_owned).collect_vec())
 }
 
 /// The fields of a message as PX4's logs define them: `uint64_t timestamp;uint8_t[2] _padding0;`.

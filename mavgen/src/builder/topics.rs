@@ -4,6 +4,7 @@ use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 
 use super::{Builder, Failure};
+use crate::collect::CollectVec as _;
 use crate::diag::Diagnostics;
 use crate::emit::{GeneratedFile, emit};
 use crate::lower::spelling;
@@ -68,7 +69,7 @@ impl Builder {
     pub fn topics(&self) -> Result<Topics, Failure> {
         let definitions = self.definitions()?;
         let (mut sources, mut diagnostics) = (Sources::default(), self.diagnostics()?);
-        let folders: Vec<&Path> = definitions.iter().map(|(_, folder)| folder.as_path()).collect();
+        let folders = definitions.iter().map(|(_, folder)| folder.as_path()).collect_vec();
         let said = overlays(&self.overlays, &folders, &mut sources, &mut diagnostics);
         let mut wanted: Option<HashSet<String>> = None;
         let mut read = Vec::new();
@@ -122,7 +123,7 @@ impl Builder {
         let of_folder = folder.and_then(Path::file_name).and_then(|name| name.to_str()).filter(|name| *name != ANY);
         let name = self.definition.as_deref().or(of_folder).unwrap_or(NEWEST);
         let newest = std::iter::once((name.to_owned(), newest.clone()));
-        let definitions: Vec<_> = newest.chain(self.older.iter().cloned()).collect();
+        let definitions = newest.chain(self.older.iter().cloned()).collect_vec();
         let mut known = HashSet::new();
         for (name, _) in &definitions {
             if let Some(why) = no_definition(name) {
@@ -150,7 +151,7 @@ impl Builder {
         let read = sources.iter().map(|(_, file)| file.path().to_owned());
         let all = self.messages.is_none() || has_errors;
         let folders = folders.iter().filter(|_| all).map(|folder| (*folder).to_owned());
-        read.chain(folders).collect()
+        read.chain(folders).collect_vec()
     }
 }
 

@@ -8,23 +8,30 @@ const LONGEST: usize = 80;
 /// An edit inserts, removes or replaces a character, or swaps two neighbours; letter case does not count. Of equally near
 /// candidates the first is taken.
 pub fn nearest<'c>(name: &str, candidates: impl IntoIterator<Item = &'c str>) -> Option<&'c str> {
-    let wanted = (name.len() <= LONGEST).then(|| letters(name))?;
-    let mut best = None;
-    for candidate in candidates {
-        best = nearer(&wanted, best, candidate);
+    let mut search = Search { wanted: letters(name), best: None };
+    if name.len() <= LONGEST {
+        candidates.into_iter().for_each(|candidate| search.offer(candidate));
     }
-    best.map(|(_, candidate)| candidate)
+    search.best.map(|(_, candidate)| candidate)
 }
 
-/// The better of the best so far and this candidate, each with its distance.
-fn nearer<'c>(wanted: &[char], best: Option<(usize, &'c str)>, candidate: &'c str) -> Option<(usize, &'c str)> {
-    let (letters, allowed) = (letters(candidate), (wanted.len() / 3).clamp(1, 4));
-    if wanted.len().abs_diff(letters.len()) > allowed {
-        return best;
+/// A search for the nearest: `nearest` is compiled for each kind of iterator, so what it does is here.
+struct Search<'c> {
+    wanted: Vec<char>,
+    /// The best so far, and its distance.
+    best: Option<(usize, &'c str)>,
+}
+
+impl<'c> Search<'c> {
+    fn offer(&mut self, candidate: &'c str) {
+        let (letters, allowed) = (letters(candidate), (self.wanted.len() / 3).clamp(1, 4));
+        if self.wanted.len().abs_diff(letters.len()) <= allowed {
+            let distance = edits(&self.wanted, &letters);
+            if distance <= allowed && self.best.is_none_or(|(before, _)| distance < before) {
+                self.best = Some((distance, candidate));
+            }
+        }
     }
-    let distance = edits(wanted, &letters);
-    let is_nearer = distance <= allowed && best.is_none_or(|(before, _)| distance < before);
-    if is_nearer { Some((distance, candidate)) } else { best }
 }
 
 fn letters(text: &str) -> Vec<char> {

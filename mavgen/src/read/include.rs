@@ -165,7 +165,7 @@ struct Loader<'a> {
     /// The files by absolute path; `None` for one that cannot be read, which was said already.
     seen: HashMap<PathBuf, Option<FileIndex>>,
     /// The files by the path without symbolic links.
-    same: HashMap<PathBuf, FileIndex>,
+    same: HashMap<PathBuf, Option<FileIndex>>,
 }
 
 impl Loader<'_> {
@@ -195,7 +195,7 @@ impl Loader<'_> {
             self.read.insert(absolute, text.cloned());
         }
         let Some(file) = file? else { return Ok(None) };
-        self.same.extend(std::fs::canonicalize(path).map(|path| (path, index)));
+        self.same.extend(std::fs::canonicalize(path).map(|path| (path, Some(index))));
         self.loaded.files.push(file);
         self.edges.push(Vec::new());
         self.found.push(found);
@@ -255,7 +255,7 @@ impl Loader<'_> {
 
     /// The file at `place`, if it was read by another path: through a symbolic link, say. It is not read again.
     fn by_other_path(&mut self, place: &Path, include: &Text) -> Option<FileIndex> {
-        let index = *self.same.get(&std::fs::canonicalize(place).ok()?)?;
+        let index = (*self.same.get(&std::fs::canonicalize(place).ok()?)?)?;
         self.seen.insert(paths::absolute(place), Some(index));
         self.loaded.watched.push(place.to_owned());
         let message = format!("`{}` is `{}` by another path", place.display(), self.name(index));

@@ -1,6 +1,7 @@
 //! The comments of a `.msg` file: bracket groups at their beginning, then prose.
 
 use super::syntax::{Group, GroupKind};
+use crate::collect::CollectVec as _;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::source::Part;
 
@@ -29,7 +30,7 @@ fn kind(inside: &str) -> Result<Option<GroupKind>, &'static str> {
     let (name, value) = mark.split_once(char::is_whitespace).unwrap_or((mark, ""));
     let value = value.trim();
     Ok(Some(match name {
-        "enum" if !value.is_empty() => GroupKind::Enum(value.split_whitespace().map(str::to_owned).collect()),
+        "enum" if !value.is_empty() => GroupKind::Enum(value.split_whitespace().map(str::to_owned).collect_vec()),
         "range" => {
             let (low, high) = value.split_once(',').ok_or("write both ends: `[@range 0, 1]`")?;
             GroupKind::Range(low.trim().to_owned(), high.trim().to_owned())

@@ -1,6 +1,7 @@
 //! Enums and flags: constants of a file that are the values, or the bits, of a field.
 
 use super::model::{Constant, Entry, Enum, EnumIndex, MessageIndex};
+use crate::collect::CollectVec as _;
 use crate::ir::{Name, Repr};
 use crate::source::Span;
 
@@ -32,7 +33,7 @@ impl Claim<'_> {
 
     /// The enum of all constants that fit.
     pub(super) fn into_enum(self, message: MessageIndex) -> Enum {
-        let labels: Vec<&str> = self.constants.iter().map(|(constant, stem)| label(&constant.name, stem)).collect();
+        let labels = self.constants.iter().map(|(constant, stem)| label(&constant.name, stem)).collect_vec();
         let entry = |(i, (constant, _)): (usize, &(&Constant, &str))| {
             let value = self.value(constant)?;
             let label = labels.get(i).copied()?;
@@ -40,7 +41,7 @@ impl Claim<'_> {
             let label = if is_unique { label } else { &constant.name }.to_owned();
             Some(Entry { label, value, constant: (*constant).clone() })
         };
-        let entries = self.constants.iter().enumerate().filter_map(entry).collect();
+        let entries = self.constants.iter().enumerate().filter_map(entry).collect_vec();
         Enum { name: self.name.clone(), message, flags: self.flags, repr: self.repr, entries }
     }
 }
@@ -70,7 +71,7 @@ pub(super) fn add(made: Enum, enums: &mut Vec<Enum>) -> Result<EnumIndex, NameTa
         return Ok(EnumIndex(enums.len() - 1));
     };
     let Some(known) = enums.get(index) else { return Ok(EnumIndex(index)) };
-    let names = |one: &Enum| one.entries.iter().map(|entry| entry.constant.name.clone()).collect::<Vec<_>>();
+    let names = |one: &Enum| one.entries.iter().map(|entry| entry.constant.name.clone()).collect_vec();
     let alike = known.message == made.message && known.flags == made.flags && names(known) == names(&made);
     if alike && known.repr == made.repr {
         return Ok(EnumIndex(index));
@@ -80,8 +81,8 @@ pub(super) fn add(made: Enum, enums: &mut Vec<Enum>) -> Result<EnumIndex, NameTa
 
 /// The name of the enum that `[@enum P]` makes: the message, and P without the words that both have in common.
 pub(super) fn name_of(message: &str, prefix: &str) -> String {
-    let words: Vec<String> = super::topic_name(message).split('_').map(str::to_owned).collect();
-    let own: Vec<String> = prefix.split('_').filter(|word| !word.is_empty()).map(str::to_ascii_lowercase).collect();
+    let words = super::topic_name(message).split('_').map(str::to_owned).collect_vec();
+    let own = prefix.split('_').filter(|word| !word.is_empty()).map(str::to_ascii_lowercase).collect_vec();
     let leading = words.iter().zip(&own).take_while(|(word, own)| word == own).count();
     let trailing =
         (1..=own.len().min(words.len())).rev().find(|count| words.get(words.len() - count..) == own.get(..*count));

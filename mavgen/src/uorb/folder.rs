@@ -1,22 +1,25 @@
 //! A folder of `.msg` files: each is read when it is asked for.
 
-use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::diag::{Code, Diagnostic, Diagnostics};
+use crate::order;
 use crate::source::{FileId, SourceFile, Sources, Span};
 
 /// PX4's own tree has the messages that have versions in a folder of this name, below that of the others.
 const VERSIONED: &str = "versioned";
 
-/// The files of a folder by name, `EscStatus` for `EscStatus.msg`.
+/// Files in the order of their names, `EscStatus` for `EscStatus.msg`.
+type Files = Vec<(String, PathBuf)>;
+
+/// The files of a folder.
 #[derive(Clone, Debug)]
 pub(super) struct Folder {
     path: PathBuf,
-    files: BTreeMap<String, PathBuf>,
+    files: Files,
     /// What its messages may nest as well.
-    beside: BTreeMap<String, PathBuf>,
+    beside: Files,
 }
 
 impl Folder {
@@ -26,22 +29,17 @@ impl Folder {
         let unreadable = |error: std::io::Error| {
             Diagnostic::without_place(Code::Unreadable, format!("cannot read {}: {error}", folder.display()))
         };
-        let mut files = BTreeMap::new();
-        let versioned = folder.join(VERSIONED);
-        if versioned.is_dir() {
-            collect(&versioned, &mut files).map_err(unreadable)?;
-        }
-        collect(folder, &mut files).map_err(unreadable)?;
-        let mut beside = BTreeMap::new();
-        if folder.ends_with(VERSIONED) {
-            collect(&folder.join(".."), &mut beside).map_err(unreadable)?;
-        }
+        let (versioned, above) = (folder.join(VERSIONED), folder.join(".."));
+        let versioned = versioned.is_dir().then_some(versioned.as_path());
+        let above = folder.ends_with(VERSIONED).then_some(above.as_path());
+        let files = files(std::iter::once(folder).chain(versioned)).map_err(unreadable)?;
+        let beside = self::files(above).map_err(unreadable)?;
         let found = Self { path: folder.to_owned(), files, beside };
         if path == folder && found.files.is_empty() {
             let message = format!("no `.msg` file is in {}", folder.display());
             return Err(Diagnostic::without_place(Code::Unreadable, message));
         }
-        let is_there = found.meant(path).all(|name| found.files.contains_key(name));
+        let is_there = found.meant(path).all(|name| of(&found.files, name).is_some());
         is_there
             .then_some(found)
             .ok_or_else(|| Diagnostic::without_place(Code::Unreadable, format!("there is no file {}", path.display())))
@@ -62,12 +60,12 @@ impl Folder {
     /// The messages that `path` means, from which this was made: all of the folder, or the one.
     pub(super) fn meant<'f>(&'f self, path: &'f Path) -> impl Iterator<Item = &'f str> {
         let one = path.file_stem().and_then(|name| name.to_str()).filter(|_| !path.is_dir());
-        let all = path.is_dir().then(|| self.files.keys().map(String::as_str));
+        let all = path.is_dir().then(|| self.files.iter().map(|(name, _)| name.as_str()));
         one.into_iter().chain(all.into_iter().flatten())
     }
 
     pub(super) fn names(&self) -> impl Iterator<Item = &str> {
-        self.files.keys().chain(self.beside.keys()).map(String::as_str)
+        self.files.iter().chain(&self.beside).map(|(name, _)| name.as_str())
     }
 
     pub(super) fn has(&self, name: &str) -> bool {
@@ -75,7 +73,7 @@ impl Folder {
     }
 
     fn get(&self, name: &str) -> Option<&Path> {
-        self.files.get(name).or_else(|| self.beside.get(name)).map(PathBuf::as_path)
+        of(&self.files, name).or_else(|| of(&self.beside, name))
     }
 
     /// The bytes of the file of this message, if there is one.
@@ -102,14 +100,25 @@ impl Folder {
     }
 }
 
-fn collect(folder: &Path, files: &mut BTreeMap<String, PathBuf>) -> std::io::Result<()> {
-    for entry in fs::read_dir(folder)? {
-        let path = entry?.path();
-        if path.extension().is_some_and(|extension| extension == "msg")
-            && let Some(name) = path.file_stem().and_then(|name| name.to_str())
-        {
-            files.insert(name.to_owned(), path);
+/// The `.msg` files of folders, by name; of two with one name, that in the folder named first.
+fn files<'f>(folders: impl IntoIterator<Item = &'f Path>) -> std::io::Result<Files> {
+    let mut files = Files::new();
+    for folder in folders {
+        for entry in fs::read_dir(folder)? {
+            let path = entry?.path();
+            if path.extension().is_some_and(|extension| extension == "msg")
+                && let Some(name) = path.file_stem().and_then(|name| name.to_str())
+            {
+                files.push((name.to_owned(), path));
+            }
         }
     }
-    Ok(())
+    order::sort_by_key(&mut files, |(name, _)| name.clone());
+    files.dedup_by(|(later, _), (first, _)| later == first);
+    Ok(files)
+}
+
+fn of<'f>(files: &'f Files, name: &str) -> Option<&'f Path> {
+    let at = files.binary_search_by(|(known, _)| known.as_str().cmp(name)).ok()?;
+    files.get(at).map(|(_, path)| path.as_path())
 }

@@ -1,11 +1,12 @@
 //! The two hashes of a message: PX4's message hash and ROS 2's type hash.
 
-use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use sha2::{Digest, Sha256};
 
 use super::model::{Element, Field, Message};
+use crate::collect::CollectVec as _;
+use crate::order;
 
 /// FNV-1a of 32 bits over the types and names of the fields, in the order of the file; what a field nests follows it.
 pub(super) fn message_hash(fields: &[Field], nested: &[Message]) -> u32 {
@@ -27,9 +28,10 @@ pub(super) fn message_hash(fields: &[Field], nested: &[Message]) -> u32 {
 /// ROS 2's type hash of `px4_msgs/msg/NAME`, as REP 2016 and the interface of type descriptions define it: SHA-256 of the
 /// description as JSON.
 pub(super) fn type_hash(name: &str, fields: &[Field], nested: &[Message]) -> String {
-    let mut referenced = BTreeMap::new();
+    let mut referenced = Vec::new();
     collect(fields, nested, &mut referenced);
-    let referenced: Vec<String> = referenced.values().cloned().collect();
+    // They begin with the names, by which they are ordered.
+    order::sort_and_dedup(&mut referenced);
     let json = format!(
         r#"{{"type_description": {}, "referenced_type_descriptions": [{}]}}"#,
         description(name, fields, nested),
@@ -43,18 +45,18 @@ pub(super) fn type_hash(name: &str, fields: &[Field], nested: &[Message]) -> Str
     hash
 }
 
-/// The descriptions of all that is nested, by name.
-fn collect<'m>(fields: &[Field], nested: &'m [Message], found: &mut BTreeMap<&'m str, String>) {
+/// The descriptions of all that is nested.
+fn collect(fields: &[Field], nested: &[Message], found: &mut Vec<String>) {
     for field in fields {
         if let Some(message) = field.element.message(nested) {
-            found.insert(&message.name, description(&message.name, &message.fields, nested));
+            found.push(description(&message.name, &message.fields, nested));
             collect(&message.fields, nested, found);
         }
     }
 }
 
 fn description(name: &str, fields: &[Field], nested: &[Message]) -> String {
-    let fields: Vec<String> = fields.iter().map(|field| field_description(field, nested)).collect();
+    let fields = fields.iter().map(|field| field_description(field, nested)).collect_vec();
     format!(r#"{{"type_name": "px4_msgs/msg/{name}", "fields": [{}]}}"#, fields.join(", "))
 }
 

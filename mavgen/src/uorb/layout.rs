@@ -2,6 +2,8 @@
 
 use super::model::{Element, Field, Message};
 use super::scalar::Scalar;
+use crate::collect::CollectVec as _;
+use crate::order;
 
 /// Puts the fields into the order of the struct and gives each its offset; returns the length, and how much of it is padding at
 /// the end. `None` if it is longer than 4 GiB.
@@ -25,8 +27,8 @@ pub(super) fn arrange(fields: &mut [Field], nested: &[Message]) -> Option<(u32, 
 /// The fields as the struct has them: by the size of their scalars, largest first, and nested messages last.
 pub(super) fn struct_order(fields: &[Field]) -> Vec<(u32, usize)> {
     let size = |field: &Field| field.element.scalar().map_or(0, Scalar::size);
-    let mut order: Vec<_> = fields.iter().map(size).zip(0..).collect();
-    order.sort_by_key(|(size, _)| std::cmp::Reverse(*size));
+    let mut order = fields.iter().map(size).zip(0..).collect_vec();
+    order::sort_by_key(&mut order, |(size, _)| std::cmp::Reverse(*size));
     order
 }
 

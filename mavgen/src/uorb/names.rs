@@ -1,10 +1,12 @@
 //! No two things of a message have one name.
 
-use std::collections::BTreeMap;
+use std::collections::HashMap;
 
 use super::syntax::MsgFile;
+use crate::collect::CollectVec as _;
 use crate::diag::{Code, Diagnostic, Diagnostics};
-use crate::source::Spanned;
+use crate::order;
+use crate::source::Span;
 
 /// Whether a text can be the name of a message.
 pub(super) fn is_message(name: &str) -> bool {
@@ -20,18 +22,16 @@ pub(super) fn is_field(name: &str) -> bool {
 pub(super) fn check(file: &MsgFile, diagnostics: &mut Diagnostics) {
     let fields = file.fields.iter().map(|field| &field.name);
     let constants = file.constants.iter().map(|constant| &constant.name);
-    let mut names: Vec<&Spanned<String>> = fields.chain(constants).collect();
-    names.sort_by_key(|name| name.span);
-    let mut seen = BTreeMap::new();
+    let mut names = fields.chain(constants).collect_vec();
+    order::sort_by_key(&mut names, |name| name.span);
+    let mut seen: HashMap<&str, Span> = HashMap::new();
     for name in names {
-        match seen.get(&name.value) {
-            Some(first) => diagnostics.push(
-                Diagnostic::new(Code::UorbDuplicate, name.span, format!("`{}` stands here twice", name.value))
-                    .related(*first, "the first one"),
-            ),
-            None => {
-                seen.insert(&name.value, name.span);
-            }
+        if let Some(first) = seen.get(&*name.value) {
+            let message = format!("`{}` stands here twice", name.value);
+            let problem = Diagnostic::new(Code::UorbDuplicate, name.span, message);
+            diagnostics.push(problem.related(*first, "the first one"));
+        } else {
+            seen.insert(&name.value, name.span);
         }
     }
 }

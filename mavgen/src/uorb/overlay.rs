@@ -4,6 +4,7 @@ use std::collections::HashMap;
 use std::path::{Component, Path, PathBuf};
 
 use super::folder::Folder;
+use crate::collect::CollectVec as _;
 use crate::diag::{Code, Diagnostic, Diagnostics, nearest};
 use crate::read::{self, absolute};
 use crate::source::{Sources, Span};
@@ -38,7 +39,7 @@ pub fn overlays(
 
 /// Says that an overlay is for none of the folders.
 fn foreign(base: &Text, folders: &[&Path]) -> Option<Diagnostic> {
-    let folders: Vec<&Path> = folders.iter().copied().map(Folder::path_of).collect();
+    let folders = folders.iter().copied().map(Folder::path_of).collect_vec();
     if folders.iter().any(|folder| is_for(&base.value, folder)) {
         return None;
     }

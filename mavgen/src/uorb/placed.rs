@@ -3,6 +3,7 @@
 use super::layout::struct_order;
 use super::model::{Element, Field, Message, MessageIndex, Package};
 use super::scalar::Scalar;
+use crate::collect::CollectVec as _;
 
 /// A field in the bytes of its message.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -117,10 +118,10 @@ pub(crate) fn in_record(package: &Package, message: &Message) -> Vec<Placed> {
                     len: nested.struct_len,
                     fields: in_record(package, nested),
                 });
-                Held::Messages(index, run.into_iter().collect())
+                Held::Messages(index, run.into_iter().collect_vec())
             }
         };
         Placed { field: i, at, held }
     });
-    placed.collect()
+    placed.collect_vec()
 }

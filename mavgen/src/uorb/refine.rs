@@ -2,7 +2,7 @@
 
 mod carried;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{HashMap, HashSet};
 
 use super::model::{Field, Message, MessageIndex, Package};
 use super::syntax::{FieldSyntax, GroupKind, MsgFile};
@@ -24,9 +24,9 @@ pub(super) fn apply(
     let refined = said.map(|said| of_fields(said, message, diagnostics)).unwrap_or_default();
     let index = MessageIndex(package.messages.len());
     let mut fields = std::mem::take(&mut message.fields);
-    let mut scope = Scope { index, message, package, diagnostics, taken: BTreeSet::new() };
+    let mut scope = Scope { index, message, package, diagnostics, taken: HashSet::new() };
     for (field, syntax) in fields.iter_mut().zip(&file.fields) {
-        let said = refined.get(&*field.name).copied();
+        let said = refined.iter().copied().find(|said| said.name.value == field.name);
         scope.refine(field, said, syntax);
     }
     let taken = scope.taken;
@@ -34,14 +34,14 @@ pub(super) fn apply(
     message.fields = fields;
 }
 
-/// What an overlay says of the fields of a message, by name.
+/// What an overlay says of the fields of a message, of each once.
 fn of_fields<'o>(
     said: &'o overlay::Message,
     message: &Message,
     diagnostics: &mut Diagnostics,
-) -> BTreeMap<&'o str, &'o overlay::Field> {
-    let mut fields: BTreeMap<&str, &overlay::Field> = BTreeMap::new();
-    let mut former: BTreeMap<&str, Span> = BTreeMap::new();
+) -> Vec<&'o overlay::Field> {
+    let mut fields: Vec<&overlay::Field> = Vec::new();
+    let mut former: HashMap<&str, Span> = HashMap::new();
     let existing = || message.fields.iter().map(|field| (&*field.name, field.span));
     for refinement in &said.fields {
         let name = &refinement.name;
@@ -49,12 +49,12 @@ fn of_fields<'o>(
             let problem = format!("`{}` has no field `{}`", message.name, name.value);
             let problem = Diagnostic::new(Code::OverlayField, name.span, problem).label("no such field");
             diagnostics.push(problem.meant(nearest(&name.value, existing().map(|(known, _)| known))));
-        } else if let Some(first) = fields.get(&*name.value) {
+        } else if let Some(first) = fields.iter().find(|first| first.name.value == name.value) {
             let problem = format!("an overlay speaks of field `{}` twice", name.value);
             let problem = Diagnostic::new(Code::DuplicateField, name.span, problem);
             diagnostics.push(problem.related(first.name.span, "the first time"));
         } else {
-            fields.insert(&name.value, refinement);
+            fields.push(refinement);
         }
         diagnostics.extend(incomplete(refinement));
         let Some(was) = &refinement.was else { continue };
@@ -113,7 +113,7 @@ struct Scope<'p> {
     package: &'p mut Package,
     diagnostics: &'p mut Diagnostics,
     /// The constants that are in enums.
-    taken: BTreeSet<String>,
+    taken: HashSet<String>,
 }
 
 impl Scope<'_> {

@@ -1,6 +1,6 @@
 //! From the syntax of `.msg` files to messages: looks types up, checks names, lays fields out.
 
-use std::collections::BTreeMap;
+use std::collections::HashMap;
 use std::io;
 
 use super::folder::Folder;
@@ -11,6 +11,7 @@ use super::overlay::Said;
 use super::scalar::Scalar;
 use super::syntax::{Comment, ConstantSyntax, FieldSyntax, GroupKind, MsgFile};
 use super::{names, placed, refine, topic_name};
+use crate::collect::CollectVec as _;
 use crate::diag::{Code, Diagnostic, Diagnostics, nearest};
 use crate::source::{Sources, Span, Spanned};
 use crate::threads;
@@ -18,12 +19,12 @@ use crate::threads;
 pub(super) struct Resolver<'s> {
     folder: Folder,
     /// The bytes of files that nobody asked for yet.
-    loaded: BTreeMap<String, io::Result<Vec<u8>>>,
+    loaded: HashMap<String, io::Result<Vec<u8>>>,
     said: Said<'s>,
     sources: &'s mut Sources,
     diagnostics: &'s mut Diagnostics,
     /// The messages that are resolved; `None` for one in which something is wrong, which was told.
-    known: BTreeMap<String, Option<MessageIndex>>,
+    known: HashMap<String, Option<MessageIndex>>,
     /// The messages that are begun: each nests the next.
     begun: Vec<String>,
     /// How deep each message of the package nests: one that nests nothing is 1 deep.
@@ -40,11 +41,11 @@ impl<'s> Resolver<'s> {
     ) -> Self {
         Self {
             folder,
-            loaded: BTreeMap::new(),
+            loaded: HashMap::new(),
             said,
             sources,
             diagnostics,
-            known: BTreeMap::new(),
+            known: HashMap::new(),
             begun: Vec::new(),
             depths: Vec::new(),
             package: Package::default(),
@@ -98,8 +99,8 @@ impl<'s> Resolver<'s> {
         }
         let file = super::read(id, self.sources, self.diagnostics);
         names::check(&file, self.diagnostics);
-        let fields: Vec<Field> = file.fields.iter().filter_map(|field| self.field(field)).collect();
-        let constants: Vec<Constant> = file.constants.iter().filter_map(|constant| self.constant(constant)).collect();
+        let fields = file.fields.iter().filter_map(|field| self.field(field)).collect_vec();
+        let constants = file.constants.iter().filter_map(|constant| self.constant(constant)).collect_vec();
         self.check_timestamp(&file, &fields);
         if self.diagnostics.broken_files().contains(&Some(id)) {
             return None;
@@ -127,7 +128,7 @@ impl<'s> Resolver<'s> {
         };
         let (in_cdr, cdr_len) = placed::cdr(nested, &fields, 0);
         fields.iter_mut().zip(&in_cdr).for_each(|(field, placed)| field.cdr_offset = placed.at);
-        let topics = file.topics.iter().map(|topic| topic.value.clone()).collect();
+        let topics = file.topics.iter().map(|topic| topic.value.clone()).collect_vec();
         let mut take = |wanted: &str| {
             let at = constants.iter().position(|constant| constant.name == wanted)?;
             u32::try_from(constants.remove(at).value).ok()

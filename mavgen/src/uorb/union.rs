@@ -6,9 +6,10 @@
 mod fields;
 mod nesting;
 
-use std::collections::BTreeMap;
+use std::collections::HashMap;
 
 use super::model::{self, Constant, EnumIndex, MessageIndex, Package};
+use crate::collect::CollectVec as _;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{Invalid, Name, Repr};
 use crate::source::{FileId, Span};
@@ -112,7 +113,7 @@ pub struct Enum {
 impl Union {
     /// Joins definitions, newest first. A field whose types cannot be one is an error.
     pub fn of(name: &str, definitions: Vec<Definition>, diagnostics: &mut Diagnostics) -> Self {
-        let mut places: BTreeMap<&str, usize> = BTreeMap::new();
+        let mut places: HashMap<&str, usize> = HashMap::new();
         let mut joined: Vec<Joined<'_>> = Vec::new();
         for (at, definition) in definitions.iter().enumerate() {
             for (i, message) in definition.package.messages.iter().enumerate() {
@@ -125,7 +126,7 @@ impl Union {
         }
         let mut enums = enums(&definitions, diagnostics);
         let context = fields::Context { definitions: &definitions, places: &places, enums: &enums };
-        let messages: Vec<Message> = joined.iter().filter_map(|known| message(known, &context, diagnostics)).collect();
+        let messages = joined.iter().filter_map(|known| message(known, &context, diagnostics)).collect_vec();
         nesting::check(&messages, diagnostics);
         for (at, one) in enums.iter_mut().enumerate() {
             let mut fields = messages.iter().flat_map(|message| &message.fields);
@@ -168,7 +169,7 @@ fn message(known: &Joined<'_>, context: &fields::Context<'_>, diagnostics: &mut 
         queue: newest.queue,
         fields,
         constants: constants(known, context, diagnostics),
-        known: found.collect(),
+        known: found.collect_vec(),
     })
 }
 

@@ -1,7 +1,5 @@
 //! Files that include each other in a circle.
 
-use std::collections::HashSet;
-
 use super::Edge;
 use crate::collect::CollectVec as _;
 use crate::diag::{Code, Diagnostic, Diagnostics};
@@ -20,16 +18,16 @@ struct Stop<'e> {
 /// calls: a hostile dialect can make it as long as it likes.
 pub(super) fn report(edges: &[Vec<Edge>], names: &[String], diagnostics: &mut Diagnostics) {
     let stop = |file: FileIndex, by| edges.get(file.0).map(|edges| Stop { file, by, next: edges.iter() });
-    let mut done = HashSet::new();
+    let mut done = vec![false; edges.len()];
     let mut way = Vec::new();
     way.extend(stop(FileIndex(0), None));
     while let Some(last) = way.last_mut() {
         let Some(&edge) = last.next.next() else {
-            done.insert(last.file);
+            done.get_mut(last.file.0).into_iter().for_each(|done| *done = true);
             way.pop();
             continue;
         };
-        if done.contains(&edge.to) {
+        if done.get(edge.to.0).copied().unwrap_or(true) {
             continue;
         }
         match way.iter().position(|stop| stop.file == edge.to) {

@@ -1,11 +1,10 @@
 //! The enum that a field carries: by `[@enum P]`, or as an overlay says.
 
-use std::collections::BTreeMap;
-
 use super::super::enums::{self, Claim, NameTaken};
 use super::super::model::{Constant, Element, EnumIndex, Field, Message};
 use super::super::syntax::{FieldSyntax, GroupKind};
 use super::{Scope, bad_name};
+use crate::collect::CollectVec as _;
 use crate::diag::{Code, Diagnostic, Diagnostics, nearest};
 use crate::ir::{Name, Repr};
 use crate::source::{Part, Span};
@@ -18,22 +17,20 @@ type Constants<'m> = Vec<(&'m Constant, &'m str)>;
 /// The enum that a comment gives to a field. What is wrong with it leaves the field a number.
 pub(super) fn of_comment(scope: &mut Scope<'_>, field: &Field, syntax: &FieldSyntax) -> Option<EnumIndex> {
     let mut first: Option<(&str, Span)> = None;
-    let mut found: BTreeMap<usize, &str> = BTreeMap::new();
+    let mut stems: Vec<Option<&str>> = vec![None; scope.message.constants.len()];
     let mut problem = |span, message| scope.diagnostics.push(Diagnostic::new(Code::UorbEnum, span, message));
     for group in &syntax.comment.groups {
         let GroupKind::Enum(prefixes) = &group.kind else { continue };
         for prefix in prefixes {
-            let before = found.len();
-            for (i, constant) in scope.message.constants.iter().enumerate() {
-                if let Some(rest) = constant.name.strip_prefix(prefix.as_str()).filter(|rest| rest.starts_with('_')) {
-                    let stem = constant.name.get(..=constant.name.len() - rest.len()).unwrap_or_default();
-                    found.entry(i).or_insert(stem);
-                }
+            let mut is_new = false;
+            for (stem, constant) in stems.iter_mut().zip(&scope.message.constants).filter(|(stem, _)| stem.is_none()) {
+                let has_prefix = constant.name.strip_prefix(prefix.as_str()).is_some_and(|rest| rest.starts_with('_'));
+                *stem = constant.name.get(..=prefix.len()).filter(|_| has_prefix);
+                is_new |= has_prefix;
             }
-            if found.len() == before {
-                problem(group.span, format!("no constant of this file begins with `{prefix}_`"));
-            } else {
-                first = first.or(Some((prefix, group.span)));
+            match is_new {
+                true => first = first.or(Some((prefix, group.span))),
+                false => problem(group.span, format!("no constant of this file begins with `{prefix}_`")),
             }
         }
     }
@@ -43,12 +40,12 @@ pub(super) fn of_comment(scope: &mut Scope<'_>, field: &Field, syntax: &FieldSyn
         return None;
     };
     let name = Name { text: enums::name_of(&scope.message.name, prefix), span };
-    let constants = found.into_iter().filter_map(|(i, stem)| Some((scope.message.constants.get(i)?, stem))).collect();
+    let constants = with_stems(scope.message, stems);
     let mut claim = Claim { name, flags: false, bits: false, repr, constants };
     for (constant, _) in claim.constants.iter().filter(|(constant, _)| claim.value(constant).is_none()) {
         problem(span, format!("`{}` is {}, which `{}` cannot hold", constant.name, constant.value, field.name));
     }
-    claim.constants = claim.constants.iter().copied().filter(|(one, _)| claim.value(one).is_some()).collect();
+    claim.constants = claim.constants.iter().copied().filter(|(one, _)| claim.value(one).is_some()).collect_vec();
     add(scope, claim).map_err(|taken| scope.diagnostics.push(taken.as_warning(span, field))).ok()
 }
 
@@ -68,7 +65,7 @@ pub(super) fn of_overlay(scope: &mut Scope<'_>, said: &overlay::Field, field: &F
     };
     let claim = Claim { name: Name { text: name.value.clone(), span: name.span }, flags, bits, repr, constants };
     let beyond: Vec<&Constant> =
-        claim.constants.iter().map(|(one, _)| *one).filter(|one| claim.value(one).is_none()).collect();
+        claim.constants.iter().map(|(one, _)| *one).filter(|one| claim.value(one).is_none()).collect_vec();
     if !beyond.is_empty() {
         let problems = beyond.into_iter().map(|constant| self::beyond(bits, constant, field, patterns.span));
         scope.diagnostics.extend(problems);
@@ -79,7 +76,7 @@ pub(super) fn of_overlay(scope: &mut Scope<'_>, said: &overlay::Field, field: &F
 
 /// Puts an enum into the package, and takes its constants.
 fn add(scope: &mut Scope<'_>, claim: Claim<'_>) -> Result<EnumIndex, NameTaken> {
-    let names: Vec<String> = claim.constants.iter().map(|(constant, _)| constant.name.clone()).collect();
+    let names = claim.constants.iter().map(|(constant, _)| constant.name.clone()).collect_vec();
     let index = enums::add(claim.into_enum(scope.index), &mut scope.package.enums)?;
     scope.taken.extend(names);
     Ok(index)
@@ -108,19 +105,27 @@ impl NameTaken {
 
 /// The constants that `NAME` and `PREFIX_*` mean, in the order of the file.
 fn matching<'m>(message: &'m Message, patterns: &'m Text, diagnostics: &mut Diagnostics) -> Constants<'m> {
-    let mut found: BTreeMap<usize, &str> = BTreeMap::new();
+    let mut stems: Vec<Option<&str>> = vec![None; message.constants.len()];
     for pattern in patterns.part().words() {
-        let stem = pattern.text.strip_suffix('*');
-        let is_meant = |name: &str| stem.map_or(name == pattern.text, |stem| name.starts_with(stem));
-        let mut meant = (0..).zip(&message.constants).filter(|(_, one)| is_meant(&one.name)).peekable();
-        if meant.peek().is_none() {
+        let mut is_meant = false;
+        for (stem, Constant { name, .. }) in stems.iter_mut().zip(&message.constants) {
+            let found = match pattern.text.strip_suffix('*') {
+                Some(stem) => name.starts_with(stem).then_some(stem),
+                None => (name == pattern.text).then_some(""),
+            };
+            is_meant |= found.is_some();
+            *stem = stem.or(found);
+        }
+        if !is_meant {
             diagnostics.push(missing(pattern, message));
         }
-        for (i, _) in meant {
-            found.entry(i).or_insert(stem.unwrap_or_default());
-        }
     }
-    found.into_iter().filter_map(|(i, stem)| Some((message.constants.get(i)?, stem))).collect()
+    with_stems(message, stems)
+}
+
+/// The constants that have a stem, with it.
+fn with_stems<'m>(message: &'m Message, stems: Vec<Option<&'m str>>) -> Constants<'m> {
+    message.constants.iter().zip(stems).filter_map(|(constant, stem)| Some((constant, stem?))).collect_vec()
 }
 
 fn leave_out(message: &Message, except: Option<&Text>, from: &mut Constants<'_>, diagnostics: &mut Diagnostics) {

@@ -1,8 +1,9 @@
 //! The fields of a message in all of its definitions, joined.
 
-use std::collections::BTreeMap;
+use std::collections::HashMap;
 
 use super::{Definition, Enum, Field, Joined};
+use crate::collect::CollectVec as _;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::uorb::Scalar;
 use crate::uorb::model::{self, Element, EnumIndex, MessageIndex};
@@ -11,7 +12,7 @@ use crate::uorb::model::{self, Element, EnumIndex, MessageIndex};
 pub(super) struct Context<'d> {
     pub(super) definitions: &'d [Definition],
     /// The place of each message in the union.
-    pub(super) places: &'d BTreeMap<&'d str, usize>,
+    pub(super) places: &'d HashMap<&'d str, usize>,
     pub(super) enums: &'d [Enum],
 }
 
@@ -65,7 +66,7 @@ pub(super) fn join(
         let field = union(seen, context, diagnostics)?;
         Some(Field { until: field.until.filter(|until| Some(*until) != newest), ..field })
     });
-    (fields.collect(), places)
+    (fields.collect_vec(), places)
 }
 
 /// The field of newer definitions that this one is.

@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 use pulldown_cmark::{Event, LinkType, Options, Parser, Tag, TagEnd};
 
-use super::{first_sentence, is_constant, is_invisible, line, prose};
+use super::super::{first_sentence, is_constant, is_invisible, line, prose};
 
 /// What markdown, rustdoc, Rust and terminals act on, and words between.
 const PIECES: [&str; 64] = [
