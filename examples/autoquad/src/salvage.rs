@@ -73,7 +73,7 @@ impl Salvage {
             return Err(Failure::with(name, "nothing of it is a record of AutoQuad's QGroundControl"));
         }
         let out = self.out.clone().unwrap_or_else(|| named_after(&self.log, "tlog"));
-        let mut writer = Writer::new(self.overwriting.whole(&out, Some(&self.log))?);
+        let mut writer = Writer::new(self.overwriting.whole(&out, Some(&self.log))?.of_bytes()?);
         let (mut senders, mut tally) = (BTreeMap::<_, Sender>::new(), Tally::default());
         let bar = progress::bar(log.len() as u64);
         for record in salvaged {

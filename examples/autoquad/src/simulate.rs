@@ -92,7 +92,7 @@ impl Simulate {
     }
 
     fn write(&self, path: &Path) -> Result<(), Failure> {
-        let mut writer = tlog::Writer::new(self.overwriting.whole(path, None)?);
+        let mut writer = tlog::Writer::new(self.overwriting.whole(path, None)?.of_bytes()?);
         let start_us = self.start.unwrap_or_else(time::now_us);
         let written =
             record(self.vehicle(Streams::on(self.rate)), start_us, |time_us, frame| writer.write(time_us, frame))

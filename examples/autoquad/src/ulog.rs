@@ -89,7 +89,7 @@ impl Ulog {
 
     fn begin(&self, start_us: u64) -> Result<DataWriter<Output>, Failure> {
         let out = self.out.clone().unwrap_or_else(|| named_after(&self.log, "ulg"));
-        let output = self.overwriting.whole(&out, Some(&self.log))?;
+        let output = self.overwriting.whole(&out, Some(&self.log))?.of_bytes()?;
         let log = Writer::new(output, start_us).info("sys_name", "AutoQuad").topic::<EscStatus>();
         log.begin().map_err(Failure::written)
     }

@@ -117,6 +117,23 @@ fn a_dash_is_standard_input_and_output() {
     }
 }
 
+/// `script` gives a command a terminal.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_terminal_gets_no_log() {
+    let folder = flight();
+    let autoquad = env!("CARGO_BIN_EXE_autoquad");
+    for arguments in ["simulate --tlog -", "ulog flight.tlog --out -", "salvage flight.mavlink --out -"] {
+        let mut script = Command::new("script");
+        script.args(["-qec", &format!("{autoquad} {arguments}"), "/dev/null"]).current_dir(&folder);
+        // Not every system has it.
+        let Ok(output) = script.stdin(Stdio::null()).output() else { return };
+        let shown = String::from_utf8_lossy(&output.stdout);
+        assert!(shown.starts_with("autoquad: standard output is a terminal"), "{arguments}: {shown}");
+        assert_eq!(output.status.code(), Some(1));
+    }
+}
+
 #[test]
 fn a_stream_is_read_as_a_file_is() {
     let folder = flight();

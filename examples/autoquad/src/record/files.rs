@@ -37,7 +37,7 @@ struct Current {
 
 impl Current {
     fn create(path: &Path, read: Option<&Path>, overwriting: Overwriting) -> Result<Self, Failure> {
-        Ok(Self { output: overwriting.growing(path, read)?, bytes: 0, since: Instant::now() })
+        Ok(Self { output: overwriting.growing(path, read)?.of_bytes()?, bytes: 0, since: Instant::now() })
     }
 
     fn write(&mut self, entry: &[u8]) -> Result<(), Failure> {
