@@ -73,6 +73,7 @@ pub mod mission;
 mod operation;
 mod outgoing;
 pub mod param;
+mod question;
 mod retry;
 mod service;
 pub mod timesync;

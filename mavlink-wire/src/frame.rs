@@ -120,12 +120,21 @@ impl<'a> Frame<'a> {
         Self { bytes, payload: bytes.get(header.length()..header.checked_length()).unwrap_or_default(), facts }
     }
 
-    fn byte(&self, at_v1: usize, at_v2: usize) -> u8 {
-        let at = match self.version() {
+    /// Where something lies in a frame of this version.
+    fn place(&self, at_v1: usize, at_v2: usize) -> usize {
+        match self.version() {
             Version::V1 => at_v1,
             Version::V2 => at_v2,
-        };
-        self.bytes.get(at).copied().unwrap_or_default()
+        }
+    }
+
+    /// Where the payload lies.
+    fn payload_start(&self) -> usize {
+        self.place(6, 10)
+    }
+
+    fn byte(&self, at_v1: usize, at_v2: usize) -> u8 {
+        self.bytes.get(self.place(at_v1, at_v2)).copied().unwrap_or_default()
     }
 
     /// MAVLink 1 or 2.

@@ -5,7 +5,7 @@ use mavlink_wire::Frame;
 use super::access::Access;
 use super::failure::{Awaited, Failure};
 use crate::common::{MissionCurrent, MissionSetCurrent};
-use crate::retry::Attempt;
+use crate::question::Question;
 use crate::{Instant, Output, Service, Update};
 
 /// Sends a vehicle to an item of its mission, with `MISSION_SET_CURRENT`, and waits until it says that it is at it.
@@ -33,23 +33,14 @@ use crate::{Instant, Output, Service, Update};
 pub struct SetCurrent {
     access: Access,
     seq: u16,
-    attempt: Attempt,
-    state: State,
-}
-
-#[derive(Clone, Copy, Debug)]
-enum State {
-    Ask,
-    Waiting,
-    End(Result<(), Failure>),
-    Over,
+    question: Question<(), Failure>,
 }
 
 impl SetCurrent {
     /// Sends the vehicle to the item with this index.
     #[must_use]
     pub fn new(access: Access, seq: u16, now: Instant) -> Self {
-        Self { access, seq, attempt: Attempt::start(access.retry, now), state: State::Ask }
+        Self { access, seq, question: Question::new(Ok(()), access.retry, now) }
     }
 }
 
@@ -57,32 +48,22 @@ impl Service for SetCurrent {
     type Event = Update<core::convert::Infallible, (), Failure>;
 
     fn handle(&mut self, frame: &Frame<'_>, _now: Instant) {
-        let waiting = matches!(self.state, State::Waiting) && self.access.is_peer(frame);
+        let waiting = self.question.is_waiting() && self.access.is_peer(frame);
         if waiting && frame.decode::<MissionCurrent>().is_some_and(|current| current.seq == self.seq) {
-            self.state = State::End(Ok(()));
+            self.question.end(Ok(()));
         }
     }
 
     fn poll(&mut self, now: Instant) -> Option<Output<Self::Event>> {
-        if matches!(self.state, State::Waiting) && !self.attempt.is_waiting(now) {
-            let timeout = Failure::Timeout { awaited: Awaited::Current(self.seq), asked: self.attempt.asked() };
-            self.state = if self.attempt.again(now) { State::Ask } else { State::End(Err(timeout)) };
-        }
-        match self.state {
-            State::Ask => {
-                self.state = State::Waiting;
-                let (target_system, target_component) = self.access.peer.target();
-                Some(Output::Send(MissionSetCurrent { target_system, target_component, seq: self.seq }.into()))
-            }
-            State::End(result) => {
-                self.state = State::Over;
-                Some(Output::Event(Update::Done(result)))
-            }
-            State::Waiting | State::Over => None,
-        }
+        let Self { access, seq, question, .. } = self;
+        let ask = || {
+            let (target_system, target_component) = access.peer.target();
+            MissionSetCurrent { target_system, target_component, seq: *seq }.into()
+        };
+        question.poll(now, ask, |asked| Failure::Timeout { awaited: Awaited::Current(*seq), asked })
     }
 
     fn deadline(&self) -> Option<Instant> {
-        matches!(self.state, State::Waiting).then(|| self.attempt.deadline())
+        self.question.deadline()
     }
 }

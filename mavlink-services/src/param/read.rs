@@ -5,7 +5,7 @@ use mavlink_wire::Frame;
 use super::failure::{Awaited, Failure};
 use super::{Access, Name, Told, is_same};
 use crate::common::{self, ParamRequestRead};
-use crate::retry::Attempt;
+use crate::question::Question;
 use crate::{Instant, Output, Service, Update};
 
 /// Which parameter.
@@ -69,34 +69,21 @@ impl Which {
 pub struct Read {
     access: Access,
     which: Which,
-    attempt: Attempt,
-    state: State,
-}
-
-#[derive(Clone, Copy, Debug)]
-enum State {
-    Ask,
-    Wait,
-    End(Result<Told, Failure>),
-    Over,
+    question: Question<Told, Failure>,
 }
 
 impl Read {
     /// Asks for this one.
     #[must_use]
     pub fn new(access: Access, which: Which, now: Instant) -> Self {
-        let state = match which {
+        let allowed = match which {
             // The message has 15 bits for it, and the highest one would ask for a name.
             Which::Index(index) if i16::try_from(index).is_err() => {
-                State::End(Err(Failure::Refused(common::MavParamError::DOES_NOT_EXIST)))
+                Err(Failure::Refused(common::MavParamError::DOES_NOT_EXIST))
             }
-            _ => State::Ask,
+            _ => Ok(()),
         };
-        Self { access, which, attempt: Attempt::start(access.retry, now), state }
-    }
-
-    fn is_over(&self) -> bool {
-        matches!(self.state, State::End(_) | State::Over)
+        Self { access, which, question: Question::new(allowed, access.retry, now) }
     }
 }
 
@@ -104,35 +91,23 @@ impl Service for Read {
     type Event = Update<core::convert::Infallible, Told, Failure>;
 
     fn handle(&mut self, frame: &Frame<'_>, _now: Instant) {
-        if self.is_over() {
+        if !self.question.is_open() {
             return;
         }
         if let Some(message) = self.access.value(frame).filter(|message| self.which.is(message)) {
-            self.state = State::End(self.access.told(&message).map_err(Failure::Value));
+            self.question.end(self.access.told(&message).map_err(Failure::Value));
         } else if let Some(error) = self.access.error(frame).filter(|error| self.which.is_refused(error)) {
-            self.state = State::End(Err(Failure::Refused(error.error)));
+            self.question.end(Err(Failure::Refused(error.error)));
         }
     }
 
     fn poll(&mut self, now: Instant) -> Option<Output<Self::Event>> {
-        if matches!(self.state, State::Wait) && !self.attempt.is_waiting(now) {
-            let timeout = Failure::Timeout { awaited: Awaited::Value, asked: self.attempt.asked() };
-            self.state = if self.attempt.again(now) { State::Ask } else { State::End(Err(timeout)) };
-        }
-        match self.state {
-            State::Ask => {
-                self.state = State::Wait;
-                Some(Output::Send(self.which.question(&self.access).into()))
-            }
-            State::End(result) => {
-                self.state = State::Over;
-                Some(Output::Event(Update::Done(result)))
-            }
-            State::Wait | State::Over => None,
-        }
+        let Self { access, which, question, .. } = self;
+        let ask = || which.question(access).into();
+        question.poll(now, ask, |asked| Failure::Timeout { awaited: Awaited::Value, asked })
     }
 
     fn deadline(&self) -> Option<Instant> {
-        matches!(self.state, State::Wait).then(|| self.attempt.deadline())
+        self.question.deadline()
     }
 }

@@ -56,10 +56,7 @@ impl FrameBuf {
 
     /// Gives the frame another sequence number, and takes its signature away, which was that of the old one.
     pub fn set_sequence(&mut self, sequence: u8) {
-        let at = match self.as_frame().version() {
-            Version::V1 => 2,
-            Version::V2 => 4,
-        };
+        let at = self.as_frame().place(2, 4);
         put(&mut self.bytes, at, sequence);
         self.seal(0);
     }
@@ -109,14 +106,10 @@ impl FrameBuf {
 
 impl From<Frame<'_>> for FrameBuf {
     fn from(frame: Frame<'_>) -> Self {
-        let start = match frame.version() {
-            Version::V1 => 6,
-            Version::V2 => 10,
-        };
         Self {
             bytes: zero_extended(frame.bytes),
             length: frame.bytes.len() as u16,
-            payload: (start, frame.payload.len() as u8),
+            payload: (frame.payload_start() as u8, frame.payload.len() as u8),
             facts: frame.facts,
         }
     }

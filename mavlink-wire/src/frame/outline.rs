@@ -1,7 +1,6 @@
 //! A frame without its bytes: for those who own the bytes, and can lend them only afterwards.
 
 use super::{Facts, Frame};
-use crate::Version;
 
 /// What a [`Frame`] knows about its bytes.
 #[derive(Clone, Copy)]
@@ -13,10 +12,7 @@ pub(crate) struct Outline {
 
 impl Outline {
     pub(crate) fn of(frame: &Frame<'_>) -> Self {
-        let start = match frame.version() {
-            Version::V1 => 6,
-            Version::V2 => 10,
-        };
+        let start = frame.payload_start();
         Self { length: frame.bytes.len(), payload: (start, start + frame.payload.len()), facts: frame.facts }
     }
 
