@@ -13,17 +13,7 @@ pub(crate) struct TokenStream(String);
 pub(crate) trait ToTokens {
     /// Adds it.
     fn to_tokens(&self, tokens: &mut TokenStream);
-
-    /// It alone.
-    fn to_token_stream(&self) -> TokenStream {
-        let mut tokens = TokenStream::default();
-        self.to_tokens(&mut tokens);
-        tokens
-    }
 }
-
-pub(crate) type Ident = TokenStream;
-pub(crate) type Literal = TokenStream;
 
 impl TokenStream {
     /// Nothing yet.

@@ -179,20 +179,15 @@ impl fmt::Display for Change {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { kind, item, .. } = self;
         let (from, to) = (self.from.as_deref().unwrap_or("nothing"), self.to.as_deref().unwrap_or("nothing"));
+        let said = |what: &Option<String>| what.as_ref().map_or_else(String::new, |what| format!(": {what}"));
         match kind.subject().as_str() {
             // The item says it.
             "" | "item" => write!(f, "{item}"),
             noun => write!(f, "{noun} {item}"),
         }?;
         match kind.name().as_str() {
-            name if name.ends_with("-added") => match &self.to {
-                Some(to) => write!(f, " is new: {to}"),
-                None => write!(f, " is new"),
-            },
-            name if name.ends_with("-removed") => match &self.from {
-                Some(from) => write!(f, " is gone: {from}"),
-                None => write!(f, " is gone"),
-            },
+            name if name.ends_with("-added") => write!(f, " is new{}", said(&self.to)),
+            name if name.ends_with("-removed") => write!(f, " is gone{}", said(&self.from)),
             name if name.ends_with("-name") => write!(f, " is called {to} now"),
             "message-replaced" => write!(f, " is {to} now, with other fields"),
             "message-id" => write!(f, " has the id {to}, was {from}"),

@@ -40,10 +40,9 @@ fn field(field: Field<'_>) -> Entry {
     let node = match field.value() {
         _ if field.info().secret => Node::Secret,
         _ if field.is_invalid() => Node::Unknown,
-        FieldValue::Text(_) if field.info().array.is_none() => match field.element(0).map(|one| one.number()) {
-            Some(Number::U64(byte)) => Node::Char(byte as u8),
-            _ => Node::Unknown,
-        },
+        FieldValue::Text(_) if field.info().array.is_none() => {
+            bytes(field).first().copied().map_or(Node::Unknown, Node::Char)
+        }
         FieldValue::Text(_) => Node::Text(bytes(field)),
         FieldValue::One(one) => element(one),
         FieldValue::Array(elements) => Node::List(elements.map(element).collect()),

@@ -22,10 +22,6 @@ pub(super) fn inner_documentation(docs: &Docs<'_>) -> TokenStream {
     tokens
 }
 
-pub(crate) fn documentation<'a>(docs: &'a Docs<'a>) -> &'a Docs<'a> {
-    docs
-}
-
 /// The paragraphs, of which those that say nothing are left out.
 fn lines(docs: &Docs<'_>) -> Vec<String> {
     let paragraphs = docs.0.iter().map(|paragraph| match paragraph {

@@ -1,61 +1,52 @@
 //! A field: its declaration, its value in `DEFAULT`, how it is read and written, and what the reflection says of it.
 
-use super::doc;
-use super::token::{decimal, float, ident, integer};
-use super::ty::{number_in, ty, value_of};
+use std::num::NonZeroU8;
+
+use super::token::{float, ident, integer};
+use super::ty::{number_in, value_of, zero};
 use crate::ir::{self, Invalid, Scalar, Scope, Sentinel};
 use crate::rust::{Element, Field, Shape};
-use crate::tokens::{Ident, Literal, ToTokens, TokenStream, quote};
+use crate::tokens::{TokenStream, quote};
 
 /// `pub cog: u16,` with its documentation.
 pub(super) fn declaration(field: &Field<'_>) -> TokenStream {
-    let (docs, name, element) = (doc::documentation(&field.docs), ident(field.ident), ty(&field.element.ty()));
-    let ty = shaped(field.shape, &element, |n| quote!(wire::Chars<#n>));
-    quote!(#docs pub #name: #ty,)
+    let ty = shaped(field.shape, &quote!(#{field.element.ty()}), |n| quote!(wire::Chars<#n>));
+    quote!(#{&field.docs} pub #{ident(field.ident)}: #ty,)
 }
 
 /// `cog: 0,`
 pub(super) fn default(field: &Field<'_>) -> TokenStream {
-    let name = ident(field.ident);
     let element = match (field.version, field.element) {
-        (Some(version), _) => Literal::of(version).to_token_stream(),
+        (Some(version), _) => quote!(#version),
         (None, Element::Int(_)) => quote!(0),
         (None, Element::F32 | Element::F64) => quote!(0.0),
-        (None, Element::Enum(one)) => {
-            let ty = ident(one.ident);
-            if one.flags { quote!(#ty::empty()) } else { quote!(#ty(0)) }
-        }
+        (None, Element::Enum(one)) => zero(one),
     };
     let value = shaped(field.shape, &element, |n| quote!(wire::Chars([0; #n])));
-    quote!(#name: #value,)
+    quote!(#{ident(field.ident)}: #value,)
 }
 
 /// One element, or an array of it: as a type, or as a value.
-fn shaped(shape: Shape, element: &TokenStream, chars: impl Fn(Literal) -> TokenStream) -> TokenStream {
+fn shaped(shape: Shape, element: &TokenStream, chars: fn(u8) -> TokenStream) -> TokenStream {
     match shape {
         Shape::One => element.clone(),
-        Shape::Array(n) => {
-            let n = Literal::of(n);
-            quote!([#element; #n])
-        }
-        Shape::Chars(n) => chars(Literal::of(n)),
+        Shape::Array(n) => quote!([#element; #n]),
+        Shape::Chars(n) => chars(n),
     }
 }
 
 /// `cog: get(p, 26),`, `fix_type: GpsFixType(get(p, 28)),`
 pub(super) fn load(field: &Field<'_>) -> TokenStream {
-    let (name, offset) = (ident(field.ident), decimal(field.wire.offset));
-    let value = quote!(get(p, #offset));
+    let value = quote!(get(p, #{field.wire.offset}));
     let value = if is_single_enum(field) { value_of(field.element, &value) } else { value };
-    quote!(#name: #value,)
+    quote!(#{ident(field.ident)}: #value,)
 }
 
 /// `put(p, 26, self.cog);`, `put(p, 28, self.fix_type.0);`
 pub(super) fn store(field: &Field<'_>) -> TokenStream {
-    let (name, offset) = (ident(field.ident), decimal(field.wire.offset));
-    let value = quote!(self.#name);
+    let value = quote!(self.#{ident(field.ident)});
     let value = if is_single_enum(field) { number_in(field.element, &value) } else { value };
-    quote!(put(p, #offset, #value);)
+    quote!(put(p, #{field.wire.offset}, #value);)
 }
 
 /// Whether it is an enum and no array: its integer is read and written, since functions for each enum take time to compile.
@@ -66,30 +57,20 @@ fn is_single_enum(field: &Field<'_>) -> bool {
 /// `wire::FieldInfo::array("voltages", wire::Kind::U16, 10, 10).units("mV").invalid(…),`
 pub(super) fn info(field: &Field<'_>) -> TokenStream {
     let ir::Field { name, ty, offset, extension, units, invalid, .. } = field.wire;
-    let (name, kind, offset) = (&name.text, kind(ty.scalar), decimal(*offset));
-    let new = match ty.array {
-        None => quote!(new(#name, wire::Kind::#kind, #offset)),
-        Some(n) => {
-            let n = decimal(n.get());
-            quote!(array(#name, wire::Kind::#kind, #n, #offset))
-        }
-    };
-    let extension = extension.then(|| quote!(.extension()));
-    let units = units.as_ref().map(|units| quote!(.units(#units)));
-    let values = field.carries.map(|carried| {
-        let carried = ident(carried.ident);
-        quote!(.values(<#carried as wire::Enum>::INFO))
-    });
-    let invalid = invalid.as_ref().map(|invalid| {
-        let invalid = invalid_info(invalid, ty.scalar);
-        quote!(.invalid(#invalid))
-    });
-    let secret = field.secret.then(|| quote!(.secret()));
-    quote!(wire::FieldInfo::#new #extension #units #values #invalid #secret,)
+    let (name, kind, length) = (&name.text, kind(ty.scalar), ty.array.map(NonZeroU8::get));
+    let new = ident(if length.is_some() { "array" } else { "new" });
+    quote! {
+        wire::FieldInfo::#new(#name, wire::Kind::#kind, #(if let Some(length) = length => #length,) #offset)
+            #(if *extension => .extension())
+            #(if let Some(units) = units => .units(#units))
+            #(if let Some(carried) = field.carries => .values(<#carried as wire::Enum>::INFO))
+            #(if let Some(invalid) = invalid => .invalid(#{invalid_info(invalid, ty.scalar)}))
+            #(if field.secret => .secret()),
+    }
 }
 
 /// The variant of `wire::Kind`.
-fn kind(scalar: Scalar) -> Ident {
+fn kind(scalar: Scalar) -> TokenStream {
     ident(match scalar {
         Scalar::Char => "Char",
         Scalar::U8 => "U8",
@@ -110,14 +91,9 @@ fn kind(scalar: Scalar) -> Ident {
 fn invalid_info(invalid: &Invalid, scalar: Scalar) -> TokenStream {
     let signed = matches!(scalar, Scalar::I8 | Scalar::I16 | Scalar::I32 | Scalar::I64);
     let sentinel = match invalid.sentinel {
-        Sentinel::Integer(value) => {
-            let value = integer(value);
-            if signed { quote!(Signed(#value)) } else { quote!(Unsigned(#value)) }
-        }
-        Sentinel::Float(value) => {
-            let value = float(value);
-            quote!(Float(#value))
-        }
+        Sentinel::Integer(value) if signed => quote!(Signed(#{integer(value)})),
+        Sentinel::Integer(value) => quote!(Unsigned(#{integer(value)})),
+        Sentinel::Float(value) => quote!(Float(#{float(value)})),
         Sentinel::NotANumber => quote!(NotANumber),
     };
     let scope = ident(match invalid.scope {

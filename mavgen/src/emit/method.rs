@@ -6,10 +6,6 @@ use super::ty::{number_in, value_of};
 use crate::rust::{Bind, Element, Kind, Method, Param, Receiver, Sig, Ty};
 use crate::tokens::{ToTokens, TokenStream, quote};
 
-pub(super) fn method<'a>(method: &'a Method<'a>) -> &'a Method<'a> {
-    method
-}
-
 impl ToTokens for Method<'_> {
     fn to_tokens(&self, tokens: &mut TokenStream) {
         let Self { ident: name, sig, docs, kind } = self;

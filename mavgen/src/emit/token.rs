@@ -28,18 +28,13 @@ fn is_word(text: &str) -> bool {
     plain.starts_with(is_letter) && plain.chars().all(|letter| is_letter(letter) || letter.is_numeric())
 }
 
-pub(crate) fn decimal(value: impl Into<u64>) -> u64 {
-    value.into()
-}
-
 /// A number of which the bits matter: `1 << 31`, `0x8001`, `0`.
 pub(crate) fn bits(value: u64) -> TokenStream {
-    if value.is_power_of_two() { quote!(1 << #{value.trailing_zeros()}) } else { mask(value) }
+    if value.is_power_of_two() { quote!(1 << #{value.trailing_zeros()}) } else { mask(value.into()) }
 }
 
 /// A number as a hexadecimal mask: `0x8000_0000`.
-pub(crate) fn mask(value: impl Into<u128>) -> TokenStream {
-    let value = value.into();
+pub(crate) fn mask(value: u128) -> TokenStream {
     if value < 10 {
         return quote!(#value);
     }
@@ -86,9 +81,9 @@ mod tests {
 
     #[test]
     fn numbers() {
-        assert_eq!(mask(8_u64).to_string(), "8");
-        assert_eq!(mask(0x8000_0000_u64).to_string(), "0x8000_0000");
-        assert_eq!(mask(0x10000_u64).to_string(), "0x1_0000");
+        assert_eq!(mask(8).to_string(), "8");
+        assert_eq!(mask(0x8000_0000).to_string(), "0x8000_0000");
+        assert_eq!(mask(0x10000).to_string(), "0x1_0000");
         assert_eq!(bits(0).to_string(), "0");
         assert_eq!(bits(1).to_string(), "1 << 0");
         assert_eq!(bits(1 << 63).to_string(), "1 << 63");

@@ -44,7 +44,7 @@ fn constant(topic: &Topic<'_>, definition: &Definition<'_>) -> TokenStream {
     quote! {
         #docs
         pub const #{ident(constant)}: uorb::Definition = uorb::Definition::new(#{topic.name}, #name)
-            .hashes(#{mask(*message_hash)}, #type_hash)
+            .hashes(#{mask((*message_hash).into())}, #type_hash)
             .lengths(#cdr_len, #record_len)
             .formats(&[#(#formats),*]);
     }

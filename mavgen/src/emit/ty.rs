@@ -100,11 +100,9 @@ pub(super) fn maker(of: EnumType<'_>) -> TokenStream {
     quote!(#of #(if of.flags => ::from_bits_retain))
 }
 
-pub(super) fn int(int: Int) -> Int {
-    int
-}
-pub(super) fn ty(of: &Ty<'_>) -> TokenStream {
-    of.to_token_stream()
+/// The value of an enum that has no bits set.
+pub(super) fn zero(of: EnumType<'_>) -> TokenStream {
+    if of.flags { quote!(#of::empty()) } else { quote!(#of(0)) }
 }
 
 #[cfg(test)]

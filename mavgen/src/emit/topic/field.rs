@@ -1,6 +1,7 @@
 //! A field of a topic: its declaration, its value where nothing is known, and its names.
 
 use crate::emit::token::ident;
+use crate::emit::ty::zero;
 use crate::rust::{Plain, TopicField, TopicSlot, TopicType};
 use crate::tokens::{ToTokens, TokenStream, quote};
 
@@ -57,8 +58,7 @@ fn unknown_element(slot: TopicSlot<'_>) -> TokenStream {
         (None, TopicType::Plain(Plain::Int(_) | Plain::Char)) => quote!(0),
         (None, TopicType::Plain(Plain::F32 | Plain::F64)) => quote!(0.0),
         (None, TopicType::Plain(Plain::Bool)) => quote!(false),
-        (None, TopicType::Enum(one)) if one.flags => quote!(#one::empty()),
-        (None, TopicType::Enum(one)) => quote!(#one(0)),
+        (None, TopicType::Enum(one)) => zero(one),
         (None, TopicType::Message(name)) => quote!(#{ident(name)}::UNKNOWN),
     }
 }
