@@ -21,7 +21,7 @@ pub(crate) use command::{CARRIERS, Carriers, Command, CommandField, ParamTy};
 pub(crate) use docs::{Cell, Docs, ListItem, Paragraph};
 pub(crate) use enums::{Constant, DialectEnum, Enum, ParamInfo, Variant};
 pub(crate) use mentions::Mentions;
-pub(crate) use message::{Field, Frame, Gives, Seen, Struct};
+pub(crate) use message::{Field, Frame, Gives, Struct};
 pub(crate) use method::{Kind, Method, Param, Receiver, Sig};
 #[cfg(feature = "uorb")]
 pub(crate) use topic::{
@@ -32,5 +32,5 @@ pub(crate) use tree::{Alias, Child, ChildAccess, Content, Export, File, Use};
 pub(crate) use ty::{Element, EnumType, Error, Int, Literal, Shape, Ty};
 pub(crate) use view::{
     Bind, BitField, Count, Debugged, Holds, Key, Packed, Place, Present, Record, RecordField, RecordType, Scale,
-    Selector, Slot, SlotElement, Source, Stored, Switch, Test, View, Word,
+    Selector, Slot, SlotElement, Source, Switch, Test, View, Word,
 };

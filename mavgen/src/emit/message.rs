@@ -3,7 +3,7 @@
 use super::token::ident;
 use super::{doc, field};
 use crate::ir;
-use crate::rust::{Frame, Gives, Seen, Struct};
+use crate::rust::{Frame, Gives, Struct};
 use crate::tokens::{TokenStream, quote};
 
 /// The items of a message's file, without its imports.
@@ -24,7 +24,7 @@ pub(super) fn message(message: &Struct<'_>) -> TokenStream {
 }
 
 /// `each escs`, `maybe mode`: what overlays see in the message; nothing for most.
-fn seen(Seen { getter, gives }: &Seen<'_>) -> TokenStream {
+fn seen((getter, gives): &(&str, Gives)) -> TokenStream {
     let gives = match gives {
         Gives::One => "one",
         Gives::Maybe => "maybe",

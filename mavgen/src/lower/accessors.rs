@@ -69,20 +69,15 @@ impl<'d> Items<'d> {
         let (field, bound) = (message.field(binding.field)?.ident, self.enum_type(binding.enum_)?);
         let when = binding.condition.as_ref().map(|condition| self.holds(message, condition)).transpose()?;
         let link = format!("[`Self::{field}`](field@Self::{field})");
-        let (shown, ty) = (docs::link(bound.ident), Ty::Enum(bound));
-        let get_sig = Sig::getter(ty.clone().optional(when.is_some()));
-        let get_docs =
-            Docs(vec![Paragraph::prose(binding.description.as_str()), Paragraph::line(format!("{link} as {shown}."))]);
-        let set_docs = Docs::line(format!("Sets {link} from {shown}."));
-        Ok([
-            Method::new(getter, get_sig, get_docs, Kind::BindGet(Bind { field, bound, when })),
-            Method::new(
-                format!("set_{getter}"),
-                Sig::setter("value", ty),
-                set_docs,
-                Kind::BindSet(Bind { field, bound, when: None }),
-            ),
-        ])
+        let shown = docs::link(bound.ident);
+        let said = Paragraph::prose(binding.description.as_str());
+        let get_docs = Docs(vec![said, Paragraph::line(format!("{link} as {shown}."))]);
+        let docs = [get_docs, Docs::line(format!("Sets {link} from {shown}."))];
+        let kinds = [
+            Kind::BindGet(Bind { field, bound, when: when.clone() }),
+            Kind::BindSet(Bind { field, bound, when: None }),
+        ];
+        Ok(Method::pair(getter, Ty::Enum(bound), when.is_some(), docs, kinds))
     }
 }
 

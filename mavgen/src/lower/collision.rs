@@ -1,6 +1,7 @@
 //! What is said of names that collide: every sentence of the kind stands here.
 
 use super::namespace::{Claim, Collision, Namespace, Scope, What};
+use crate::collect::CollectVec as _;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::Name;
 use crate::source::Span;
@@ -10,9 +11,22 @@ pub(super) fn report<'a>(found: impl IntoIterator<Item = Collision<'a>>, diagnos
     found.into_iter().for_each(|collision| diagnostics.extend(diagnostic(&collision)));
 }
 
-/// Reports what has the name of something else in its scope.
-pub(super) fn apart(scope: Scope, claims: Vec<(String, Claim<'_>)>, diagnostics: &mut Diagnostics) {
-    report(Namespace::of(scope).claim_by_age(claims), diagnostics);
+/// Whether a name was free; if not, the collision is reported.
+pub(super) fn is_free(found: Option<Collision<'_>>, diagnostics: &mut Diagnostics) -> bool {
+    let is_free = found.is_none();
+    report(found, diagnostics);
+    is_free
+}
+
+/// Reports which of these have the name of something else in their scope.
+pub(super) fn apart<'a>(
+    scope: Scope,
+    claims: impl Iterator<Item = Claim<'a>>,
+    names: &[String],
+    diagnostics: &mut Diagnostics,
+) {
+    let claims = claims.zip(names).map(|(claim, name)| (name.clone(), claim));
+    report(Namespace::of(scope).claim_by_age(claims.collect_vec()), diagnostics);
 }
 
 /// The diagnostic about a collision; none if it is no mistake, or is reported as another.

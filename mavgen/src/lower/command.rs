@@ -1,7 +1,7 @@
 //! A typed command: its fields and its documentation.
 
 use super::docs;
-use super::folder::Commands;
+use super::folder::CommandSet;
 use super::imports::MODULE;
 use super::items::{Items, NamedCommand};
 use crate::collect::CollectVec as _;
@@ -11,7 +11,6 @@ use crate::ir::{self, Carrier, Param};
 use crate::rust::{Alias, Carriers, Command, CommandField, Docs, EnumType, Paragraph, ParamTy, Ty};
 
 impl<'d> Items<'d> {
-    /// The items of a command.
     pub(super) fn command(self, command: NamedCommand<'d>) -> Result<Command<'d>, Internal> {
         let NamedCommand { entry, names, .. } = command;
         let fields = command.params().filter_map(|(param, field)| Some((param, field?)));
@@ -65,7 +64,7 @@ impl<'d> Items<'d> {
     }
 
     /// Whether naming the messages that carry commands, or a frame, makes the compiler warn.
-    pub(super) fn names_deprecated(self, of: &Commands) -> Result<bool, Internal> {
+    pub(super) fn names_deprecated(self, of: &CommandSet) -> Result<bool, Internal> {
         let mut deprecated = false;
         for at in [of.long, of.int].into_iter().flatten() {
             deprecated |= self.is_deprecated(&self.message_at(at)?.model.origin);
@@ -82,7 +81,7 @@ impl<'d> Items<'d> {
     }
 
     /// The messages that carry commands, and the type of a frame.
-    pub(super) fn carriers(self, of: &Commands) -> Result<Carriers, Internal> {
+    pub(super) fn carriers(self, of: &CommandSet) -> Result<Carriers, Internal> {
         let way = |at: usize| {
             let way = self.way(MODULE, self.message_home(at)?)?;
             Ok::<_, Internal>(format!("{way}messages::{}", self.message_at(at)?.ty()))

@@ -1,6 +1,6 @@
 //! The files of items: where each belongs, what it imports, and what stands over it.
 
-use super::folder::{Commands, Folder};
+use super::folder::{CommandSet, Folder};
 use super::items::{Items, NamedCommand};
 use super::link::Placement;
 use super::options::Options;
@@ -99,7 +99,7 @@ impl<'d> Maker<'_, 'd> {
     }
 
     /// The commands that the folder exports, if they are wanted, and where they are declared.
-    pub(super) fn commands(&self) -> Option<(Commands, Placement)> {
+    pub(super) fn commands(&self) -> Option<(CommandSet, Placement)> {
         self.folder.commands.filter(|_| self.options.commands.are_written())
     }
 

@@ -37,21 +37,18 @@ pub(super) struct Folder<'d> {
     /// The views that it exports, as places of a message and in it.
     pub(super) views: Vec<(usize, usize)>,
     /// The typed commands that it exports, and where they are declared.
-    pub(super) commands: Option<(Commands, Placement)>,
+    pub(super) commands: Option<(CommandSet, Placement)>,
 }
 
 /// What typed commands are made of.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) struct Commands {
-    /// The enum of the commands.
+pub(super) struct CommandSet {
     pub(super) enum_: EnumId,
-    /// `COMMAND_LONG`.
     pub(super) long: Option<usize>,
-    /// `COMMAND_INT`.
     pub(super) int: Option<usize>,
 }
 
-impl Commands {
+impl CommandSet {
     /// Those of these enums and messages: `None` if there is no enum of commands, or no message that carries them.
     fn of(dialect: &Dialect, enums: &[EnumId], messages: &[usize]) -> Option<Self> {
         let is_theirs = |id: &&EnumId| dialect.enum_by_id(**id).is_some_and(|one| one.name.text == COMMANDS);
@@ -88,7 +85,7 @@ impl<'d> Folder<'d> {
         let enums = (0..dialect.enums.len()).map(EnumId).collect_vec();
         Self {
             dialect: Some(Titled { name: &dialect.name, type_name }),
-            commands: Commands::of(dialect, &enums, &messages).map(|commands| (commands, Placement::Shared)),
+            commands: CommandSet::of(dialect, &enums, &messages).map(|commands| (commands, Placement::Shared)),
             messages,
             enums,
             views: views.collect_vec(),
@@ -121,9 +118,9 @@ impl<'d> Folder<'d> {
         let enums = enums.map(|(at, _)| EnumId(at)).collect_vec();
         let mut messages = messages.map(|(at, _)| at).collect_vec();
         order::sort_by_key(&mut messages, |at| union.all.messages.get(*at).map(|message| message.id));
-        let commands = Commands::of(&union.all, &enums, &messages);
+        let commands = CommandSet::of(&union.all, &enums, &messages);
         let commands =
-            commands.filter(|shared| union.roots.iter().any(|root| Commands::of_root(union, root) == Some(*shared)));
+            commands.filter(|shared| union.roots.iter().any(|root| CommandSet::of_root(union, root) == Some(*shared)));
         let mut folders = vec![Self {
             roots: union.roots.iter().map(|root| root.module.as_str()).collect_vec(),
             messages,
@@ -134,7 +131,7 @@ impl<'d> Folder<'d> {
         }];
         for ((at, root), top) in union.roots.iter().enumerate().zip(tops) {
             let placement = Placement::Root(at);
-            let declared = |own: &Commands| if commands == Some(*own) { Placement::Shared } else { placement };
+            let declared = |own: &CommandSet| if commands == Some(*own) { Placement::Shared } else { placement };
             folders.push(Self {
                 placement,
                 dialect: Some(Titled { name: &root.name, type_name: &root.type_name }),
@@ -143,7 +140,7 @@ impl<'d> Folder<'d> {
                 messages: root.messages.clone(),
                 enums: root.enums.clone(),
                 views: views(union, |view| view.roots.contains(&at)),
-                commands: Commands::of_root(union, root).map(|own| (own, declared(&own))),
+                commands: CommandSet::of_root(union, root).map(|own| (own, declared(&own))),
                 ..Self::top(top.to_owned())
             });
         }

@@ -28,7 +28,6 @@ impl<'d> Items<'d> {
         Ok("super::".repeat(out) + &into)
     }
 
-    /// The module of one of several dialects.
     pub(super) fn root_module(self, root: usize) -> Result<&'d str, Internal> {
         let root = self.union.and_then(|union| union.roots.get(root));
         root.map(|root| root.module.as_str()).ok_or_else(|| Internal::new("there is no such dialect"))

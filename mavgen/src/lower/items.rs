@@ -26,21 +26,18 @@ pub(super) struct Items<'d> {
     pub(super) deprecated: bool,
 }
 
-/// A message.
 #[derive(Clone, Copy)]
 pub(super) struct NamedMessage<'d> {
     pub(super) model: &'d Message,
     pub(super) names: &'d MessageNames,
 }
 
-/// A field.
 #[derive(Clone, Copy)]
 pub(super) struct NamedField<'d> {
     pub(super) model: &'d Field,
     pub(super) ident: &'d str,
 }
 
-/// A view.
 #[derive(Clone, Copy)]
 pub(super) struct NamedView<'d> {
     pub(super) message: NamedMessage<'d>,
@@ -56,14 +53,12 @@ pub(super) struct NamedSlots<'d> {
     pub(super) names: &'d SlotNames,
 }
 
-/// An enum.
 #[derive(Clone, Copy)]
 pub(super) struct NamedEnum<'d> {
     pub(super) model: &'d Enum,
     pub(super) names: &'d EnumNames,
 }
 
-/// A typed command.
 #[derive(Clone, Copy)]
 pub(super) struct NamedCommand<'d> {
     pub(super) entry: &'d Entry,
@@ -83,7 +78,6 @@ impl<'d> Items<'d> {
         Self { dialect: all, names, union: Some(union), placement: Placement::Shared, deprecated }
     }
 
-    /// The name of a file.
     pub(super) fn file_name(self, index: FileIndex) -> Result<&'d str, Internal> {
         let file = self.dialect.file(index).map(|file| file.name.as_str());
         file.ok_or_else(|| Internal::new(format!("there is no file {}", index.0)))
@@ -94,13 +88,11 @@ impl<'d> Items<'d> {
         self.deprecated && matches!(origin.lifecycle, Some(Lifecycle::Deprecated(_)))
     }
 
-    /// The message behind a place.
     pub(super) fn message_at(self, at: usize) -> Result<NamedMessage<'d>, Internal> {
         let (model, names) = beside(&self.dialect.messages, &self.names.messages, at, "message")?;
         Ok(NamedMessage { model, names })
     }
 
-    /// The enum behind an id.
     pub(super) fn enum_at(self, id: EnumId) -> Result<NamedEnum<'d>, Internal> {
         let (model, names) = beside(&self.dialect.enums, &self.names.enums, id.0, "enum")?;
         Ok(NamedEnum { model, names })
@@ -137,12 +129,10 @@ impl<'d> Items<'d> {
 }
 
 impl<'d> NamedMessage<'d> {
-    /// The type.
     pub(super) fn ty(self) -> &'d str {
         &self.names.ty
     }
 
-    /// The field behind an index.
     pub(super) fn field(self, index: FieldIndex) -> Result<NamedField<'d>, Internal> {
         let (model, ident) = beside(&self.model.fields, &self.names.fields, index.0, "field")?;
         Ok(NamedField { model, ident })
@@ -158,13 +148,11 @@ impl<'d> NamedMessage<'d> {
         self.model.bindings.iter().zip(self.names.bindings.iter().map(String::as_str))
     }
 
-    /// The view behind a place.
     pub(super) fn view(self, at: usize) -> Result<NamedView<'d>, Internal> {
         let (model, names) = beside(&self.model.views, &self.names.views, at, "view")?;
         Ok(NamedView { message: self, model, names })
     }
 
-    /// What overlays see in it.
     pub(super) fn views(self) -> impl Iterator<Item = NamedView<'d>> {
         let views = self.model.views.iter().zip(&self.names.views);
         views.map(move |(model, names)| NamedView { message: self, model, names })
@@ -183,7 +171,6 @@ impl NamedField<'_> {
 }
 
 impl<'d> NamedView<'d> {
-    /// The type.
     pub(super) fn ty(self) -> &'d str {
         &self.names.ty
     }
@@ -198,7 +185,6 @@ impl<'d> NamedView<'d> {
         self.model.keys().iter().zip(self.names.keys.iter().map(String::as_str))
     }
 
-    /// The members, with their getters.
     pub(super) fn members(self) -> impl Iterator<Item = (&'d Member, &'d str)> {
         self.model.members.iter().zip(self.names.members.iter().map(String::as_str))
     }

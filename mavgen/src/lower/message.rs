@@ -6,7 +6,7 @@ use crate::collect::CollectVec as _;
 use crate::docs::line;
 use crate::internal::Internal;
 use crate::ir::{self, Access, Condition, Message, Scalar, Values};
-use crate::rust::{Alias, Cell, Docs, Field, Frame, Gives, Paragraph, Seen, Struct};
+use crate::rust::{Alias, Cell, Docs, Field, Frame, Gives, Paragraph, Struct};
 
 impl<'d> Items<'d> {
     /// The items of a message; `conflicts` are lines about what other dialects have in its place.
@@ -124,13 +124,12 @@ pub(super) fn alias<'d>(message: &Struct<'d>, module: &'d str) -> Option<Alias<'
     Some(Alias { ident, alias: *alias, docs, deprecated, module })
 }
 
-/// The getters of what overlays see in the message.
-fn seen(message: NamedMessage<'_>) -> Vec<Seen<'_>> {
+fn seen(message: NamedMessage<'_>) -> Vec<(&str, Gives)> {
     let under = |condition: Option<Condition>| if condition.is_some() { Gives::Maybe } else { Gives::One };
-    let bound = message.bindings().map(|(binding, getter)| Seen { getter, gives: under(binding.condition) });
+    let bound = message.bindings().map(|(binding, getter)| (getter, under(binding.condition)));
     let views = message.views().map(|view| {
         let gives = if view.names.slots.is_some() { Gives::Each } else { under(view.model.condition) };
-        Seen { getter: view.getter(), gives }
+        (view.getter(), gives)
     });
     bound.chain(views).collect_vec()
 }

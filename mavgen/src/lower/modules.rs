@@ -2,7 +2,7 @@
 
 use super::docs;
 use super::files::{Made, Maker, header, root_header};
-use super::folder::Commands;
+use super::folder::CommandSet;
 use super::imports::MODULE;
 use super::items::NamedMessage;
 use super::link::Placement;
@@ -154,7 +154,7 @@ pub(super) fn views<'d>(maker: &Maker<'_, 'd>, files: &mut Vec<File<'d>>) -> Res
 /// `commands.rs`, with a table of contents by number; the files of the commands go to `files`.
 pub(super) fn commands<'d>(
     maker: &Maker<'_, 'd>,
-    commands: Commands,
+    commands: CommandSet,
     files: &mut Vec<File<'d>>,
 ) -> Result<File<'d>, Internal> {
     let mut listings = Vec::new();

@@ -31,7 +31,6 @@ pub(crate) struct Names {
     pub(crate) enums: Vec<EnumNames>,
 }
 
-/// The names of a message.
 #[derive(Clone, Debug)]
 pub(crate) struct MessageNames {
     /// The type: `GpsRawInt`.
@@ -48,7 +47,6 @@ pub(crate) struct MessageNames {
     pub(crate) views: Vec<ViewNames>,
 }
 
-/// The names of a view.
 #[derive(Clone, Debug)]
 pub(crate) struct ViewNames {
     /// The type: `Esc32Status`.
@@ -68,7 +66,6 @@ pub(crate) struct ViewNames {
     pub(crate) members: Vec<String>,
 }
 
-/// The names of slots.
 #[derive(Clone, Debug)]
 pub(crate) struct SlotNames {
     /// The type of a slot: `Esc`.
@@ -77,7 +74,6 @@ pub(crate) struct SlotNames {
     pub(crate) items: String,
 }
 
-/// The names of an enum.
 #[derive(Clone, Debug)]
 pub(crate) struct EnumNames {
     /// The type: `MavState`. One that a message has already takes the suffix `Enum`.
@@ -95,7 +91,6 @@ pub(crate) struct EnumNames {
 /// The enum whose entries are typed commands.
 pub(crate) const COMMANDS: &str = "MAV_CMD";
 
-/// The names of a typed command.
 #[derive(Clone, Debug)]
 pub(crate) struct CommandNames {
     /// The type: `NavTakeoff`.

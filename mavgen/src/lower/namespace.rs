@@ -43,17 +43,12 @@ pub(super) enum Scope {
 pub(super) enum What {
     /// Nothing of the definitions: this is what has it.
     Reserved(&'static str),
-    /// A message.
     Message,
-    /// An enum.
     Enum,
     /// A view, or the slot that it is in.
     View,
-    /// A field.
     Field,
-    /// An entry of an enum.
     Entry,
-    /// A param of a command.
     Param,
     /// A field with a getter and a setter beside it.
     Accessors,
@@ -74,7 +69,6 @@ pub(super) enum What {
 /// Something that would like to have a name.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Claim<'a> {
-    /// What it is.
     pub(super) what: What,
     /// How it is spelled where it was written.
     pub(super) text: &'a str,
@@ -104,7 +98,6 @@ impl<'a> Claim<'a> {
 /// A name that two things would like to have.
 #[derive(Clone, Debug)]
 pub(super) struct Collision<'a> {
-    /// Where.
     pub(super) scope: Scope,
     /// The name.
     pub(super) name: String,

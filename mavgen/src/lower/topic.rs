@@ -29,7 +29,6 @@ struct Topics<'d> {
     names: &'d UnionNames,
 }
 
-/// A message beside its names.
 #[derive(Clone, Copy)]
 struct Named<'d> {
     model: &'d Message,
@@ -53,7 +52,6 @@ impl<'d> Topics<'d> {
         Ok(EnumType { id, ident: &names.ty, int, flags: model.flags, deprecated: false })
     }
 
-    /// The items of an enum.
     fn enum_item(self, index: EnumIndex) -> Result<rust::Enum<'d>, Internal> {
         let ((model, names), ty) = (self.enum_at(index.0)?, self.enum_type(index)?);
         // The bits of its integer, those of a negative one extended.
@@ -92,7 +90,6 @@ impl<'d> Topics<'d> {
         })
     }
 
-    /// The items of a message.
     fn topic(self, message: Named<'d>) -> Result<Topic<'d>, Internal> {
         let definitions = self.definitions(message)?;
         let by_length = definitions::differ_in_length(&definitions);

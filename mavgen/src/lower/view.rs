@@ -14,7 +14,6 @@ use crate::ir::{Access, Meaning, Member, Presence, SwitchOn};
 use crate::rust::{Cell, Debugged, Docs, Int, Kind, Method, Packed, Paragraph, Param, Receiver, Sig, Ty, View};
 
 impl<'d> Items<'d> {
-    /// The items of a view.
     pub(super) fn view(self, message: usize, at: usize) -> Result<View<'d>, Internal> {
         let view = self.message_at(message)?.view(at)?;
         let (packed, record, message_methods) = match (&view.model.access, &view.names.slots) {
@@ -32,13 +31,11 @@ impl<'d> Items<'d> {
 
     /// A view over plain fields: `flight_sw()` and `set_flight_sw()`.
     fn once(self, view: NamedView<'d>) -> Result<Vec<Method<'d>>, Internal> {
-        let (source, getter) = (self.source(view)?, view.getter());
-        let ty = Ty::Named(source.view);
-        let (get_sig, set_sig) = (Sig::getter(ty.clone().optional(!source.when.is_empty())), Sig::setter("value", ty));
-        Ok(vec![
-            Method::new(getter, get_sig, Docs(vec![summary(view)]), Kind::ViewGet(source.clone())),
-            Method::new(format!("set_{getter}"), set_sig, Docs::line("Sets the bits."), Kind::ViewSet(source)),
-        ])
+        let source = self.source(view)?;
+        let (ty, optional) = (Ty::Named(source.view), !source.when.is_empty());
+        let docs = [Docs(vec![summary(view)]), Docs::line("Sets the bits.")];
+        let kinds = [Kind::ViewGet(source.clone()), Kind::ViewSet(source)];
+        Ok(Method::pair(view.getter(), ty, optional, docs, kinds).into_iter().collect_vec())
     }
 
     /// The type over the bits.

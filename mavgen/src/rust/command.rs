@@ -2,7 +2,6 @@
 
 use super::{Docs, EnumType, Ty};
 
-/// A typed command.
 #[derive(Clone, Debug)]
 pub(crate) struct Command<'d> {
     pub(crate) ident: &'d str,
@@ -11,7 +10,6 @@ pub(crate) struct Command<'d> {
     pub(crate) docs: Docs<'d>,
     /// Why it is not to be used.
     pub(crate) deprecated: Option<String>,
-    /// Its number.
     pub(crate) id: u16,
     /// By param.
     pub(crate) fields: Vec<CommandField<'d>>,
@@ -25,7 +23,6 @@ pub(crate) const CARRIERS: &str = "Carriers";
 /// The messages that carry commands, as paths from the module of the commands.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Carriers {
-    /// `COMMAND_LONG`.
     pub(crate) long: Option<String>,
     /// `COMMAND_INT`, and the type of its frame.
     pub(crate) int: Option<(String, String)>,
@@ -52,12 +49,10 @@ pub(crate) enum ParamTy<'d> {
     Number,
     /// Param 5 or 6 of a place: in the other message scaled as the frame says.
     Place,
-    /// The value of an enum.
     Enum(EnumType<'d>),
 }
 
 impl<'d> ParamTy<'d> {
-    /// The type of the field.
     pub(crate) fn ty(self) -> Ty<'d> {
         match self {
             Self::Float => Ty::F32,

@@ -3,7 +3,6 @@
 use super::{Docs, Int, Method};
 use crate::ir;
 
-/// An enum or a set of flags.
 #[derive(Clone, Debug)]
 pub(crate) struct Enum<'d> {
     pub(crate) ident: &'d str,
@@ -24,7 +23,6 @@ pub(crate) struct Enum<'d> {
     pub(crate) entries: Vec<(u64, &'d str)>,
 }
 
-/// A constant of an enum.
 #[derive(Clone, Debug)]
 pub(crate) struct Constant<'d> {
     pub(crate) ident: &'d str,

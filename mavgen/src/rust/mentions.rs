@@ -1,6 +1,6 @@
 //! Which enums an item names: what its file imports, and whether it names a deprecated one.
 
-use super::{Command, EnumType, Kind, Method, Source, Stored, Struct, Test, Ty, View};
+use super::{Command, EnumType, Kind, Method, Slot, Source, Struct, Test, Ty, View};
 
 /// The enums that are named, each once.
 #[derive(Clone, Debug, Default)]
@@ -53,15 +53,8 @@ impl<'d> Mentions<'d> {
         sig.params.iter().for_each(|param| self.ty(&param.ty));
         self.ty(&sig.result);
         match kind {
-            Kind::ViewGet(source) => self.tests(&source.when),
-            Kind::ViewSet(source) => self.made(source),
-            Kind::SlotGet(slot) => self.tests(&slot.source.when),
-            Kind::SlotStore(slot) => {
-                self.made(&slot.source);
-                if let Stored::Field(_, literal) = slot.sentinel {
-                    self.named(literal.enum_());
-                }
-            }
+            Kind::ViewGet(source) | Kind::SlotGet(Slot { source, .. }) => self.tests(&source.when),
+            Kind::ViewSet(source) | Kind::SlotStore(Slot { source, .. }) => self.made(source),
             Kind::SlotPush { count, .. } => self.named(count.element.enum_()),
             Kind::RecordGet(record) | Kind::RecordSet(record) => self.tests(record.when.as_slice()),
             Kind::BindGet(bind) => self.tests(bind.when.as_slice()),

@@ -5,7 +5,6 @@ use crate::collect::CollectVec as _;
 use crate::ir;
 use crate::order;
 
-/// A message.
 #[derive(Clone, Debug)]
 pub(crate) struct Struct<'d> {
     pub(crate) ident: &'d str,
@@ -17,8 +16,8 @@ pub(crate) struct Struct<'d> {
     /// In the order of the XML.
     pub(crate) fields: Vec<Field<'d>>,
     pub(crate) methods: Vec<Method<'d>>,
-    /// What overlays see in it: first the enums that are bound to fields.
-    pub(crate) seen: Vec<Seen<'d>>,
+    /// The getters of what overlays see in it, and what they give: first the enums that are bound to fields.
+    pub(crate) seen: Vec<(&'d str, Gives)>,
     pub(crate) frame: Frame<'d>,
 }
 
@@ -29,13 +28,6 @@ impl<'d> Struct<'d> {
         order::sort_by_key(&mut fields, |field| field.wire.offset);
         fields
     }
-}
-
-/// The getter of what an overlay sees in a message, and what it gives.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Seen<'d> {
-    pub(crate) getter: &'d str,
-    pub(crate) gives: Gives,
 }
 
 /// What the getter of a view or of a bound enum gives.
@@ -62,14 +54,12 @@ pub(crate) struct Field<'d> {
     pub(crate) secret: bool,
     /// The enum that it carries, as its type or not.
     pub(crate) carries: Option<EnumType<'d>>,
-    /// What it is on the wire.
     pub(crate) wire: &'d ir::Field,
 }
 
 /// What the frames of a message say of it.
 #[derive(Clone, Debug)]
 pub(crate) struct Frame<'d> {
-    /// What the message is on the wire.
     pub(crate) wire: &'d ir::Message,
     /// The fields that say whom it is for.
     pub(crate) target_system: Option<&'d str>,

@@ -17,6 +17,22 @@ impl<'d> Method<'d> {
         Self { ident: ident.into(), sig, docs, kind }
     }
 
+    /// `x()`, an `Option` where there may be none, and `set_x(value)`.
+    pub(crate) fn pair(name: &str, ty: Ty<'d>, optional: bool, docs: [Docs<'d>; 2], kinds: [Kind<'d>; 2]) -> [Self; 2] {
+        let ([get_docs, set_docs], [get, set]) = (docs, kinds);
+        [
+            Self::new(name, Sig::getter(ty.clone().optional(optional)), get_docs, get),
+            Self::new(format!("set_{name}"), Sig::setter("value", ty), set_docs, set),
+        ]
+    }
+
+    /// The builder's way to call this setter of `name`: `with_x(value)`.
+    pub(crate) fn with(&self, name: &str, docs: Docs<'d>) -> Self {
+        let (indexed, fallible) = (self.sig.params.len() > 1, matches!(self.sig.result, Ty::Fallible(_)));
+        let kind = Kind::With { set: self.ident.clone(), indexed, fallible };
+        Self::new(format!("with_{name}"), self.sig.with(), docs, kind)
+    }
+
     /// Whether it is `#[inline]`: not what is large, and not what the compiler inlines anyway.
     pub(crate) fn is_inline(&self) -> bool {
         use Kind::{Bits, FromBits, Params, SlotStore, SwitchGet};
@@ -37,7 +53,6 @@ pub(crate) struct Sig<'d> {
 /// What a method is called on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Receiver {
-    /// Nothing.
     None,
     /// `self`
     Value,
@@ -60,35 +75,48 @@ pub(crate) struct Param<'d> {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Kind<'d> {
     /// Of a view: makes one of its bits, and of the switch value that it carries along.
-    FromBits { switch: Option<&'d str> },
+    FromBits {
+        switch: Option<&'d str>,
+    },
     /// Of a view: its bits.
     Bits,
     /// Of a view: the switch value that it carries along.
     SwitchGet(&'d str),
-    /// Of a view: what some of its bits hold.
+    /// Of a view: what some of its bits hold; `…Set` sets what `…Get` gives, here and below.
     MemberGet(BitField<'d>),
-    /// Of a view: sets some of its bits.
     MemberSet(BitField<'d>),
     /// Of a view or a message: itself, after this setter.
-    With { set: String, indexed: bool, fallible: bool },
+    With {
+        set: String,
+        indexed: bool,
+        fallible: bool,
+    },
     /// Of a view: the value that a raw number stands for.
     ScaledGet(Scale<'d>),
-    /// Of a view: sets the raw number that stands for a value.
     ScaledSet(Scale<'d>),
     /// Of a view: the value as a whole number of a smaller unit.
     ExactGet(Scale<'d>),
     /// Of a message: a view.
     ViewGet(Source<'d>),
-    /// Of a message: sets the bits of a view.
     ViewSet(Source<'d>),
     /// Of a message: iterates over the slots, of which `get` gives one.
-    Slots { get: &'d str, length: u8 },
+    Slots {
+        get: &'d str,
+        length: u8,
+    },
     /// Of a message: a slot.
     SlotGet(Slot<'d>),
     /// Of a message: sets a slot that is in use, as `get` says, by `store`.
-    SlotSet { get: &'d str, store: String },
+    SlotSet {
+        get: &'d str,
+        store: String,
+    },
     /// Of a message: adds a slot by `store`.
-    SlotPush { count: Count<'d>, length: u8, store: String },
+    SlotPush {
+        count: Count<'d>,
+        length: u8,
+        store: String,
+    },
     /// Of a message: a record of values.
     RecordGet(Record<'d>),
     /// Of a message: sets the values of a record, and what says that they are there.
@@ -99,17 +127,14 @@ pub(crate) enum Kind<'d> {
     Params,
     /// Of a message: a field that may be unknown.
     SentinelGet(Sentinel<'d>),
-    /// Of a message: sets a field that may be unknown.
     SentinelSet(Sentinel<'d>),
     /// Of a message: the elements of a field, each of which may be unknown.
     SentinelIter(Sentinel<'d>),
     /// Of a message: a field as an enum of another width or sign.
     EnumGet(Convert<'d>),
-    /// Of a message: sets a field from an enum of another width or sign.
     EnumSet(Convert<'d>),
     /// Of a message: a field as the enum that an overlay binds to it.
     BindGet(Bind<'d>),
-    /// Of a message: sets a field from the enum that an overlay binds to it.
     BindSet(Bind<'d>),
 }
 
@@ -131,7 +156,7 @@ impl<'d> Sig<'d> {
     }
 
     /// Of a setter of a type that is copied: `pub const fn …(mut self, value: T) -> Self`
-    pub(crate) fn with(&self) -> Self {
+    fn with(&self) -> Self {
         let result = match self.result {
             Ty::Fallible(error) => Ty::Made(error),
             _ => Ty::Own,

@@ -2,7 +2,6 @@
 
 use super::{Docs, EnumType, Int, Method, Unknown};
 
-/// A topic.
 #[derive(Clone, Debug)]
 pub(crate) struct Topic<'d> {
     pub(crate) ident: &'d str,
@@ -61,18 +60,14 @@ pub(crate) struct TopicSlot<'d> {
     pub(crate) unknown: Option<Unknown<'d>>,
 }
 
-/// The type of a field's elements.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum TopicType<'d> {
-    /// A scalar.
     Plain(Plain),
     /// An enum, whose integer is that of the field.
     Enum(EnumType<'d>),
-    /// Another topic.
     Message(&'d str),
 }
 
-/// A scalar.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Plain {
     Int(Int),
@@ -82,7 +77,6 @@ pub(crate) enum Plain {
     Char,
 }
 
-/// One definition of a topic.
 #[derive(Clone, Debug)]
 pub(crate) struct Definition<'d> {
     /// `MAIN`

@@ -2,7 +2,6 @@
 
 use super::{Carriers, Command, DialectEnum, Docs, Enum, Struct, View};
 
-/// A generated file.
 #[derive(Clone, Debug)]
 pub(crate) struct File<'d> {
     /// Where it belongs below the output folder, with `/` between folders.
@@ -26,21 +25,20 @@ impl<'d> File<'d> {
 #[derive(Clone, Debug)]
 pub(crate) enum Content<'d> {
     /// Modules, and what they export.
-    Module { children: Vec<Child>, exports: Vec<Export>, aliases: Vec<Alias<'d>> },
-    /// A message.
+    Module {
+        children: Vec<Child>,
+        exports: Vec<Export>,
+        aliases: Vec<Alias<'d>>,
+    },
     Message(Box<Struct<'d>>),
-    /// A topic.
     #[cfg(feature = "uorb")]
     Topic(Box<super::Topic<'d>>),
     /// A view, and the slots that a message gives it in.
     View(Box<View<'d>>),
-    /// An enum or a set of flags.
     Enum(Box<Enum<'d>>),
     /// The module of the commands, and what carries them.
     Commands(Box<Content<'d>>, Carriers),
-    /// A typed command.
     Command(Box<Command<'d>>),
-    /// The enum over all messages of a dialect.
     Dialect(DialectEnum<'d>),
 }
 

@@ -16,12 +16,10 @@ impl Int {
         Self { bits: bits.clamp(8, 128).next_power_of_two(), signed }
     }
 
-    /// How many bits it has.
     pub(crate) fn bits(self) -> u8 {
         self.bits
     }
 
-    /// Whether it can be negative.
     pub(crate) fn is_signed(self) -> bool {
         self.signed
     }
@@ -62,27 +60,20 @@ impl From<Repr> for Int {
 /// A type, as signatures and fields name it.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Ty<'d> {
-    /// An integer.
     Int(Int),
-    /// `f32`
     F32,
-    /// `f64`
     F64,
-    /// `bool`
     Bool,
-    /// `usize`
     Usize,
     /// `()`
     Unit,
     /// `Self`
     Own,
-    /// An enum of the dialect.
     Enum(EnumType<'d>),
     /// A view or a slot, in whose file it is named.
     Named(&'d str),
     /// `[T; 4]`
     Array(Box<Self>, u16),
-    /// `Option<T>`
     Option(Box<Self>),
     /// `Result<(), E>`
     Fallible(Error),
@@ -124,11 +115,8 @@ pub(crate) enum Error {
 pub(crate) struct EnumType<'d> {
     /// Which of the dialect's it is.
     pub(crate) id: EnumId,
-    /// Its name.
     pub(crate) ident: &'d str,
-    /// The integer behind it.
     pub(crate) int: Int,
-    /// Whether it is a set of flags.
     pub(crate) flags: bool,
     /// Whether naming it makes the compiler warn.
     pub(crate) deprecated: bool,
@@ -139,9 +127,7 @@ pub(crate) struct EnumType<'d> {
 pub(crate) enum Element<'d> {
     /// An integer, or a character.
     Int(Int),
-    /// `float`
     F32,
-    /// `double`
     F64,
     /// An enum of the field's own width and sign.
     Enum(EnumType<'d>),
@@ -158,7 +144,6 @@ impl<'d> Element<'d> {
         }
     }
 
-    /// The type.
     pub(crate) fn ty(self) -> Ty<'d> {
         match self {
             Self::Int(int) => Ty::Int(int),

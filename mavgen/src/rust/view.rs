@@ -12,9 +12,7 @@ pub(crate) struct View<'d> {
     pub(crate) packed: Option<Packed<'d>>,
     /// The type of its slots or of its values.
     pub(crate) record: Option<RecordType<'d>>,
-    /// The message.
     pub(crate) message: &'d str,
-    /// The methods that the message gets.
     pub(crate) message_methods: Vec<Method<'d>>,
 }
 
@@ -23,7 +21,6 @@ pub(crate) struct View<'d> {
 pub(crate) struct Packed<'d> {
     pub(crate) ident: &'d str,
     pub(crate) docs: Docs<'d>,
-    /// The integer that holds the bits.
     pub(crate) storage: Int,
     /// The switch value that it carries along, and its type.
     pub(crate) switch: Option<(&'d str, Int)>,
@@ -67,11 +64,8 @@ pub(crate) struct BitField<'d> {
 /// What bits hold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Holds<'d> {
-    /// Yes or no.
     Flag,
-    /// The raw number.
     Number,
-    /// The number of an enum.
     Enum(EnumType<'d>),
 }
 
@@ -87,14 +81,15 @@ pub(crate) struct Present<'d> {
 pub(crate) enum Selector<'d> {
     /// The value that the view carries along.
     Field(&'d str),
-    /// Bits of the view.
-    Bits { at: u8, width: u8 },
+    Bits {
+        at: u8,
+        width: u8,
+    },
 }
 
 /// A raw number that stands for a value: (raw · `factor` + `bias`) / `divisor`.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Scale<'d> {
-    /// The bits of the raw number.
     pub(crate) bits: BitField<'d>,
     pub(crate) get_raw: String,
     pub(crate) set_raw: String,
@@ -110,7 +105,6 @@ pub(crate) struct Scale<'d> {
 /// A member as `Debug` shows it.
 #[derive(Clone, Debug)]
 pub(crate) struct Debugged<'d> {
-    /// The getter.
     pub(crate) ident: &'d str,
     pub(crate) units: Option<&'d str>,
     /// How many digits stand behind the point, of a fraction.
@@ -163,27 +157,20 @@ pub(crate) struct Source<'d> {
 /// A question to a message.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Test<'d> {
-    /// The value at a place is this.
     Is(Place<'d>, Literal<'d>),
-    /// The value at a place is not this.
     IsNot(Place<'d>, Literal<'d>),
-    /// The joined words are not this.
     WordsAreNot(u128),
 }
 
 /// The slots of a message: how one is read and written.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Slot<'d> {
-    /// Its type.
     pub(crate) ident: &'d str,
     pub(crate) source: Source<'d>,
-    /// How many are in use.
     pub(crate) count: Option<Count<'d>>,
     /// The arrays that it has elements of, each once.
     pub(crate) elements: Vec<SlotElement<'d>>,
     pub(crate) keys: Vec<Key<'d>>,
-    /// What is written where the bits mean nothing.
-    pub(crate) sentinel: Stored<'d>,
 }
 
 /// An array that slots have elements of, and the local variable for one.
@@ -214,20 +201,18 @@ pub(crate) struct Key<'d> {
 /// A record of values: where a message has them.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Record<'d> {
-    /// Its type.
     pub(crate) ident: &'d str,
     pub(crate) values: Vec<Key<'d>>,
     /// What must hold for the values to mean something.
     pub(crate) when: Option<Test<'d>>,
 }
 
-/// What says in a message that the bits of a slot mean nothing.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Stored<'d> {
-    /// The words have this value.
-    Words(u128),
-    /// A field has this value; the words are 0.
-    Field(Place<'d>, Literal<'d>),
+impl<'d> Source<'d> {
+    /// The test that a message fails which says that the bits mean nothing: of the words if it can, else of a field.
+    pub(crate) fn sentinel(&self) -> Option<&Test<'d>> {
+        let of_words = self.when.iter().find(|test| matches!(test, Test::WordsAreNot(_)));
+        of_words.or_else(|| self.when.iter().find(|test| matches!(test, Test::IsNot(..))))
+    }
 }
 
 /// An enum that an overlay binds to a field.
@@ -239,7 +224,6 @@ pub(crate) struct Bind<'d> {
 }
 
 impl<'d> BitField<'d> {
-    /// The type of what the bits hold.
     pub(crate) fn ty(&self) -> Ty<'d> {
         match self.holds {
             Holds::Flag => Ty::Bool,

@@ -4,7 +4,7 @@
 use super::source::{array, assign, if_all_hold, joined, store_word, value_at, view_of_bits};
 use crate::emit::token::ident;
 use crate::emit::ty::{number_in, value_of};
-use crate::rust::{Count, Key, Place, Record, Slot, Stored, Switch, Test};
+use crate::rust::{Count, Key, Place, Record, Slot, Switch, Test};
 use crate::tokens::{TokenStream, quote};
 
 /// `(0..4).map_while(|index| self.esc(index))`
@@ -66,12 +66,13 @@ fn used(count: Count<'_>) -> TokenStream {
 
 /// The assignments that put a slot into the arrays.
 pub(in crate::emit) fn store(slot: &Slot<'_>) -> TokenStream {
-    let Slot { source, keys, sentinel, .. } = slot;
+    let Slot { source, keys, .. } = slot;
     let (view, optional) = (ident(source.view), !source.when.is_empty());
-    let (sentinel, mark) = match sentinel {
-        Stored::Words(value) => (*value, None),
+    let (sentinel, mark) = match source.sentinel() {
+        Some(Test::WordsAreNot(value)) => (*value, None),
         // A field has to say so, whatever the key and the switch have put into it.
-        Stored::Field(place, value) => (0, Some(assign(place, &quote!(#value)))),
+        Some(Test::IsNot(place, value)) => (0, Some(assign(place, &quote!(#value)))),
+        Some(Test::Is(..)) | None => (0, None),
     };
     let switch = source.switch.as_ref().map(|Switch { place, element, get }| {
         let get = ident(get);

@@ -18,7 +18,6 @@ use crate::order;
 /// values are combined bit by bit.
 type Kind = (String, String, Repr, bool);
 
-/// The enums so far.
 #[derive(Default)]
 pub(super) struct Enums {
     pub(super) list: Vec<Class<Enum, EnumNames>>,
@@ -95,15 +94,8 @@ impl Class<Enum, EnumNames> {
     /// Adds the entries of the same enum in another dialect. An entry that is there already stays as it is.
     fn add(&mut self, root: usize, other: Enum, names: EnumNames) {
         let (places, known) = (self.places(), self.item.entries.len());
-        let at = other
-            .entries
-            .iter()
-            .zip(&names.constants)
-            .map(|(entry, constant)| places.of(entry, constant))
-            .collect_vec();
-        let named = other.entries.into_iter().zip(names.constants).zip(names.commands);
-        for (((entry, constant), command), at) in named.zip(at) {
-            match at.and_then(|at| self.item.entries.get_mut(at)) {
+        for ((entry, constant), command) in other.entries.into_iter().zip(names.constants).zip(names.commands) {
+            match places.of(&entry, &constant).and_then(|at| self.item.entries.get_mut(at)) {
                 Some(known) => {
                     if !places.by_text.contains_key(&entry.name.text) {
                         self.names.renamed.push((entry.name.text, constant));
@@ -143,7 +135,6 @@ impl Class<Enum, EnumNames> {
     }
 }
 
-/// The places of entries.
 struct Places {
     by_text: HashMap<String, usize>,
     by_constant: HashMap<String, usize>,

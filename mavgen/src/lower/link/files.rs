@@ -4,7 +4,6 @@ use crate::internal::Internal;
 use crate::ir::{Dialect, File, FileIndex};
 use crate::source::FileId;
 
-/// The files so far.
 #[derive(Default)]
 pub(super) struct Files {
     pub(super) list: Vec<File>,

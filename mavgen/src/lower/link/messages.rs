@@ -10,7 +10,6 @@ use crate::ir::{Binding, EnumId, Field, Meaning, Message, View, enums_of_message
 use crate::lower::names::MessageNames;
 use crate::lower::names::methods::{binding_methods, view_methods};
 
-/// The messages so far.
 #[derive(Default)]
 pub(super) struct Messages {
     pub(super) list: Vec<Class<Joined, MessageNames>>,

@@ -6,7 +6,7 @@ use super::Class;
 use super::messages::Joined;
 use crate::collect::CollectVec as _;
 use crate::ir::Enum;
-use crate::lower::names::{EnumNames, MessageNames, ViewNames};
+use crate::lower::names::{EnumNames, MessageNames, SlotNames};
 
 /// Where a type is declared. Every dialect that has it exports it, wherever that is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -37,31 +37,24 @@ pub(crate) struct ViewPlacement {
 
 /// Where the enums are declared.
 pub(super) fn of_enums(enums: &[Class<Enum, EnumNames>]) -> Vec<Placement> {
-    let claims: Vec<_> = enums
-        .iter()
-        .map(|class| Claim { file: &class.names.module, types: vec![&class.names.ty], roots: &class.roots })
-        .collect_vec();
-    placements(&claims)
+    let claims = enums.iter().map(|Class { names, roots, .. }| Claim::of(&names.module, &names.ty, None, roots));
+    placements(&claims.collect_vec())
 }
 
 /// Where the messages and their views are declared.
 pub(super) fn of_messages(messages: &[Class<Joined, MessageNames>]) -> Vec<MessagePlacement> {
-    let claims: Vec<_> = messages
-        .iter()
-        .map(|class| Claim { file: &class.names.module, types: vec![&class.names.ty], roots: &class.roots })
-        .collect_vec();
+    let claims = messages.iter().map(|Class { names, roots, .. }| Claim::of(&names.module, &names.ty, None, roots));
     let views = messages.iter().flat_map(|class| class.names.views.iter().zip(&class.item.views)).collect_vec();
-    let view_claims = views.iter().map(|(names, roots)| Claim::of_view(names, roots)).collect_vec();
-    let mut view_placements = placements(&view_claims)
-        .into_iter()
-        .zip(views)
-        .map(|(placement, (_, roots))| ViewPlacement { placement, roots: roots.clone() });
-    let each = placements(&claims).into_iter().zip(messages);
-    each.map(|(placement, class)| {
+    let view_claims =
+        views.iter().map(|(names, roots)| Claim::of(&names.module, &names.ty, names.slots.as_ref(), roots));
+    let view_placements = placements(&view_claims.collect_vec()).into_iter().zip(&views);
+    let mut view_placements =
+        view_placements.map(|(placement, (_, roots))| ViewPlacement { placement, roots: roots.to_vec() });
+    let each = placements(&claims.collect_vec()).into_iter().zip(messages).map(|(placement, class)| {
         let views = view_placements.by_ref().take(class.item.message.views.len()).collect_vec();
         MessagePlacement { placement, views }
-    })
-    .collect_vec()
+    });
+    each.collect_vec()
 }
 
 /// The names that a declaration takes in its folder.
@@ -73,9 +66,9 @@ struct Claim<'a> {
 }
 
 impl<'a> Claim<'a> {
-    fn of_view(names: &'a ViewNames, roots: &'a [usize]) -> Self {
-        let types = [&names.ty].into_iter().chain(names.slots.as_ref().map(|slots| &slots.ty));
-        Self { file: &names.module, types: types.map(String::as_str).collect_vec(), roots }
+    fn of(file: &'a str, ty: &'a str, slots: Option<&'a SlotNames>, roots: &'a [usize]) -> Self {
+        let types = [ty].into_iter().chain(slots.map(|slots| slots.ty.as_str()));
+        Self { file, types: types.collect_vec(), roots }
     }
 }
 

@@ -61,23 +61,23 @@ pub(in crate::lower) fn dialect_type(
 /// Checks the fields of all messages, also of those that could not be resolved.
 pub(super) fn fields(partial: &Partial, messages: &[MessageNames], diagnostics: &mut Diagnostics) {
     for (message, names) in partial.dialect.messages.iter().zip(messages) {
-        let fields = message.fields.iter().zip(&names.fields);
-        let claims = fields.map(|(field, own)| (own.clone(), Claim::of(What::Field, &field.name)));
-        collision::apart(Scope::Fields, claims.collect_vec(), diagnostics);
+        let claims = message.fields.iter().map(|field| Claim::of(What::Field, &field.name));
+        collision::apart(Scope::Fields, claims, &names.fields, diagnostics);
     }
     for message in &partial.lost {
-        let fields = message.fields.iter();
-        let claims = fields.map(|name| (spelling::field_name(&name.text), Claim::of(What::Field, name)));
-        collision::apart(Scope::Fields, claims.collect_vec(), diagnostics);
+        let names = message.fields.iter().map(|name| spelling::field_name(&name.text)).collect_vec();
+        let claims = message.fields.iter().map(|name| Claim::of(What::Field, name));
+        collision::apart(Scope::Fields, claims, &names, diagnostics);
     }
 }
 
 /// Checks the constants of all enums.
 pub(super) fn constants(dialect: &Dialect, enums: &[EnumNames], diagnostics: &mut Diagnostics) {
     for (enum_, names) in dialect.enums.iter().zip(enums) {
-        let claims = enum_.entries.iter().zip(&names.constants).map(|(entry, own)| {
-            (own.clone(), Claim { age: dialect.age(entry.origin.file), ..Claim::of(What::Entry, &entry.name) })
-        });
-        collision::apart(Scope::Constants, claims.collect_vec(), diagnostics);
+        let claims = enum_
+            .entries
+            .iter()
+            .map(|entry| Claim { age: dialect.age(entry.origin.file), ..Claim::of(What::Entry, &entry.name) });
+        collision::apart(Scope::Constants, claims, &names.constants, diagnostics);
     }
 }

@@ -50,11 +50,9 @@ fn apart(dialect: &Dialect, entries: &[Entry], commands: &mut [Option<CommandNam
     for at in order {
         let (Some(entry), Some(command)) = (entries.get(at), commands.get_mut(at)) else { continue };
         let Some(names) = command else { continue };
-        let collision = types.claim(names.ty.clone(), Claim::of(What::Entry, &entry.name));
-        if collision.is_some() {
+        if !collision::is_free(types.claim(names.ty.clone(), Claim::of(What::Entry, &entry.name)), diagnostics) {
             *command = None;
         }
-        collision::report(collision, diagnostics);
     }
 }
 
@@ -79,10 +77,8 @@ fn fields(command: &Command, diagnostics: &mut Diagnostics) -> Vec<Option<String
                 diagnostics.push(collision::no_label(label, param.origin.span));
                 return None;
             };
-            let collision = taken.claim(name.clone(), Claim::at(What::Param, label, param.origin.span));
-            let is_free = collision.is_none();
-            collision::report(collision, diagnostics);
-            is_free.then_some(name)
+            let found = taken.claim(name.clone(), Claim::at(What::Param, label, param.origin.span));
+            collision::is_free(found, diagnostics).then_some(name)
         }));
     }
     for (param, name) in command.params.iter().zip(&mut names) {

@@ -11,18 +11,16 @@ use crate::rust::Extent;
 /// Checks the methods of a message and of its views, and decides which fields have a getter and a setter.
 pub(super) fn check(message: &Message, names: &MessageNames, diagnostics: &mut Diagnostics) -> Vec<FieldIndex> {
     let mut methods = Namespace::of(Scope::Methods);
-    let mut found: Vec<Collision<'_>> = Vec::new();
     let mut with_accessors = Vec::new();
     for (index, (field, name)) in message.fields.iter().zip(&names.fields).enumerate() {
         if has_accessors(field) {
-            match methods.claim_all(&accessors(name, iterates(field)), Claim::of(What::Accessors, &field.name)) {
-                None => with_accessors.push(FieldIndex(index)),
-                Some(collision) => found.push(collision),
-            }
+            let found = methods.claim_all(&accessors(name, iterates(field)), Claim::of(What::Accessors, &field.name));
+            with_accessors.extend(collision::is_free(found, diagnostics).then_some(FieldIndex(index)));
         }
     }
     for (binding, name) in message.bindings.iter().zip(&names.bindings) {
-        found.extend(methods.claim_all(&binding_methods(name), Claim::of(What::Binding, &binding.name.name)));
+        let found = methods.claim_all(&binding_methods(name), Claim::of(What::Binding, &binding.name.name));
+        collision::report(found, diagnostics);
     }
     for (view, names) in message.views.iter().zip(&names.views) {
         let spans = match &view.access {
@@ -30,11 +28,10 @@ pub(super) fn check(message: &Message, names: &MessageNames, diagnostics: &mut D
             Access::Slots(slots) => [slots.item.span, slots.items.name.span],
         };
         for (names, span) in methods_by_name(view, names).iter().zip(spans) {
-            found.extend(methods.claim_all(names, Claim::at(What::View, &view.name.text, span)));
+            collision::report(methods.claim_all(names, Claim::at(What::View, &view.name.text, span)), diagnostics);
         }
-        of_view(view, names, &mut found);
+        of_view(view, names, diagnostics);
     }
-    collision::report(found, diagnostics);
     with_accessors
 }
 
@@ -84,15 +81,16 @@ fn methods_by_name(view: &View, ViewNames { getter, slots, .. }: &ViewNames) -> 
 }
 
 /// The methods of a view, and the fields of its slot or record.
-fn of_view<'a>(view: &'a View, names: &ViewNames, found: &mut Vec<Collision<'a>>) {
+fn of_view(view: &View, names: &ViewNames, diagnostics: &mut Diagnostics) {
     let mut methods = Namespace::of(Scope::ViewMethods);
     if let (Some(name), Some(switch)) = (&names.switch, &view.switch) {
-        found.extend(methods.claim(name.clone(), Claim::at(What::Switch, &switch.name.name.text, switch.span)));
+        let found = methods.claim(name.clone(), Claim::at(What::Switch, &switch.name.name.text, switch.span));
+        collision::report(found, diagnostics);
     }
     for (member, name) in view.members.iter().zip(&names.members) {
         let by = Claim::of(What::Member, &member.name.name);
         let collision = methods.claim_each(&member_methods(member, name), by);
-        found.extend(collision.or_else(|| operator(member, name, by)));
+        collision::report(collision.or_else(|| operator(member, name, by)), diagnostics);
     }
     let (scope, what) = match &view.access {
         Access::Record(_) => (Scope::RecordFields, What::Value),
@@ -100,7 +98,7 @@ fn of_view<'a>(view: &'a View, names: &ViewNames, found: &mut Vec<Collision<'a>>
     };
     let mut fields = Namespace::of(scope);
     for (key, name) in view.keys().iter().zip(&names.keys) {
-        found.extend(fields.claim(name.clone(), Claim::of(what, &key.name.name)));
+        collision::report(fields.claim(name.clone(), Claim::of(what, &key.name.name)), diagnostics);
     }
 }
 

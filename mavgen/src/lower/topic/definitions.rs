@@ -43,7 +43,7 @@ impl<'d> Topics<'d> {
             cdr_len,
             record_len,
             formats: formats(message.model, own),
-            cdr: self.part(message, own, &placed::in_cdr(own.package, own.message))?,
+            cdr: self.part(message, own, &placed::in_cdr(own.package, own.message), 0)?,
         })
     }
 

@@ -9,7 +9,7 @@ use crate::lower::namespace::{Claim, Namespace, Scope, What};
 use crate::lower::{collision, spelling};
 use crate::source::Span;
 use crate::uorb::Scalar;
-use crate::uorb::model::Element;
+use crate::uorb::model::{Constant, Element};
 use crate::uorb::union::{Field, Message, Union};
 
 /// The names of a package, in the order of its model. A keyword is not raw here.
@@ -25,7 +25,6 @@ pub(crate) struct UnionNames {
     pub(super) definitions: Vec<DefinitionNames>,
 }
 
-/// The names of a message.
 #[derive(Clone, Debug)]
 pub(super) struct TopicNames {
     /// The type: `EscStatus`.
@@ -38,7 +37,6 @@ pub(super) struct TopicNames {
     pub(super) accessors: Vec<usize>,
 }
 
-/// The names of a definition.
 #[derive(Clone, Debug)]
 pub(super) struct DefinitionNames {
     /// `V1_14`
@@ -69,15 +67,19 @@ impl UnionNames {
         let enums = enums.collect_vec();
         let all = types(union, &messages, &enums, diagnostics);
         for (message, names) in union.messages.iter().zip(&mut messages) {
-            let fields = message.fields.iter().map(|field| (field.name.as_str(), field.span));
-            apart((Scope::Fields, What::Field), fields, &names.fields, diagnostics);
-            let constants = message.constants.iter().map(|constant| (constant.name.as_str(), constant.span));
-            apart((Scope::Constants, What::Entry), constants, &names.constants, diagnostics);
+            let fields = message.fields.iter().map(|field| Claim::at(What::Field, &field.name, field.span));
+            collision::apart(Scope::Fields, fields, &names.fields, diagnostics);
+            collision::apart(
+                Scope::Constants,
+                message.constants.iter().map(of_constant),
+                &names.constants,
+                diagnostics,
+            );
             names.accessors = accessors(message, names, diagnostics);
         }
         for (one, names) in union.enums.iter().zip(&enums) {
-            let entries = one.entries.iter().map(|entry| (entry.constant.name.as_str(), entry.constant.span));
-            apart((Scope::Constants, What::Entry), entries, &names.constants, diagnostics);
+            let entries = one.entries.iter().map(|entry| of_constant(&entry.constant));
+            collision::apart(Scope::Constants, entries, &names.constants, diagnostics);
         }
         Self { all, messages, enums, definitions }
     }
@@ -125,9 +127,8 @@ fn accessors(message: &Message, names: &TopicNames, diagnostics: &mut Diagnostic
     for (at, (field, name)) in message.fields.iter().zip(&names.fields).enumerate() {
         if has_accessors(field) {
             let own = methods::accessors(name, field.array.is_some());
-            let collision = taken.claim_all(&own, Claim::at(What::Accessors, &field.name, field.span));
-            with_accessors.extend(collision.is_none().then_some(at));
-            collision::report(collision, diagnostics);
+            let found = taken.claim_all(&own, Claim::at(What::Accessors, &field.name, field.span));
+            with_accessors.extend(collision::is_free(found, diagnostics).then_some(at));
         }
     }
     with_accessors
@@ -142,13 +143,6 @@ pub(super) fn has_accessors(field: &Field) -> bool {
     is_number && field.invalid.is_some()
 }
 
-/// Reports which of these are called alike, by how they are spelled, where, and named.
-fn apart<'a>(
-    (scope, what): (Scope, What),
-    spelled: impl Iterator<Item = (&'a str, Span)>,
-    names: &[String],
-    diagnostics: &mut Diagnostics,
-) {
-    let claims = spelled.zip(names).map(|((text, span), name)| (name.clone(), Claim::at(what, text, span)));
-    collision::apart(scope, claims.collect_vec(), diagnostics);
+fn of_constant(constant: &Constant) -> Claim<'_> {
+    Claim::at(What::Entry, &constant.name, constant.span)
 }

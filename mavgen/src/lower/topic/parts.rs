@@ -14,15 +14,16 @@ impl<'d> Topics<'d> {
     pub(super) fn record(self, message: Named<'d>) -> Result<Part<'d>, Internal> {
         let newest = message.model.known.first().ok_or_else(|| Internal::new("a topic without a definition"))?;
         let own = self.in_definition(newest.definition, newest.message)?;
-        self.part(message, own, &placed::in_record(own.package, own.message))
+        self.part(message, own, &placed::in_record(own.package, own.message), 0)
     }
 
-    /// The fields of a topic that a definition has, and where.
+    /// The fields of a topic that a definition has, and where; what holds them begins at `base`.
     pub(super) fn part(
         self,
         message: Named<'d>,
         own: InDefinition<'d>,
         placed: &[Placed],
+        base: u32,
     ) -> Result<Part<'d>, Internal> {
         let known = message.model.known.iter().find(|known| known.definition == own.definition);
         let known = known.ok_or_else(|| Internal::new(format!("a definition lacks {}", message.model.name)))?;
@@ -32,28 +33,35 @@ impl<'d> Topics<'d> {
             let held = match held {
                 placed::Held::Scalars(scalar, len) => Held::Scalars(scalars(slot, *scalar, *len)),
                 placed::Held::Messages(nested, runs) => {
-                    self.messages(slot, self.in_definition(own.definition, *nested)?, runs)?
+                    self.messages(slot, self.in_definition(own.definition, *nested)?, runs, base)?
                 }
             };
-            Ok(Move { slot, at: *at, later: is_later(&held), held })
+            Ok(Move { slot, at: base + at, later: is_later(&held), held })
         });
         let fields = fields.try_collect_vec()?;
         let lacks = fields.len() < message.model.fields.len() || fields.iter().any(|field| field.later);
         Ok(Part { ident: &message.names.ty, fields, lacks })
     }
 
-    fn messages(self, slot: TopicSlot<'d>, nested: InDefinition<'d>, runs: &[Run]) -> Result<Held<'d>, Internal> {
+    fn messages(
+        self,
+        slot: TopicSlot<'d>,
+        nested: InDefinition<'d>,
+        runs: &[Run],
+        base: u32,
+    ) -> Result<Held<'d>, Internal> {
         let at = self.union.messages.iter().position(|message| message.name == nested.message.name);
         let at = at.ok_or_else(|| Internal::new(format!("there is no {}", nested.message.name)))?;
         let message = self.message(MessageIndex(at))?;
         let Some(len) = slot.len else {
             let run = runs.first().ok_or_else(|| Internal::new(format!("`{}` lies nowhere", slot.name)))?;
-            return Ok(Held::Message(self.part(message, nested, &moved(&run.fields, run.at))?));
+            return Ok(Held::Message(self.part(message, nested, &run.fields, base + run.at)?));
         };
         let rows = runs.iter().map(|run| {
             let Run { first: skip, at, stride, len: bytes, .. } = *run;
             let take = (skip + run.count < len).then_some(run.count);
-            Ok(Row { skip, take, at, stride, len: bytes, part: self.part(message, nested, &run.fields)? })
+            let part = self.part(message, nested, &run.fields, 0)?;
+            Ok(Row { skip, take, at: base + at, stride, len: bytes, part })
         });
         let mut rows = rows.try_collect_vec()?;
         let room = runs.iter().map(|run| run.count).sum();
@@ -61,22 +69,6 @@ impl<'d> Topics<'d> {
             [row] if room == len && is_total(&row.part) => Held::Each(rows.remove(0)),
             _ => Held::Rows(rows, (room < len).then_some(room)),
         })
-    }
-}
-
-/// The fields of a message that begins at `base`, from where that is counted.
-fn moved(fields: &[Placed], base: u32) -> Vec<Placed> {
-    let fields = fields.iter().cloned();
-    fields.map(|field| Placed { at: base + field.at, held: moved_held(field.held, base), ..field }).collect()
-}
-
-fn moved_held(held: placed::Held, base: u32) -> placed::Held {
-    match held {
-        placed::Held::Messages(nested, runs) => {
-            let runs = runs.into_iter().map(|run| Run { at: base + run.at, ..run }).collect();
-            placed::Held::Messages(nested, runs)
-        }
-        scalars @ placed::Held::Scalars(..) => scalars,
     }
 }
 

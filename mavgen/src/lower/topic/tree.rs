@@ -3,13 +3,16 @@
 use std::collections::BTreeSet;
 
 use super::docs::named_topics;
+use super::names::TopicNames;
 use super::{Named, Topics, UnionNames};
 use crate::collect::CollectVec as _;
 use crate::docs::first_sentence;
 use crate::internal::Internal;
 use crate::lower::docs::link;
 use crate::lower::files::{header, root_header};
+use crate::lower::names::EnumNames;
 use crate::lower::options::Options;
+use crate::order;
 use crate::rust::{
     Cell, Child, ChildAccess, Content, DialectEnum, Docs, Export, File, Held, Paragraph, Part, Plain, Scalars, Topic,
     TopicSlot, TopicType, Use, Variant,
@@ -25,17 +28,13 @@ pub(crate) fn tree<'d>(
     options: &'d Options,
 ) -> Result<Vec<File<'d>>, Internal> {
     let topics = Topics { union, names };
-    let mut files = vec![root(topics, options), messages(topics)?];
+    let mut files = vec![root(topics, options), messages(topics)];
     files.extend((!union.messages.is_empty()).then(|| all(topics, options)));
-    if !union.enums.is_empty() {
-        files.push(enums(topics)?);
+    files.extend((!union.enums.is_empty()).then(|| enums(topics)));
+    let places = (0..union.messages.len()).map(MessageIndex).collect_vec();
+    for file in threads::in_order(&places, |index| topic(topics, *index, options)) {
+        files.push(file?);
     }
-    let messages: Vec<_> = (0..union.messages.len()).map(MessageIndex).collect();
-    files.extend(
-        threads::in_order(&messages, |index| topic(topics, *index, options))
-            .into_iter()
-            .collect::<Result<Vec<_>, _>>()?,
-    );
     for (at, (one, names)) in union.enums.iter().zip(&names.enums).enumerate() {
         let (path, header) = (format!("enums/{}.rs", names.module), header(&format!("{}.msg", one.message)));
         let content = Content::Enum(Box::new(topics.enum_item(EnumIndex(at))?));
@@ -67,9 +66,9 @@ const ALL: &str = "package";
 
 /// `package.rs`: the enum over all messages.
 fn all<'d>(Topics { union, names }: Topics<'d>, options: &Options) -> File<'d> {
-    let mut messages: Vec<_> = names.messages.iter().zip(&union.messages).collect();
-    messages.sort_by_key(|(names, _)| &names.ty);
-    let imported = messages.iter().map(|(names, _)| names.ty.clone()).collect();
+    let mut messages = names.messages.iter().zip(&union.messages).collect_vec();
+    order::sort_by_key(&mut messages, |(names, _)| names.ty.as_str());
+    let imported = messages.iter().map(|(names, _)| names.ty.clone()).collect_vec();
     let variants = messages.into_iter().map(|(names, model)| {
         let docs = Docs::line(format!("A message of the {}.", named_topics(&model.topics)));
         Variant { ident: &names.ty, docs }
@@ -79,7 +78,7 @@ fn all<'d>(Topics { union, names }: Topics<'d>, options: &Options) -> File<'d> {
     let item = DialectEnum {
         ident: &names.all,
         docs,
-        variants: variants.collect(),
+        variants: variants.collect_vec(),
         completed_by: "topics",
         derives_debug: true,
     };
@@ -97,47 +96,42 @@ pub(crate) fn about(union: &Union) -> String {
 }
 
 /// `messages.rs`, with a table of contents.
-fn messages<'d>(topics: Topics<'d>) -> Result<File<'d>, Internal> {
-    let all = (0..topics.union.messages.len()).map(|at| topics.message(MessageIndex(at)));
-    let mut all = all.collect::<Result<Vec<Named<'d>>, Internal>>()?;
-    all.sort_by_key(|message| &message.model.name);
-    let rows = all.iter().map(|Named { model, names }| {
-        let cells = [model.fields.len().to_string(), link(&names.ty), first_sentence(&model.text)];
-        cells.map(Cell::Plain).to_vec()
+fn messages<'d>(Topics { union, names }: Topics<'d>) -> File<'d> {
+    let mut all = union.messages.iter().zip(&names.messages).collect_vec();
+    order::sort_by_key(&mut all, |(model, _)| model.name.as_str());
+    let listed = all.into_iter().map(|(model, TopicNames { module, ty, .. })| {
+        (model.fields.len(), first_sentence(&model.text), module.as_str(), ty.as_str())
     });
-    let contents = Paragraph::Table(vec!["fields", "message", ""], rows.collect());
-    let docs = Docs::line("The messages, one type each.").then(contents);
-    let parts = all.iter().map(|message| (message.names.module.as_str(), message.names.ty.as_str()));
-    Ok(module("messages.rs", &topics.union.name, docs, parts))
+    let docs = Docs::line("The messages, one type each.");
+    contents(&union.name, ("messages.rs", docs, ["fields", "message"]), listed.collect_vec())
 }
 
 /// `enums.rs`, with a table of contents.
-fn enums<'d>(topics: Topics<'d>) -> Result<File<'d>, Internal> {
-    let mut all: Vec<_> = topics.union.enums.iter().zip(&topics.names.enums).collect();
-    all.sort_by_key(|(model, _)| &model.name.text);
-    let rows = all.iter().map(|(model, names)| {
-        let cells = [model.entries.len().to_string(), link(&names.ty), format!("of `{}`", model.message)];
-        cells.map(Cell::Plain).to_vec()
+fn enums<'d>(Topics { union, names }: Topics<'d>) -> File<'d> {
+    let mut all = union.enums.iter().zip(&names.enums).collect_vec();
+    order::sort_by_key(&mut all, |(model, _)| &model.name.text);
+    let listed = all.into_iter().map(|(model, EnumNames { module, ty, .. })| {
+        (model.entries.len(), format!("of `{}`", model.message), module.as_str(), ty.as_str())
     });
-    let contents = Paragraph::Table(vec!["entries", "enum", ""], rows.collect());
-    let docs = Docs::line("Enums and flags: constants that fields of messages take.").then(contents);
-    let parts = all.iter().map(|(_, names)| (names.module.as_str(), names.ty.as_str()));
-    Ok(module("enums.rs", &topics.union.name, docs, parts))
+    let docs = Docs::line("Enums and flags: constants that fields of messages take.");
+    contents(&union.name, ("enums.rs", docs, ["entries", "enum"]), listed.collect_vec())
 }
 
-fn module<'d, 'n>(
-    path: &str,
-    sources: &str,
-    docs: Docs<'d>,
-    parts: impl Iterator<Item = (&'n str, &'n str)>,
+/// A module of types: of each how many parts it has, what it is, its module and its name.
+fn contents<'d>(
+    package: &str,
+    (path, docs, [first, second]): (&str, Docs<'d>, [&'d str; 2]),
+    listed: Vec<(usize, String, &str, &str)>,
 ) -> File<'d> {
-    let (mut children, mut exports) = (Vec::new(), Vec::new());
-    for (module, ty) in parts {
+    let (mut rows, mut children, mut exports) = (Vec::new(), Vec::new(), Vec::new());
+    for (count, text, module, ty) in listed {
+        rows.push([count.to_string(), link(ty), text].map(Cell::Plain).to_vec());
         children.push(Child::of(module, ChildAccess::Private));
         exports.push(Use::one(module, ty).into());
     }
+    let docs = docs.then(Paragraph::Table(vec![first, second, ""], rows));
     let content = Content::Module { children, exports, aliases: Vec::new() };
-    File { docs, ..File::of(path.to_owned(), header(sources), content) }
+    File { docs, ..File::of(path.to_owned(), header(package), content) }
 }
 
 fn topic<'d>(topics: Topics<'d>, index: MessageIndex, options: &Options) -> Result<File<'d>, Internal> {

@@ -29,8 +29,7 @@ impl<'d> Items<'d> {
             Meaning::Number { .. } | Meaning::Scaled(_) => Holds::Number,
         };
         let bits = bits(view, member, holds)?;
-        let (get_docs, indexed) =
-            (docs::of_part(&member.description, name, units(member), None), bits.repeat.is_some());
+        let get_docs = docs::of_part(&member.description, name, units(member), None);
         let mut methods = match &member.meaning {
             Meaning::Scaled(scaled) => scaled_accessors(name, bits, scaled, [get_docs, setter_docs(name, true)]),
             _ => {
@@ -39,7 +38,8 @@ impl<'d> Items<'d> {
             }
         };
         let set = methods.get(1).ok_or_else(|| Internal::new(format!("{name} has no setter")))?;
-        methods.insert(2, with(name, set, indexed));
+        let fails = if matches!(set.sig.result, Ty::Fallible(_)) { DOES_NOT_FIT } else { "" };
+        methods.insert(2, set.with(name, Docs::line(format!("With this [`Self::{name}`].{fails}"))));
         Ok(methods)
     }
 }
@@ -80,13 +80,6 @@ fn accessors<'d>(name: &str, bits: BitField<'d>, [get_docs, set_docs]: [Docs<'d>
         Method::new(name, getter, get_docs, Kind::MemberGet(bits.clone())),
         Method::new(format!("set_{name}"), setter, set_docs, Kind::MemberSet(bits)),
     ]
-}
-
-/// The builder's way to call a setter: `with_rpm`.
-fn with<'d>(name: &str, set: &Method<'d>, indexed: bool) -> Method<'d> {
-    let fallible = matches!(set.sig.result, Ty::Fallible(_));
-    let docs = Docs::line(format!("With this [`Self::{name}`].{}", if fallible { DOES_NOT_FIT } else { "" }));
-    Method::new(format!("with_{name}"), set.sig.with(), docs, Kind::With { set: set.ident.clone(), indexed, fallible })
 }
 
 /// Of a scaled number: as a float, exactly in a smaller unit, and raw.

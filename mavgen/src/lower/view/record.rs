@@ -5,28 +5,23 @@ use super::super::items::{Items, NamedView};
 use super::summary;
 use crate::collect::CollectVec as _;
 use crate::internal::Internal;
-use crate::rust::{Docs, Kind, Method, Paragraph, Record, RecordType, Sig, Ty};
+use crate::rust::{Docs, Kind, Method, Paragraph, Record, RecordType, Ty};
 
 impl<'d> Items<'d> {
     pub(super) fn record(self, view: NamedView<'d>) -> Result<Vec<Method<'d>>, Internal> {
         let when = view.model.condition.as_ref().map(|condition| self.holds(view.message, condition)).transpose()?;
-        let record = Record { ident: view.ty(), values: self.keys(view)?, when };
-        let (ty, getter, condition) = (Ty::Named(view.ty()), view.getter(), self.condition(view)?);
+        let (record, getter) = (Record { ident: view.ty(), values: self.keys(view)?, when }, view.getter());
+        let (condition, optional) = (self.condition(view)?, record.when.is_some());
         let unless = condition.iter().map(|asked| format!("`None` unless {asked}."));
         let get_docs = Docs(vec![summary(view), Paragraph::Lines(unless.collect_vec())]);
         let set_docs = Docs::line(match &condition {
             Some(asked) => format!("Sets the values, and that {asked}."),
             None => "Sets the values.".to_owned(),
         });
-        let with_docs = Docs::line(format!("With this [`Self::{getter}()`]."));
-        let (get_sig, set_sig) = (Sig::getter(ty.clone().optional(record.when.is_some())), Sig::setter("value", ty));
-        let (set, with_sig) = (format!("set_{getter}"), set_sig.with());
-        let with = Kind::With { set: set.clone(), indexed: false, fallible: false };
-        Ok(vec![
-            Method::new(getter, get_sig, get_docs, Kind::RecordGet(record.clone())),
-            Method::new(set, set_sig, set_docs, Kind::RecordSet(record)),
-            Method::new(format!("with_{getter}"), with_sig, with_docs, with),
-        ])
+        let kinds = [Kind::RecordGet(record.clone()), Kind::RecordSet(record)];
+        let [get, set] = Method::pair(getter, Ty::Named(view.ty()), optional, [get_docs, set_docs], kinds);
+        let with = set.with(getter, Docs::line(format!("With this [`Self::{getter}()`].")));
+        Ok(vec![get, set, with])
     }
 
     /// `pub struct AqGps { … }`

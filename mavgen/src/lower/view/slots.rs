@@ -7,10 +7,9 @@ use super::source::{element, place};
 use super::summary;
 use crate::collect::CollectVec as _;
 use crate::internal::Internal;
-use crate::ir::{self, SwitchOn, ViewSentinel};
-use crate::order;
 use crate::rust::{
-    Count, Docs, Error, Key, Kind, Method, Paragraph, RecordField, RecordType, Sig, Slot, SlotElement, Stored, Ty,
+    Count, Docs, Error, Key, Kind, Method, Paragraph, Place, RecordField, RecordType, Sig, Slot, SlotElement, Source,
+    Test, Ty,
 };
 
 impl<'d> Items<'d> {
@@ -70,14 +69,9 @@ impl<'d> Items<'d> {
             let field = view.message.field(count)?;
             Ok(Count { field: field.ident, element: self.element(field)? })
         });
-        Ok(Slot {
-            ident: &slots.names.ty,
-            source: self.source(view)?,
-            count: count.transpose()?,
-            elements: elements(view)?,
-            keys: self.keys(view)?,
-            sentinel: self.sentinel(view)?,
-        })
+        let (source, keys) = (self.source(view)?, self.keys(view)?);
+        let elements = elements(view, &source, &keys);
+        Ok(Slot { ident: &slots.names.ty, source, count: count.transpose()?, elements, keys })
     }
 
     /// The public fields for keys or values.
@@ -100,40 +94,16 @@ impl<'d> Items<'d> {
         });
         keys.try_collect_vec()
     }
-
-    /// How a message says that the bits of a slot mean nothing: by words if it can, else by a field.
-    fn sentinel(self, view: NamedView<'d>) -> Result<Stored<'d>, Internal> {
-        let words = view.model.invalid.iter().find_map(|sentinel| match sentinel {
-            ViewSentinel::Words(value) => Some(*value),
-            ViewSentinel::Field(..) => None,
-        });
-        match (words, view.model.invalid.first()) {
-            (None, Some(ViewSentinel::Field(at, value))) => {
-                let literal = self.literal(view.message.field(at.field)?, *value)?;
-                Ok(Stored::Field(place(view, *at)?, literal))
-            }
-            (words, _) => Ok(Stored::Words(words.unwrap_or_default())),
-        }
-    }
 }
 
-/// Every array that slots have elements of, once, in the order of the fields.
-fn elements<'d>(view: NamedView<'d>) -> Result<Vec<SlotElement<'d>>, Internal> {
-    let words = view.model.words.iter().filter_map(|word| match word {
-        ir::Word::One(place) => Some(*place),
-        ir::Word::Joined(_) => None,
+/// Every array that a slot has elements of, once, in the order of the fields.
+fn elements<'d>(view: NamedView<'d>, source: &Source<'d>, keys: &[Key<'d>]) -> Vec<SlotElement<'d>> {
+    let tests = source.when.iter().filter_map(|test| match test {
+        Test::Is(place, _) | Test::IsNot(place, _) => Some(place),
+        Test::WordsAreNot(_) => None,
     });
-    let sentinels = view.model.invalid.iter().filter_map(|sentinel| match sentinel {
-        ViewSentinel::Field(place, _) => Some(*place),
-        ViewSentinel::Words(_) => None,
-    });
-    let switch = view.model.switch.iter().filter_map(|switch| match switch.on {
-        SwitchOn::Field(place, _) => Some(place),
-        SwitchOn::Bits { .. } => None,
-    });
-    let places = view.model.keys().iter().map(|key| key.place).chain(words).chain(sentinels).chain(switch);
-    let mut fields = places.filter(|place| place.element).map(|place| place.field).collect_vec();
-    order::sort_by_key(&mut fields, |field| field.0);
-    fields.dedup();
-    fields.into_iter().map(|field| view.message.field(field).map(element)).try_collect_vec()
+    let read = keys.iter().map(|key| &key.place).chain(source.words.iter().map(|word| &word.place));
+    let places = read.chain(source.switch.iter().map(|switch| &switch.place)).chain(tests).collect_vec();
+    let is_read = |element: &SlotElement<'_>| places.iter().any(|place| **place == Place::Element(element.clone()));
+    view.message.fields().map(element).filter(is_read).collect_vec()
 }
