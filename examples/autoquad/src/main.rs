@@ -20,6 +20,7 @@ mod telemetry;
 mod time;
 mod ulog;
 
+use std::io::Error;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
@@ -43,7 +44,9 @@ Or try it without one:
   autoquad monitor flight.tlog
   autoquad plot flight.tlog --out flight.svg
 
-`autoquad COMMAND --help` has more examples.";
+`autoquad COMMAND --help` has more examples.
+
+Exit status: 0 fine, 1 something failed, 2 the arguments are wrong.";
 
 #[derive(Subcommand)]
 enum Command {
@@ -59,7 +62,11 @@ enum Command {
 }
 
 fn main() -> ExitCode {
-    let result = match Cli::parse().command {
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(error) => return shown(&error),
+    };
+    let result = match cli.command {
         Command::Simulate(simulate) => simulate.run(),
         Command::Monitor(monitor) => monitor.run(),
         Command::Bridge(bridge) => bridge.run(),
@@ -70,8 +77,19 @@ fn main() -> ExitCode {
         Command::Px4Log(log) => log.run(),
         Command::Salvage(salvage) => salvage.run(),
     };
+    ended(result, ExitCode::SUCCESS)
+}
+
+/// Help, the version, or what is wrong with the arguments.
+fn shown(text: &clap::Error) -> ExitCode {
+    let printed = text.print().map_err(|error| Failure::written(Error::new(error.kind(), format!("help: {error}"))));
+    ended(printed, u8::try_from(text.exit_code()).map_or(ExitCode::FAILURE, ExitCode::from))
+}
+
+/// The exit status: this one, unless something failed.
+fn ended(result: Result<(), Failure>, status: ExitCode) -> ExitCode {
     match result {
-        Ok(()) | Err(Failure::ReaderGone) => ExitCode::SUCCESS,
+        Ok(()) | Err(Failure::ReaderGone) => status,
         Err(Failure::Sentence(sentence)) => {
             eprintln!("autoquad: {sentence}");
             ExitCode::FAILURE

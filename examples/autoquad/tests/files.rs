@@ -212,6 +212,18 @@ fn what_is_ended_midway_leaves_nothing() {
 }
 
 #[test]
+fn the_exit_status_says_what_was_wrong() {
+    let folder = tempfile::tempdir().unwrap();
+    said(autoquad(&folder, &["--help"]), 0, "");
+    said(autoquad(&folder, &["csv"]), 2, "<LOG>");
+    said(autoquad(&folder, &["csv", "none.tlog"]), 1, "autoquad: none.tlog: ");
+    if cfg!(target_os = "linux") {
+        let full = File::options().write(true).open("/dev/full").unwrap();
+        said(command(&folder).arg("--help").stdout(full).output().unwrap(), 1, "No space left on device");
+    }
+}
+
+#[test]
 fn a_reader_that_has_seen_enough_is_no_error() {
     let folder = flight();
     let commands: [&[&str]; 3] =
