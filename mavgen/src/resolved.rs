@@ -2,6 +2,8 @@
 
 use std::path::PathBuf;
 
+use crate::Failure;
+use crate::collect::CollectVec as _;
 use crate::diag::Diagnostics;
 use crate::ir::Dialect;
 use crate::lower::link::Union;
@@ -9,6 +11,7 @@ use crate::lower::names::Names;
 use crate::problems::Problems;
 use crate::read::Loaded;
 use crate::roots::{self, Named};
+use crate::select::Selection;
 use crate::source::Sources;
 
 /// A dialect that was read and resolved without errors.
@@ -31,6 +34,17 @@ pub struct Resolved {
 }
 
 impl Resolved {
+    /// The ids of the messages that names like `HEARTBEAT` and patterns like `PARAM_*` mean.
+    ///
+    /// # Errors
+    /// [`Failure::Usage`] if there is no name, or if one means no message.
+    pub fn message_ids(&self, names: &[String]) -> Result<Vec<u32>, Failure> {
+        let selection = Selection::new(names.iter().map(String::as_str)).map_err(Failure::Usage)?;
+        selection.check(&[&self.dialect]).map_err(Failure::Usage)?;
+        let meant = self.dialect.messages.iter().filter(|message| selection.means(message));
+        Ok(meant.map(|message| message.id).collect_vec())
+    }
+
     /// Resolves a dialect that was read by [`read::load`](crate::read::load), or from memory by
     /// [`read::read`](crate::read::read). `diagnostics` holds what was found in reading it.
     ///

@@ -14,13 +14,13 @@ mod stream;
 mod text;
 
 use std::io::{self, ErrorKind, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::{Args, ValueEnum};
+use mavgen::Failure;
 use mavgen::decode::{Tables, contents};
 use mavgen::ir::Dialect;
-use mavgen::{Failure, Resolved};
 
 use super::input::{Reading, folder, resolve};
 use super::report::{Report, plural};
@@ -88,12 +88,14 @@ impl Decode {
         if source::is_recording(&self.xml) {
             return Err(Failure::Usage(self.without_dialect()));
         }
-        let Resolved { dialect, .. } = resolve(&self.reading.whole(&self.xml), report)?;
-        let wanted = self.wanted()?;
-        let mut printer = self.printer(&dialect, wanted)?;
-        let name = self.file.as_ref().map_or_else(|| "standard input".to_owned(), |file| file.display().to_string());
+        let resolved = resolve(&self.reading.whole(&self.xml), report)?;
+        let asked = self.reading.definitions.messages.as_ref();
+        let wanted = asked.map(|names| resolved.message_ids(names)).transpose()?;
+        let mut printer = self.printer(&resolved.dialect, wanted)?;
+        let file = self.file.as_deref().filter(|file| *file != Path::new("-"));
+        let name = file.map_or_else(|| "standard input".to_owned(), |file| file.display().to_string());
         let refused = |error: io::Error| Failure::Usage(format!("{name}: {error}"));
-        let mut stream = source::open(self.file.as_deref(), self.layout, printer.tables.table()).map_err(refused)?;
+        let mut stream = source::open(file, self.layout, printer.tables.table()).map_err(refused)?;
         let mut out = io::stdout().lock();
         let mut print = |text: String| match out.write_all(text.as_bytes()) {
             Ok(()) => Ok(true),
@@ -164,15 +166,6 @@ impl Decode {
         let recording = self.xml.display();
         let dialect = self.file.as_ref().map_or("xml/common.xml".into(), |file| file.display().to_string());
         format!("`{recording}` is not a dialect's XML file, which is named first: mavgen decode {dialect} {recording}")
-    }
-
-    /// The ids of the messages that were asked for; `None` for all.
-    fn wanted(&self) -> Result<Option<Vec<u32>>, Failure> {
-        if self.reading.definitions.messages.is_none() {
-            return Ok(None);
-        }
-        let chosen = self.reading.builder(&self.xml).resolve()?.dialect;
-        Ok(Some(chosen.messages.iter().map(|message| message.id).collect()))
     }
 }
 

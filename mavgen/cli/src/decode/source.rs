@@ -29,8 +29,8 @@ pub(super) enum Layout {
 /// The frames of a file, or of standard input.
 pub(super) fn open<'t>(file: Option<&Path>, layout: Layout, table: &'t Table<'t>) -> io::Result<Stream<'t>> {
     let mut input: Box<dyn Read> = match file {
-        Some(file) if file != Path::new("-") => Box::new(File::open(file)?),
-        _ => Box::new(io::stdin()),
+        Some(file) => Box::new(File::open(file)?),
+        None => Box::new(io::stdin()),
     };
     let mut first = Vec::new();
     // One more than the time: where a tlog has the first byte of a frame.

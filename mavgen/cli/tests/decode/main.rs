@@ -232,6 +232,9 @@ fn wrong_input_is_2() {
         );
         assert_eq!((output.status.code(), stderr(&output)), (Some(2), said));
     }
+    for named in [&["acme.xml", "--input", "hex"][..], &["acme.xml", "-", "--input", "hex"]] {
+        assert!(stderr(&bench.decode(named, b"x")).starts_with("error: standard input: line 1: "));
+    }
     let nothing = bench.decode(&["acme.xml"], b"");
     assert_eq!((nothing.status.code(), nothing.stdout.len()), (Some(0), 0));
 }
@@ -244,7 +247,7 @@ fn a_dialect_comes_through_a_pipe() {
     let (frame, pipe) = (bench.sprayer(), bench.folder.path().join("pipe"));
     assert!(std::process::Command::new("mkfifo").arg(&pipe).status().unwrap().success());
     let writer = std::thread::spawn(move || fs::write(pipe, bench::ACME));
-    let output = bench.decode(&["pipe"], &frame);
+    let output = bench.decode(&["pipe", "--messages", "SPRAYER"], &frame);
     writer.join().unwrap().unwrap();
     assert!(output.status.success() && !output.stdout.is_empty(), "{}", stderr(&output));
 }
