@@ -5,15 +5,13 @@
 
 mod bytes;
 mod characters;
+mod dialect;
 mod elements;
 mod encoding;
-mod enums;
 mod fault;
 pub(crate) mod grammar;
 mod include;
-mod message;
 mod overlay;
-mod prose;
 mod schema;
 mod tag;
 #[cfg(feature = "uorb")]
@@ -32,8 +30,8 @@ pub use uorb_overlay::read as read_uorb_overlay;
 pub(crate) use xml::MAX_DEPTH;
 
 use crate::diag::Diagnostics;
-use crate::source::{FileId, Part, Sources, Spanned};
-use crate::syntax::{File, Tag, Text, Version};
+use crate::source::{FileId, Part, Sources};
+use crate::syntax::{File, Tag, Text};
 use elements::{Broken, Elements};
 
 /// Adds the text of a file that was asked for by name to the sources, once its [bytes](bytes_of) are there; what is wrong with it
@@ -55,7 +53,9 @@ pub(crate) fn open(
 pub fn read(id: FileId, sources: &Sources, diagnostics: &mut Diagnostics) -> File {
     let mut file =
         File { id, includes: Vec::new(), version: None, dialect: None, enums: Vec::new(), messages: Vec::new() };
-    document(id, sources, diagnostics, &grammar::MAVLINK, |elements, tag| read_child(elements, tag, &mut file));
+    document(id, sources, diagnostics, &grammar::MAVLINK, |elements, tag| {
+        dialect::read_child(elements, tag, &mut file)
+    });
     file
 }
 
@@ -86,33 +86,6 @@ fn document(
     match document() {
         Ok(()) | Err(Broken) => attributes,
     }
-}
-
-/// Reads an element of a dialect file. Of `<version>` and `<dialect>`, the last counts.
-fn read_child<'t>(elements: &mut Elements<'t, '_>, tag: Tag<'t>, file: &mut File) -> Result<(), Broken> {
-    let (name, span) = (tag.name, tag.span);
-    if matches!(name, "version" | "dialect") {
-        elements.check_repeated(&tag, &[name]);
-    }
-    elements.close_tag(tag);
-    match name {
-        "enums" => return enums::read(elements, &mut file.enums),
-        "messages" => {
-            while let Some(tag) = elements.next_child()? {
-                file.messages.extend(message::read(elements, tag)?);
-            }
-        }
-        "include" => {
-            let path = elements.text()?;
-            file.includes.push(path.unwrap_or_else(|| Spanned::new(String::new(), span)));
-        }
-        "dialect" => file.dialect = elements.text()?,
-        _ => {
-            let messages_before = file.messages.len();
-            file.version = elements.text()?.map(|text| Version { text, messages_before });
-        }
-    }
-    Ok(())
 }
 
 #[cfg(test)]

@@ -219,8 +219,7 @@ impl Loader<'_> {
     /// The file that an include names: the first of `places` where there is one.
     fn resolve(&mut self, from: FileIndex, include: &Text, places: &[PathBuf]) -> Option<FileIndex> {
         if include.value.is_empty() {
-            let message = "an include without a path";
-            let error = Diagnostic::new(Code::MissingInclude, include.span, message);
+            let error = Diagnostic::new(Code::MissingInclude, include.span, "an include without a path");
             self.diagnostics.push(error.help("the path is its text: `<include>common.xml</include>`"));
             return None;
         }

@@ -95,8 +95,7 @@ fn twice(name: &Text, first: Span) -> Diagnostic {
 }
 
 fn missing(name: &Text, folder: &Folder) -> Diagnostic {
-    let message = format!("message `{}` does not exist", name.value);
-    let problem = Diagnostic::new(Code::OverlayMessage, name.span, message);
+    let problem = Diagnostic::new(Code::OverlayMessage, name.span, format!("message `{}` does not exist", name.value));
     problem.label(format!("there is no file `{}.msg`", name.value)).meant(nearest(&name.value, folder.names()))
 }
 
