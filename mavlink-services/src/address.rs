@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use mavlink_wire::{ComponentId, Frame, SystemId};
+use mavlink_wire::{ComponentId, Frame, SystemId, Targeted};
 
 /// A component of a system. As a target, and where you wait for a sender, zero stands for all.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -40,6 +40,13 @@ impl Address {
     #[must_use]
     pub fn is_target(self, target_system: u8, target_component: u8) -> bool {
         Self::new(target_system, target_component).includes(self)
+    }
+
+    /// The message in a frame, if it is for this component.
+    pub(crate) fn addressed<M: Targeted>(self, frame: &Frame<'_>) -> Option<M> {
+        let mut message: M = frame.decode()?;
+        let (Some(system), Some(component)) = message.target_mut() else { return None };
+        self.is_target(*system, *component).then_some(message)
     }
 
     /// The target ids of a message to this one.

@@ -89,8 +89,7 @@ impl Access {
 
     /// Why the peer did not do what was asked, if the frame says that.
     fn error(&self, frame: &Frame<'_>) -> Option<ParamError> {
-        let error: ParamError = if self.peer.includes(Address::of(frame)) { frame.decode()? } else { return None };
-        self.own.is_target(error.target_system, error.target_component).then_some(error)
+        if self.peer.includes(Address::of(frame)) { self.own.addressed(frame) } else { None }
     }
 
     /// What a message says of a parameter.

@@ -271,9 +271,7 @@ impl<const N: usize> Service for Component<N> {
             if command.is_for(self.own) {
                 self.take(command, frame, now);
             }
-        } else if let Some(cancel) = frame.decode::<CommandCancel>()
-            && self.own.is_target(cancel.target_system, cancel.target_component)
-        {
+        } else if let Some(cancel) = self.own.addressed::<CommandCancel>(frame) {
             self.cancel(cancel.command, Address::of(frame), now);
         }
     }

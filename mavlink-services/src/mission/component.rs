@@ -5,7 +5,7 @@ mod transfer;
 
 use core::time::Duration;
 
-use mavlink_wire::{Frame, Message, Targeted};
+use mavlink_wire::{Frame, Message};
 
 use super::access::ack;
 use super::item::MissionItem;
@@ -169,13 +169,6 @@ impl<P: Plans> Component<P> {
         }
     }
 
-    /// The message in a frame, if it is for this component.
-    fn for_us<M: Targeted>(&self, frame: &Frame<'_>) -> Option<M> {
-        let mut message: M = frame.decode()?;
-        let (Some(system), Some(component)) = message.target_mut() else { return None };
-        self.own.is_target(*system, *component).then_some(message)
-    }
-
     fn acknowledge(&mut self, to: Address, plan: MavMissionType, result: MavMissionResult) {
         let id = if result == MavMissionResult::ACCEPTED { self.plans.id(plan) } else { 0 };
         self.answer = Some(ack(to, plan, result, id));
@@ -232,23 +225,25 @@ impl<P: Plans> Service for Component<P> {
         match frame.message_id() {
             MissionCount::ID | MissionWritePartialList::ID => self.announced(frame, now),
             MissionItemInt::ID => {
-                if let Some(item) = self.for_us::<MissionItemInt>(frame).filter(|item| item.current <= OF_PLAN) {
+                if let Some(item) = self.own.addressed::<MissionItemInt>(frame).filter(|item| item.current <= OF_PLAN) {
                     self.put(frame, (item.mission_type, item.seq), Some(item.into()), now);
                 }
             }
             common::MissionItem::ID => {
-                if let Some(item) = self.for_us::<common::MissionItem>(frame).filter(|item| item.current <= OF_PLAN) {
+                if let Some(item) =
+                    self.own.addressed::<common::MissionItem>(frame).filter(|item| item.current <= OF_PLAN)
+                {
                     self.put(frame, (item.mission_type, item.seq), MissionItem::of_float(&item), now);
                 }
             }
             MissionAck::ID => self.acknowledged(frame),
             MissionClearAll::ID => {
-                if let Some(clear) = self.for_us::<MissionClearAll>(frame) {
+                if let Some(clear) = self.own.addressed::<MissionClearAll>(frame) {
                     self.clear(from, clear.mission_type);
                 }
             }
             MissionSetCurrent::ID => {
-                if let Some(set) = self.for_us::<MissionSetCurrent>(frame) {
+                if let Some(set) = self.own.addressed::<MissionSetCurrent>(frame) {
                     self.set_current_by(from, set.seq);
                 }
             }

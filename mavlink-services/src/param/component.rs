@@ -247,18 +247,11 @@ impl<P: Parameters> Service for Component<P> {
     fn handle(&mut self, frame: &Frame<'_>, now: Instant) {
         let by = Address::of(frame);
         let answerable = (frame.version() == Version::V2).then_some(by);
-        let own = self.own;
-        if let Some(request) = frame.decode::<ParamRequestList>() {
-            if own.is_target(request.target_system, request.target_component) {
-                self.list(now);
-            }
-        } else if let Some(request) = frame.decode::<ParamRequestRead>() {
-            if own.is_target(request.target_system, request.target_component) {
-                self.read(&request, answerable);
-            }
-        } else if let Some(request) = frame.decode::<ParamSet>()
-            && own.is_target(request.target_system, request.target_component)
-        {
+        if self.own.addressed::<ParamRequestList>(frame).is_some() {
+            self.list(now);
+        } else if let Some(request) = self.own.addressed(frame) {
+            self.read(&request, answerable);
+        } else if let Some(request) = self.own.addressed(frame) {
             self.write(&request, by, answerable);
         }
     }

@@ -15,13 +15,13 @@ impl<P: Plans> Component<P> {
     /// A station asks for something.
     pub(super) fn asked(&mut self, frame: &Frame<'_>) {
         let from = Address::of(frame);
-        if let Some(request) = self.for_us::<MissionRequestInt>(frame) {
+        if let Some(request) = self.own.addressed::<MissionRequestInt>(frame) {
             self.give(from, request.mission_type, request.seq, Form::Int);
-        } else if let Some(request) = self.for_us::<MissionRequest>(frame) {
+        } else if let Some(request) = self.own.addressed::<MissionRequest>(frame) {
             self.give(from, request.mission_type, request.seq, Form::Float);
-        } else if let Some(request) = self.for_us::<MissionRequestList>(frame) {
+        } else if let Some(request) = self.own.addressed::<MissionRequestList>(frame) {
             self.count(from, request.mission_type);
-        } else if let Some(request) = self.for_us::<MissionRequestPartialList>(frame) {
+        } else if let Some(request) = self.own.addressed::<MissionRequestPartialList>(frame) {
             match self.range(request.mission_type, request.start_index, request.end_index) {
                 Ok((first, last)) => self.part = Some((from, request.mission_type, first, last)),
                 Err(why) => self.acknowledge(from, request.mission_type, why),

@@ -15,9 +15,9 @@ impl<P: Plans> Component<P> {
     /// A station says how many items it has.
     pub(super) fn announced(&mut self, frame: &Frame<'_>, now: Instant) {
         let from = Address::of(frame);
-        if let Some(all) = self.for_us::<MissionCount>(frame) {
+        if let Some(all) = self.own.addressed::<MissionCount>(frame) {
             self.begin(from, all.mission_type, Replaced::All { count: all.count }, now);
-        } else if let Some(part) = self.for_us::<MissionWritePartialList>(frame) {
+        } else if let Some(part) = self.own.addressed::<MissionWritePartialList>(frame) {
             match self.range(part.mission_type, part.start_index, part.end_index) {
                 Ok((first, last)) => self.begin(from, part.mission_type, Replaced::Part { first, last }, now),
                 Err(why) => self.acknowledge(from, part.mission_type, why),
@@ -103,7 +103,7 @@ impl<P: Plans> Component<P> {
 
     /// The station that sends a plan says something else than the next item.
     pub(super) fn acknowledged(&mut self, frame: &Frame<'_>) {
-        let Some(ack) = self.for_us::<MissionAck>(frame) else { return };
+        let Some(ack) = self.own.addressed::<MissionAck>(frame) else { return };
         if ack.r#type != MavMissionResult::ACCEPTED
             && let Some(receiving) = self.receiving.filter(|receiving| receiving.is_with(frame, ack.mission_type))
         {
