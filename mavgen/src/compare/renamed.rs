@@ -20,8 +20,8 @@ impl<'a> Renamed<'a> {
             let before = of_same(&old.dialect.messages, &old.names.messages, pair.old);
             let after = of_same(&new.dialect.messages, &new.names.messages, pair.new);
             let Some((before, after)) = before.zip(after) else { continue };
-            let fields = pair.fields.both.iter().map(|(old, new)| {
-                (of_same(&pair.old.fields, &before.fields, old), of_same(&pair.new.fields, &after.fields, new))
+            let fields = pair.fields.both.iter().filter_map(|(old, new)| {
+                of_same(&pair.old.fields, &before.fields, old).zip(of_same(&pair.new.fields, &after.fields, new))
             });
             names.add(&before.ty, &after.ty, fields);
         }
@@ -29,22 +29,17 @@ impl<'a> Renamed<'a> {
             let before = of_same(&old.dialect.enums, &old.names.enums, pair.old);
             let after = of_same(&new.dialect.enums, &new.names.enums, pair.new);
             let Some((before, after)) = before.zip(after) else { continue };
-            let entries = pair.entries.both.iter().map(|(old, new)| {
-                (of_same(&pair.old.entries, &before.constants, old), of_same(&pair.new.entries, &after.constants, new))
+            let entries = pair.entries.both.iter().filter_map(|(old, new)| {
+                let now = of_same(&pair.new.entries, &after.constants, new);
+                of_same(&pair.old.entries, &before.constants, old).zip(now)
             });
             names.add(&before.ty, &after.ty, entries);
         }
         names
     }
 
-    fn add(
-        &mut self,
-        before: &'a str,
-        after: &'a str,
-        members: impl Iterator<Item = (Option<&'a String>, Option<&'a String>)>,
-    ) {
+    fn add(&mut self, before: &'a str, after: &'a str, members: impl Iterator<Item = (&'a String, &'a String)>) {
         self.types.insert(before, after);
-        let members = members.filter_map(|(old, new)| old.zip(new));
         self.members.extend(members.map(|(old, new)| ((before, old.as_str()), new.as_str())));
     }
 

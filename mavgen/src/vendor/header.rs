@@ -21,16 +21,6 @@ pub(super) const NOT_DESCRIBED: &str = "its facts, without its descriptions";
 /// What stands before the digest.
 const DIGEST: &str = "; to notice edits: ";
 
-/// What a header says of its file.
-pub(super) struct What {
-    /// [`UNCHANGED`] and so on.
-    pub(super) kind: &'static str,
-    /// How much of the source it is, if it is a part.
-    pub(super) share: Option<Share>,
-    /// By [`digest::of_text`] or [`digest::of_facts`].
-    pub(super) digest: String,
-}
-
 /// How many there are, and of how many in the source.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Share {
@@ -38,12 +28,12 @@ pub(super) struct Share {
     pub(super) enums: (usize, usize),
 }
 
-/// The header of a file that was made of the text of the file `name`.
-pub(super) fn header(name: &str, text: &str, what: &What) -> String {
-    let share = what.share.map(|share| format!("a part, {share}: ")).unwrap_or_default();
-    let (version, digest) = (env!("CARGO_PKG_VERSION"), &what.digest);
-    let source = digest::hexadecimal(&Sha256::digest(text));
-    format!("{MARK}{version} from {}, SHA-256 {source}: {share}{}{DIGEST}{digest}. -->", in_comment(name), what.kind)
+/// The header of a file that was made of the text of the file `name`: its kind is [`UNCHANGED`] and so on, its digest by
+/// [`digest::of_text`] or [`digest::of_facts`].
+pub(super) fn header(name: &str, text: &str, kind: &str, share: Option<Share>, digest: &str) -> String {
+    let share = share.map(|share| format!("a part, {share}: ")).unwrap_or_default();
+    let (version, source) = (env!("CARGO_PKG_VERSION"), digest::hexadecimal(&Sha256::digest(text)));
+    format!("{MARK}{version} from {}, SHA-256 {source}: {share}{kind}{DIGEST}{digest}. -->", in_comment(name))
 }
 
 impl fmt::Display for Share {
@@ -104,7 +94,7 @@ mod tests {
     use super::*;
 
     fn plain(name: &str, text: &str, kind: &'static str) -> String {
-        header(name, text, &What { kind, share: None, digest: "0123".to_owned() })
+        header(name, text, kind, None, "0123")
     }
 
     #[test]
@@ -139,8 +129,7 @@ mod tests {
     #[test]
     fn a_part_says_so() {
         let share = Share { messages: (3, 238), enums: (0, 7) };
-        let what = What { kind: UNCHANGED, share: Some(share), digest: String::new() };
-        let header = header("a.xml", "", &what);
+        let header = header("a.xml", "", UNCHANGED, Some(share), "");
         assert!(header.contains(": a part, 3 of its 238 messages and 0 of its 7 enums: unchanged below; "), "{header}");
         let none = Share { messages: (0, 0), enums: (1, 2) };
         assert_eq!(none.to_string(), "1 of its 2 enums");
@@ -149,7 +138,7 @@ mod tests {
     #[test]
     fn an_edited_file_and_an_edited_header_are_noticed() {
         let digest = digest::of_text("", "<mavlink/>\n");
-        let header = header("a.xml", "", &What { kind: UNCHANGED, share: None, digest });
+        let header = header("a.xml", "", UNCHANGED, None, &digest);
         let as_written = |text: &str| read(text).unwrap().is_as_written();
         let text = format!("{header}\n<mavlink/>\n");
         assert!(as_written(&text) && as_written(&format!("\u{feff}{}", text.replace('\n', "\r\n"))));

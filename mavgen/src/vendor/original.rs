@@ -4,7 +4,7 @@ use std::collections::{BTreeSet, HashMap};
 use std::ops::Range;
 use std::path::Path;
 
-use super::header::{DESCRIBED_HERE, NOT_DESCRIBED, OTHER_INCLUDES, Share, UNCHANGED, What, header, split_declaration};
+use super::header::{DESCRIBED_HERE, NOT_DESCRIBED, OTHER_INCLUDES, Share, UNCHANGED, header, split_declaration};
 use super::part::Part;
 use super::prose::{Key, Library};
 use super::tree::{Element, place};
@@ -101,7 +101,7 @@ impl<'t> Original<'t> {
         edits.extend(places.map(|place| (place, String::new())));
         let text = edited(self.text, edits);
         let (declaration, rest) = split_declaration(&text);
-        let header = self.header(kind, digest::of_text(declaration, rest));
+        let header = self.header(kind, &digest::of_text(declaration, rest));
         let line_end = if self.text.contains("\r\n") { "\r\n" } else { "\n" };
         let text = match declaration {
             "" => format!("{header}{line_end}{rest}"),
@@ -121,7 +121,7 @@ impl<'t> Original<'t> {
         let items = facts.described.into_iter().map(item).collect();
         let declaration = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
         let digest = digest::of_facts(&format!("{declaration}{}", facts.text)).unwrap_or_default();
-        let text = format!("{declaration}{}\n{}", self.header(kind, digest), facts.text);
+        let text = format!("{declaration}{}\n{}", self.header(kind, &digest), facts.text);
         self.copy(text, items)
     }
 
@@ -155,8 +155,8 @@ impl<'t> Original<'t> {
         self.left_out.contains(&place(self.text, element.outer).start)
     }
 
-    fn header(&self, kind: &'static str, digest: String) -> String {
-        header(&self.name, self.text, &What { kind, share: self.share, digest })
+    fn header(&self, kind: &str, digest: &str) -> String {
+        header(&self.name, self.text, kind, self.share, digest)
     }
 
     fn copy(&self, text: String, items: Vec<Item>) -> Copy {
