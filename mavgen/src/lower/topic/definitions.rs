@@ -1,6 +1,6 @@
 //! The definitions of a topic, and their facts.
 
-use std::collections::BTreeSet;
+use std::collections::HashSet;
 
 use super::names::DefinitionNames;
 use super::{Named, Topics, docs};
@@ -99,7 +99,7 @@ pub(super) fn differ_in_length(definitions: &[Definition<'_>]) -> bool {
 }
 
 fn differ(mut lengths: impl Iterator<Item = u32>) -> bool {
-    let mut rounded = BTreeSet::new();
+    let mut rounded = HashSet::new();
     lengths.all(|len| rounded.insert(len.next_multiple_of(4)))
 }
 

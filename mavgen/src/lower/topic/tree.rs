@@ -1,7 +1,5 @@
 //! The tree of a package: a file for each topic and each enum, and the modules that hold them.
 
-use std::collections::BTreeSet;
-
 use super::docs::named_topics;
 use super::names::TopicNames;
 use super::{Named, Topics, UnionNames};
@@ -137,14 +135,9 @@ fn contents<'d>(
 fn topic<'d>(topics: Topics<'d>, index: MessageIndex, options: &Options) -> Result<File<'d>, Internal> {
     let message = topics.message(index)?;
     let (Named { model, names }, item) = (message, topics.topic(message)?);
-    let mut named = Mentioned { functions: BTreeSet::from(["get", "put"]), ..Mentioned::default() };
+    let mut named = Mentioned { functions: vec!["get", "put"], ..Mentioned::default() };
     named.topic(&item);
-    let mut uses = named.imports();
-    uses.extend([
-        Use::Runtime(options.runtime.clone()),
-        Use::Generated(named.functions.into_iter().collect_vec()),
-        Use::one("wire", "uorb"),
-    ]);
+    let uses = named.imports(&options.runtime);
     let (path, header) = (format!("messages/{}.rs", names.module), header(&format!("{}.msg", model.name)));
     Ok(File { uses, ..File::of(path, header, Content::Topic(Box::new(item))) })
 }
@@ -152,20 +145,20 @@ fn topic<'d>(topics: Topics<'d>, index: MessageIndex, options: &Options) -> Resu
 /// What the code of a topic names.
 #[derive(Default)]
 struct Mentioned<'d> {
-    enums: BTreeSet<&'d str>,
-    topics: BTreeSet<&'d str>,
+    enums: Vec<&'d str>,
+    topics: Vec<&'d str>,
     /// Functions of the runtime.
-    functions: BTreeSet<&'static str>,
+    functions: Vec<&'static str>,
 }
 
 impl<'d> Mentioned<'d> {
     fn topic(&mut self, topic: &Topic<'d>) {
         for field in &topic.fields {
             match field.slot.ty {
-                TopicType::Enum(one) => self.enums.insert(one.ident),
-                TopicType::Message(ident) => self.topics.insert(ident),
-                TopicType::Plain(_) => false,
-            };
+                TopicType::Enum(one) => self.enums.push(one.ident),
+                TopicType::Message(ident) => self.topics.push(ident),
+                TopicType::Plain(_) => {}
+            }
         }
         topic.definitions.iter().for_each(|definition| self.fields(&definition.cdr));
     }
@@ -183,26 +176,31 @@ impl<'d> Mentioned<'d> {
     }
 
     fn nested(&mut self, part: &Part<'d>) {
-        self.topics.insert(part.ident);
+        self.topics.push(part.ident);
         self.fields(part);
     }
 
     /// The enum of a field is named where it is not loaded as it is.
     fn scalars(&mut self, slot: TopicSlot<'d>, Scalars { stored, len, widens, few }: Scalars) {
         if stored == Plain::Bool {
-            self.functions.insert(if len.is_some() { "booleans" } else { "boolean" });
+            self.functions.push(if len.is_some() { "booleans" } else { "boolean" });
         }
         if let (TopicType::Enum(one), true) = (slot.ty, widens || few) {
-            self.enums.insert(one.ident);
+            self.enums.push(one.ident);
         }
     }
 
-    fn imports(&self) -> Vec<Use> {
+    /// The `use` lines of what is named, with each name once.
+    fn imports(mut self, runtime: &str) -> Vec<Use> {
+        order::sort_and_dedup(&mut self.functions);
+        [&mut self.enums, &mut self.topics].into_iter().for_each(order::sort_and_dedup);
         let parts = [("super::super::enums", &self.enums), ("super::super::messages", &self.topics)];
         let parts = parts.into_iter().filter(|(_, names)| !names.is_empty());
         let uses = parts.map(|(module, names)| {
             Use::Names(module.to_owned(), names.iter().map(|name| (*name).to_owned()).collect_vec())
         });
-        uses.collect_vec()
+        let of_runtime =
+            [Use::Runtime(runtime.to_owned()), Use::Generated(self.functions.clone()), Use::one("wire", "uorb")];
+        uses.chain(of_runtime).collect_vec()
     }
 }
