@@ -10,7 +10,6 @@ mod label;
 mod layout;
 mod message;
 mod name;
-mod partial;
 mod validate;
 mod values;
 mod view;
@@ -24,7 +23,6 @@ pub(crate) use layout::Layout;
 pub use message::{Field, FieldType, Invalid, Limits, Message, Scalar, Scope, Sentinel, Values};
 pub(crate) use message::{LARGEST_ID, MOST_FIELDS};
 pub use name::Name;
-pub use partial::{LostMessage, LostView, Partial};
 pub use validate::{Fault, Valid};
 pub(crate) use values::PARAMS;
 pub use values::{Command, Entry, Enum, Param, Repr};
@@ -72,6 +70,38 @@ impl Dialect {
     pub fn enum_by_id(&self, id: EnumId) -> Option<&Enum> {
         self.enums.get(id.0)
     }
+}
+
+/// What could be resolved of a dialect, and the names of what could not: those are worth checking all the same, so that one run
+/// finds all that is wrong.
+#[derive(Clone, Debug)]
+pub struct Partial {
+    /// What could be resolved. Without an error it is legal; with one, ids and names may stand there twice.
+    pub dialect: Dialect,
+    /// The messages that are not in it.
+    pub lost: Vec<LostMessage>,
+    /// The types of views that are not in it.
+    pub lost_views: Vec<LostView>,
+}
+
+/// A message that could not be resolved.
+#[derive(Clone, Debug)]
+pub struct LostMessage {
+    /// Its name.
+    pub name: Name,
+    /// The file.
+    pub file: FileIndex,
+    /// The names of its fields, in the order of the XML.
+    pub fields: Vec<Name>,
+}
+
+/// A view that could not be resolved, or its slot.
+#[derive(Clone, Debug)]
+pub struct LostView {
+    /// The name of its type.
+    pub name: Name,
+    /// The overlay.
+    pub file: FileIndex,
 }
 
 /// A file of the dialect, by its place in [`Dialect::files`].

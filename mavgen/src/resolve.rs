@@ -10,7 +10,6 @@ mod check;
 mod enums;
 mod field_type;
 mod invalid;
-mod limits;
 mod lost;
 mod message;
 mod message_scope;
@@ -19,7 +18,6 @@ mod notes;
 mod number;
 mod origin;
 mod overlay;
-mod poisoned;
 mod suggest;
 mod units;
 mod uses;
@@ -38,12 +36,13 @@ use crate::read::Loaded;
 use crate::source::Sources;
 
 use build::{Build, Commands};
+use check::Carried;
 use enums::Enums;
 use invalid::Entries;
 #[cfg(feature = "uorb")]
 pub(crate) use invalid::sentinel_of;
+use lost::Poisoned;
 use notes::Notes;
-use poisoned::Poisoned;
 use version::Version;
 use width::Width;
 
@@ -73,7 +72,7 @@ pub(crate) fn passes(loaded: &Loaded, sources: &Sources, diagnostics: &mut Diagn
     names::check_all(loaded, diagnostics);
     check::check_entry_names(loaded, &enums.list, diagnostics);
     for ((merged, &width), uses) in enums.list.iter().zip(&widths).zip(&uses) {
-        check::check(loaded, merged, width, uses, diagnostics);
+        Carried { loaded, merged, width, uses }.check(diagnostics);
     }
 
     let notes = &Notes::of(loaded, &drafts.messages, &enums, &poisoned, diagnostics);
@@ -84,7 +83,7 @@ pub(crate) fn passes(loaded: &Loaded, sources: &Sources, diagnostics: &mut Diagn
     let whole = drafts.messages.into_iter().zip(added);
     let mut messages = whole.map(|(draft, added)| build.message(draft, added)).collect_vec();
     order::sort_by_key(&mut messages, |message| message.id);
-    let (name, version) = (loaded.name.clone(), versions.first()?.number());
+    let (name, version) = (loaded.name.clone(), versions.first()?.number);
     let dialect = Dialect { name, version, files: files(loaded, sources), enums, messages };
     let (lost, lost_views) = (lost::messages(loaded, &dialect), lost::views(loaded, &dialect));
     Some(Partial { dialect, lost, lost_views })

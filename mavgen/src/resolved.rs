@@ -41,7 +41,7 @@ impl Resolved {
     pub fn message_ids(&self, names: &[String]) -> Result<Vec<u32>, Failure> {
         let selection = Selection::new(names.iter().map(String::as_str)).map_err(Failure::Usage)?;
         selection.check(&[&self.dialect]).map_err(Failure::Usage)?;
-        let meant = self.dialect.messages.iter().filter(|message| selection.means(message));
+        let meant = self.dialect.messages.iter().filter(|message| selection.has(&message.name.text));
         Ok(meant.map(|message| message.id).collect_vec())
     }
 

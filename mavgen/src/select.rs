@@ -7,7 +7,7 @@ mod tests;
 
 use crate::collect::CollectVec as _;
 use crate::diag::nearest;
-use crate::ir::{Dialect, Kept, Message};
+use crate::ir::{Dialect, Kept};
 use crate::order;
 
 /// Which messages to keep: names, and patterns in which `*` stands for any characters.
@@ -68,15 +68,10 @@ impl Selection {
 
     /// The selected messages, their views and bindings, and the enums that those need.
     pub(crate) fn kept(&self, dialect: &Dialect) -> Kept {
-        Kept::of(dialect, |message| self.means(message), |_| false)
+        Kept::of(dialect, |message| self.has(&message.name.text), |_| false)
     }
 
-    /// Whether the message is one of them.
-    pub(crate) fn means(&self, message: &Message) -> bool {
-        self.has(&message.name.text)
-    }
-
-    /// Whether it is called so.
+    /// Whether a message of that name is one of them.
     pub(crate) fn has(&self, name: &str) -> bool {
         self.patterns.iter().any(|pattern| pattern.matches(name))
     }

@@ -11,34 +11,21 @@ pub(crate) enum Carrier {
     Int,
 }
 
-/// A field of a carrier: name, type, and offset.
-type Part = (&'static str, Scalar, u8);
+/// Fields that stand side by side on the wire: their type, and their names.
+type Fields = (Scalar, &'static str);
 
-/// What both carriers have.
-const BOTH: [Part; 7] = [
-    ("param1", Scalar::F32, 0),
-    ("param2", Scalar::F32, 4),
-    ("param3", Scalar::F32, 8),
-    ("param4", Scalar::F32, 12),
-    ("command", Scalar::U16, 28),
-    ("target_system", Scalar::U8, 30),
-    ("target_component", Scalar::U8, 31),
+const LONG: [Fields; 3] = [
+    (Scalar::F32, "param1 param2 param3 param4 param5 param6 param7"),
+    (Scalar::U16, "command"),
+    (Scalar::U8, "target_system target_component confirmation"),
 ];
 
-const LONG: [Part; 4] = [
-    ("param5", Scalar::F32, 16),
-    ("param6", Scalar::F32, 20),
-    ("param7", Scalar::F32, 24),
-    ("confirmation", Scalar::U8, 32),
-];
-
-const INT: [Part; 6] = [
-    ("x", Scalar::I32, 16),
-    ("y", Scalar::I32, 20),
-    ("z", Scalar::F32, 24),
-    (Carrier::FRAME, Scalar::U8, 32),
-    ("current", Scalar::U8, 33),
-    ("autocontinue", Scalar::U8, 34),
+const INT: [Fields; 5] = [
+    (Scalar::F32, "param1 param2 param3 param4"),
+    (Scalar::I32, "x y"),
+    (Scalar::F32, "z"),
+    (Scalar::U16, "command"),
+    (Scalar::U8, "target_system target_component frame current autocontinue"),
 ];
 
 impl Carrier {
@@ -47,19 +34,17 @@ impl Carrier {
 
     /// What a message is; `None` if it carries no commands, or is something else under the same name.
     pub(crate) fn of(message: &Message) -> Option<Self> {
-        let (carrier, id, parts): (_, _, &[Part]) = match message.name.text.as_str() {
+        let (carrier, id, fields): (_, _, &[Fields]) = match message.name.text.as_str() {
             "COMMAND_LONG" => (Self::Long, 76, &LONG),
             "COMMAND_INT" => (Self::Int, 75, &INT),
             _ => return None,
         };
+        let of_type =
+            |&(scalar, names): &Fields| names.split(' ').map(move |name| (name, FieldType { scalar, array: None }));
         // Extensions may follow: they stay zero.
-        let parts = BOTH.iter().chain(parts);
-        let is_there = |&(name, scalar, offset): &Part| {
-            let ty = FieldType { scalar, array: None };
-            message.fields.iter().any(|field| (field.name.text.as_str(), field.ty, field.offset) == (name, ty, offset))
-        };
-        let length = parts.clone().map(|(_, scalar, _)| scalar.size()).sum::<usize>();
-        let same = message.id == id && usize::from(message.len_v1) == length && parts.clone().all(is_there);
+        let own = message.wire_order().into_iter().filter(|field| !field.extension);
+        let same =
+            message.id == id && own.map(|field| (&*field.name.text, field.ty)).eq(fields.iter().flat_map(of_type));
         same.then_some(carrier)
     }
 }

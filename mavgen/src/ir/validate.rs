@@ -1,6 +1,5 @@
 //! Whether a model is legal. What `resolve` yields without errors always is; one that somebody built or changed by hand may not be.
 
-mod enums;
 mod members;
 mod messages;
 #[cfg(test)]
@@ -11,7 +10,7 @@ use std::collections::HashSet;
 use std::fmt;
 use std::ops::Deref;
 
-use super::{Dialect, EnumId, FileIndex, Limits, Name, Origin};
+use super::{Command, Dialect, Entry, Enum, EnumId, FileIndex, Limits, Name, Origin, PARAMS, Param};
 use crate::source::Span;
 
 /// A legal model: the only door to generated code.
@@ -64,7 +63,7 @@ impl Dialect {
         let path = format!("dialect `{}`", self.name);
         let mut item = Item { dialect: self, faults: &mut faults, path, span: None };
         check_files(&mut item);
-        enums::check(&mut item);
+        check_enums(&mut item);
         messages::check(&mut item);
         if faults.is_empty() { Ok(Valid(self)) } else { Err(faults) }
     }
@@ -155,5 +154,43 @@ fn check_files(item: &mut Item<'_>) {
         let exist = file.includes.iter().all(|include| dialect.file(*include).is_some());
         let mut item = item.other(format!("file `{}`", file.name), None);
         item.unless(exist, "it includes a file that does not exist");
+    }
+}
+
+fn check_enums(item: &mut Item<'_>) {
+    let enums = &item.dialect.enums;
+    item.check_once("enum", &mut enums.iter().map(|one| &one.name));
+    enums.iter().for_each(|one| check_enum(item, one));
+}
+
+fn check_enum(item: &mut Item<'_>, one: &Enum) {
+    let Enum { name, bitmask: _, repr, entries, named_in, defined_in, origin } = one;
+    let mut item = item.named("enum", name);
+    item.check_origin(origin);
+    item.check_file(*named_in);
+    item.check_file(*defined_in);
+    item.unless(!entries.is_empty(), "it has no entries");
+    item.unless(entries.is_sorted_by(|a, b| a.value < b.value), "its values do not rise");
+    item.check_once("entry", &mut entries.iter().map(|entry| &entry.name));
+    for entry in entries {
+        let Entry { name, value, auto: _, command, origin } = entry;
+        let mut item = item.part("entry", name);
+        item.check_origin(origin);
+        item.unless(*value <= repr.highest(), "its value does not fit the enum");
+        command.iter().for_each(|command| check_command(&mut item, command));
+    }
+}
+
+fn check_command(item: &mut Item<'_>, command: &Command) {
+    let Command { params, has_location: _, is_destination: _, mission_only: _ } = command;
+    item.unless(params.is_sorted_by(|a, b| a.index < b.index), "the indices of its params do not rise");
+    for param in params {
+        let Param { index, label: _, units: _, enum_, limits, default, reserved: _, origin } = param;
+        let mut item = item.other(format!("{}, param {index}", item.path), item.span);
+        item.unless(PARAMS.contains(index), "its index is not one from 1 to 7");
+        item.check_enum(*enum_);
+        item.check_limits(*limits);
+        item.unless(default.is_none_or(|value| !value.is_infinite()), "its default is infinite");
+        item.check_origin(origin);
     }
 }

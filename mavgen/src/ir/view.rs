@@ -43,12 +43,6 @@ impl View {
             Access::Record(record) => &record.values,
         }
     }
-
-    /// A view of values, which are its access.
-    pub(crate) fn of_values(name: Name, access: Access, condition: Option<Condition>, origin: Origin) -> Self {
-        let (words, invalid, members) = (Vec::new(), Vec::new(), Vec::new());
-        Self { name, words, width: 0, access, condition, invalid, switch: None, members, origin }
-    }
 }
 
 /// A field of the message, by its place in [`super::Message::fields`].

@@ -28,37 +28,35 @@ impl Attribute {
     }
 }
 
-/// A boolean of a dialect; absent is false.
+/// A boolean of a dialect; absent is false. A text that is none is what pymavlink takes it for, where it decides nothing but
+/// documentation.
 pub(super) fn read(text: &Option<Text>, attribute: Attribute, diagnostics: &mut Diagnostics) -> bool {
     let Some(text) = text else { return false };
-    let name = attribute.name();
-    let Some(value) = number::boolean(&text.value) else { return odd(text, attribute, diagnostics) };
-    let taken = match (attribute, text.value.as_str()) {
-        (Attribute::OnlyTrue(_), spelled) if value && spelled != "true" => "takes for false",
-        (Attribute::AnyText(_), _) if !value => "takes for true",
-        (Attribute::OnlyWords(_), spelled) if !matches!(spelled, "true" | "false") => "refuses",
+    let (name, spelled) = (attribute.name(), text.value.as_str());
+    let problem = |message| Diagnostic::new(Code::TruthSpelling, text.span, message);
+    let Some(value) = number::boolean(spelled) else {
+        let value = matches!(attribute, Attribute::AnyText(_)) && !spelled.is_empty();
+        diagnostics.push(match attribute {
+            Attribute::OnlyTrue(_) | Attribute::OnlyWords(_) => not_a_boolean(text),
+            Attribute::AnyText(_) | Attribute::Unread(_) => {
+                let problem = problem(format!("`{name}=\"{spelled}\"` is neither `true` nor `false`"));
+                let problem = problem.label(format!("taken for {value}"));
+                problem.help("write `true` or `false`; pymavlink's validation refuses anything else")
+            }
+        });
+        return value;
+    };
+    let taken = match attribute {
+        Attribute::OnlyTrue(_) if value && spelled != "true" => "takes for false",
+        Attribute::AnyText(_) if !value => "takes for true",
+        Attribute::OnlyWords(_) if !matches!(spelled, "true" | "false") => "refuses",
         _ => return value,
     };
-    let message = format!("`{name}=\"{}\"` is {value}, which pymavlink {taken}", text.value);
-    let problem = Diagnostic::new(Code::TruthSpelling, text.span, message);
+    let problem = problem(format!("`{name}=\"{spelled}\"` is {value}, which pymavlink {taken}"));
     diagnostics.push(problem.help(match attribute {
         Attribute::AnyText(_) => format!("leave `{name}` out"),
         _ => format!("write `{name}=\"{value}\"`"),
     }));
-    value
-}
-
-/// A text that is no boolean. Where it decides nothing but documentation, it is what pymavlink takes it for.
-fn odd(text: &Text, attribute: Attribute, diagnostics: &mut Diagnostics) -> bool {
-    let value = matches!(attribute, Attribute::AnyText(_)) && !text.value.is_empty();
-    match attribute {
-        Attribute::OnlyTrue(_) | Attribute::OnlyWords(_) => diagnostics.push(not_a_boolean(text)),
-        Attribute::AnyText(name) | Attribute::Unread(name) => {
-            let message = format!("`{name}=\"{}\"` is neither `true` nor `false`", text.value);
-            let problem = Diagnostic::new(Code::TruthSpelling, text.span, message).label(format!("taken for {value}"));
-            diagnostics.push(problem.help("write `true` or `false`; pymavlink's validation refuses anything else"));
-        }
-    }
     value
 }
 

@@ -22,9 +22,7 @@ pub(super) use command::Commands;
 pub(super) struct Build<'b, 'a> {
     pub(super) loaded: &'b Loaded,
     pub(super) enums: &'b Enums<'a>,
-    /// Of the enums.
     pub(super) widths: &'b [Width],
-    /// Of the enums.
     pub(super) entries: &'b Entries<'a>,
     pub(super) notes: &'b Notes<'a>,
     pub(super) commands: &'b Commands<'a>,
@@ -32,7 +30,6 @@ pub(super) struct Build<'b, 'a> {
 }
 
 impl Build<'_, '_> {
-    /// The model of a message, with what overlays add to it.
     pub(super) fn message(&mut self, draft: Draft<'_>, Added { views, bindings }: Added) -> Message {
         let name = draft.syntax.name.value.as_str();
         let mut origin = draft.origin;
@@ -83,7 +80,6 @@ impl Build<'_, '_> {
         Some(if width.repr == own { Values::Typed(id) } else { Values::Converted(id) })
     }
 
-    /// The model of an enum.
     pub(super) fn enum_(&mut self, merged: &Merged<'_>, Width { defining_file, repr, .. }: Width) -> Enum {
         let name = merged.name.value.as_str();
         // An entry whose value is beyond 64 bits has been refused.
@@ -91,7 +87,7 @@ impl Build<'_, '_> {
         let entries = entries.map(|(entry, value)| self.entry(name, entry, value)).collect_vec();
         let (named_in, oldest) = merged.oldest(self.loaded);
         let mut origin = self.origin_of(merged, defining_file);
-        if merged.refined.in_use {
+        if merged.in_use {
             tell_deprecated(&mut origin);
         }
         self.notes.add_to(&mut origin, (Whole::Enum, name, None));

@@ -7,7 +7,7 @@ use super::uses::{EnumUse, Use, UsePlace};
 use super::width::Width;
 use crate::collect::CollectVec as _;
 use crate::diag::{Code, Diagnostic, Diagnostics};
-use crate::ir::{FileIndex, Repr, largest_of_bits};
+use crate::ir::{Repr, largest_of_bits};
 use crate::order;
 use crate::read::Loaded;
 use crate::source::Span;
@@ -15,127 +15,118 @@ use crate::source::Span;
 /// The fewest flags beyond 1 and 2 that make an enum look like a bitmask: small enums count 0, 1, 2 as well.
 const FEWEST_FLAGS: usize = 2;
 
-/// Looks at one enum and the fields that carry it.
-pub(super) fn check(
-    loaded: &Loaded,
-    merged: &Merged<'_>,
-    width: Width,
-    uses: &[Use<'_>],
-    diagnostics: &mut Diagnostics,
-) {
-    check_bitmask(merged, width.defining_file, uses, diagnostics);
-    let (kinds, name) = (kinds(loaded, uses), merged.name.value.as_str());
-    check_widths(loaded, (merged.defining_span(width.defining_file), width.defining_file), name, &kinds, diagnostics);
-    for kind in kinds {
-        let Some(beyond) = beyond(merged, width, kind.repr) else { continue };
-        for one in uses.iter().filter(|one| one.repr == kind.repr) {
-            check_values(name, &beyond, one, diagnostics);
+/// An enum and the fields that carry it.
+pub(super) struct Carried<'c, 'a> {
+    pub(super) loaded: &'c Loaded,
+    pub(super) merged: &'c Merged<'a>,
+    pub(super) width: Width,
+    pub(super) uses: &'c [Use<'a>],
+}
+
+impl<'c, 'a> Carried<'c, 'a> {
+    pub(super) fn check(&self, diagnostics: &mut Diagnostics) {
+        self.check_bitmask(diagnostics);
+        let kinds = self.kinds();
+        diagnostics.extend(self.widths_differ(&kinds));
+        let name = &self.merged.name.value;
+        for kind in kinds {
+            let Some(beyond) = self.beyond(kind.repr) else { continue };
+            // Every value should fit every field.
+            for one in self.uses.iter().filter(|one| one.repr == kind.repr) {
+                let (message, field, ty) = (&one.message.name.value, &one.field.name.value, &one.field.ty.value);
+                let message = format!("`{message}.{field}` is `{ty}`, which does not hold every value of `{name}`");
+                let problem = Diagnostic::new(Code::ValueBeyondField, one.name.span, message);
+                diagnostics.push(problem.label(&*beyond));
+            }
         }
     }
-}
 
-/// Files should agree on what the enum is, and its values should look like it. Zero names the empty set.
-fn check_bitmask(merged: &Merged<'_>, defining_file: FileIndex, uses: &[Use<'_>], diagnostics: &mut Diagnostics) {
-    let bitmask = merged.declared_bitmask(defining_file);
-    let defining_span = merged.defining_span(defining_file);
-    let attribute = |given: bool| if given { "a bitmask" } else { "not a bitmask" };
-    for block in merged.blocks.iter().filter(|block| block.bitmask != bitmask) {
-        let name = &block.syntax.name;
-        let place = block.syntax.bitmask.as_ref().map_or(name.span, |text| text.span);
-        let message = format!("files disagree on whether enum `{}` is a bitmask", name.value);
-        let problem = Diagnostic::new(Code::BitmaskDiffers, place, message);
-        let problem = problem.label(attribute(block.bitmask));
-        diagnostics.push(problem.related(defining_span, format!("{}: this file decides", attribute(bitmask))));
+    /// Where the defining file names the enum.
+    fn defined(&self) -> Span {
+        self.merged.defining_span(self.width.defining_file)
     }
-    if merged.bitmask(defining_file) {
-        check_bits(merged, diagnostics);
-    } else if merged.refined.bitmask.is_none() && merged.blocks.iter().all(|block| block.syntax.bitmask.is_none()) {
-        // Who writes `bitmask="false"` has thought of it.
-        diagnostics.extend(likely_bitmask(merged, defining_span, uses));
-    }
-}
 
-fn check_bits(merged: &Merged<'_>, diagnostics: &mut Diagnostics) {
-    for entry in merged.entries.iter().filter(|entry| entry.value.count_ones() > 1) {
-        let (name, value) = (&entry.syntax.name, entry.value);
-        let message = format!("`{}` = {value} of bitmask `{}` is not a single bit", name.value, merged.name.value);
-        let place = entry.syntax.value.as_ref().map_or(name.span, |text| text.span);
-        diagnostics.push(Diagnostic::new(Code::BitmaskValue, place, message).label(format!("{value:#x}")));
-    }
-}
-
-/// Says that an enum is most likely a bitmask, by its values or by how a field of it is shown.
-fn likely_bitmask(merged: &Merged<'_>, enum_: Span, uses: &[Use<'_>]) -> Option<Diagnostic> {
-    let name = &merged.name.value;
-    let shown = uses.iter().find_map(|one| one.field.display.as_ref().filter(|display| display.value == "bitmask"));
-    let problem = |message| Diagnostic::new(Code::LikelyBitmask, enum_, message);
-    let problem = match shown {
-        Some(display) => problem(format!("enum `{name}` is displayed as a bitmask, but it is not one"))
-            .related(display.span, "displayed as a bitmask here"),
-        None if looks_like_bitmask(merged) => {
-            problem(format!("the values of enum `{name}` are single bits, but it is not a bitmask"))
+    /// Files should agree on what the enum is, and its values should look like it. Zero names the empty set.
+    fn check_bitmask(&self, diagnostics: &mut Diagnostics) {
+        let (merged, defining_file) = (self.merged, self.width.defining_file);
+        let bitmask = merged.declared_bitmask(defining_file);
+        let attribute = |given: bool| if given { "a bitmask" } else { "not a bitmask" };
+        for block in merged.blocks.iter().filter(|block| block.bitmask != bitmask) {
+            let name = &block.syntax.name;
+            let place = block.syntax.bitmask.as_ref().map_or(name.span, |text| text.span);
+            let message = format!("files disagree on whether enum `{}` is a bitmask", name.value);
+            let problem = Diagnostic::new(Code::BitmaskDiffers, place, message).label(attribute(block.bitmask));
+            diagnostics.push(problem.related(self.defined(), format!("{}: this file decides", attribute(bitmask))));
         }
-        None => return None,
-    };
-    Some(problem.help("if they are combined, add `bitmask=\"true\"`: then they are flags in Rust"))
-}
-
-fn looks_like_bitmask(merged: &Merged<'_>) -> bool {
-    let mut values = merged.entries.iter().map(|entry| entry.value);
-    let flags = values.clone().filter(|&value| value > 2).count();
-    flags >= FEWEST_FLAGS && values.all(|value| value == 0 || value.is_power_of_two())
-}
-
-/// The first use with each integer, those of older files first.
-fn kinds<'u, 'a>(loaded: &Loaded, uses: &'u [Use<'a>]) -> Vec<&'u Use<'a>> {
-    let mut uses = uses.iter().collect_vec();
-    order::sort_by_key(&mut uses, |one| loaded.age(one.file));
-    let mut kinds: Vec<&Use<'a>> = Vec::new();
-    for one in uses {
-        if kinds.iter().all(|kind| kind.repr != one.repr) {
-            kinds.push(one);
+        if merged.bitmask(defining_file) {
+            for entry in merged.entries.iter().filter(|entry| entry.value.count_ones() > 1) {
+                let (name, value, of) = (&entry.syntax.name, entry.value, &merged.name.value);
+                let message = format!("`{}` = {value} of bitmask `{of}` is not a single bit", name.value);
+                let place = entry.syntax.value.as_ref().map_or(name.span, |text| text.span);
+                diagnostics.push(Diagnostic::new(Code::BitmaskValue, place, message).label(format!("{value:#x}")));
+            }
+        } else if merged.refined_bitmask.is_none() && merged.blocks.iter().all(|block| block.syntax.bitmask.is_none()) {
+            // Who writes `bitmask="false"` has thought of it.
+            diagnostics.extend(self.likely_bitmask());
         }
     }
-    kinds
-}
 
-/// One enum should have one integer: says once which fields differ. If the last of them is of a file that came after the enum, it
-/// is the one to mend.
-fn check_widths(
-    loaded: &Loaded,
-    (enum_, defining_file): (Span, FileIndex),
-    name: &str,
-    kinds: &[&Use<'_>],
-    diagnostics: &mut Diagnostics,
-) {
-    let (Some((last, others)), 2..) = (kinds.split_last(), kinds.len()) else { return };
-    let message = format!("enum `{name}` is carried by fields of {} types", kinds.len());
-    let is =
-        |one: &Use<'_>| format!("`{}.{}` is `{}`", one.message.name.value, one.field.name.value, one.field.ty.value);
-    let related = |problem: Diagnostic, one: &&Use<'_>| problem.related(one.field.ty.span, is(one));
-    let problem = |place| Diagnostic::new(Code::EnumWidths, place, message);
-    diagnostics.push(if loaded.age(last.file) > loaded.age(defining_file) {
-        let problem = problem(last.field.ty.span).label(is(last)).related(enum_, "the enum");
-        others.iter().fold(problem, related)
-    } else {
-        kinds.iter().fold(problem(enum_), related)
-    });
-}
+    /// Says that an enum is most likely a bitmask, by its values or by how a field of it is shown.
+    fn likely_bitmask(&self) -> Option<Diagnostic> {
+        let name = &self.merged.name.value;
+        let mut displays = self.uses.iter().filter_map(|one| one.field.display.as_ref());
+        let mut values = self.merged.entries.iter().map(|entry| entry.value);
+        let flags = values.clone().filter(|&value| value > 2).count();
+        let problem = |message| Diagnostic::new(Code::LikelyBitmask, self.defined(), message);
+        let problem = match displays.find(|display| display.value == "bitmask") {
+            Some(display) => problem(format!("enum `{name}` is displayed as a bitmask, but it is not one"))
+                .related(display.span, "displayed as a bitmask here"),
+            None if flags >= FEWEST_FLAGS && values.all(|value| value == 0 || value.is_power_of_two()) => {
+                problem(format!("the values of enum `{name}` are single bits, but it is not a bitmask"))
+            }
+            None => return None,
+        };
+        Some(problem.help("if they are combined, add `bitmask=\"true\"`: then they are flags in Rust"))
+    }
 
-/// The values that do not fit an integer, as a label; those that made the enum wider have been spoken of.
-fn beyond(merged: &Merged<'_>, width: Width, repr: Repr) -> Option<String> {
-    let fitting = merged.entries.partition_point(|entry| entry.value <= u128::from(repr.highest()));
-    let beyond = merged.entries.get(fitting..).unwrap_or_default();
-    let beyond = beyond.iter().filter(|entry| !width.is_widened_by(entry)).collect_vec();
-    (!beyond.is_empty()).then(|| ValuedEntry::list(&beyond))
-}
+    /// The first use with each integer, those of older files first.
+    fn kinds(&self) -> Vec<&'c Use<'a>> {
+        let mut uses = self.uses.iter().collect_vec();
+        order::sort_by_key(&mut uses, |one| self.loaded.age(one.file));
+        let mut kinds: Vec<&Use<'a>> = Vec::new();
+        for one in uses {
+            if kinds.iter().all(|kind| kind.repr != one.repr) {
+                kinds.push(one);
+            }
+        }
+        kinds
+    }
 
-/// Every value should fit every field.
-fn check_values(name: &str, beyond: &str, one: &Use<'_>, diagnostics: &mut Diagnostics) {
-    let (message, field, ty) = (&one.message.name.value, &one.field.name.value, &one.field.ty.value);
-    let message = format!("`{message}.{field}` is `{ty}`, which does not hold every value of `{name}`");
-    let problem = Diagnostic::new(Code::ValueBeyondField, one.name.span, message);
-    diagnostics.push(problem.label(beyond));
+    /// One enum should have one integer: says once which fields differ. If the last of them is of a file that came after the enum,
+    /// it is the one to mend.
+    fn widths_differ(&self, kinds: &[&Use<'_>]) -> Option<Diagnostic> {
+        let (last, others) = kinds.split_last().filter(|(_, others)| !others.is_empty())?;
+        let message = format!("enum `{}` is carried by fields of {} types", self.merged.name.value, kinds.len());
+        let is = |Use { message, field, .. }: &Use<'_>| {
+            format!("`{}.{}` is `{}`", message.name.value, field.name.value, field.ty.value)
+        };
+        let related = |problem: Diagnostic, one: &&Use<'_>| problem.related(one.field.ty.span, is(one));
+        let problem = |place| Diagnostic::new(Code::EnumWidths, place, message);
+        Some(if self.loaded.age(last.file) > self.loaded.age(self.width.defining_file) {
+            let problem = problem(last.field.ty.span).label(is(last)).related(self.defined(), "the enum");
+            others.iter().fold(problem, related)
+        } else {
+            kinds.iter().fold(problem(self.defined()), related)
+        })
+    }
+
+    /// The values that do not fit an integer, as a label; those that made the enum wider have been spoken of.
+    fn beyond(&self, repr: Repr) -> Option<String> {
+        let fitting = self.merged.entries.partition_point(|entry| entry.value <= u128::from(repr.highest()));
+        let beyond = self.merged.entries.get(fitting..).unwrap_or_default();
+        let beyond = beyond.iter().filter(|entry| !self.width.is_widened_by(entry)).collect_vec();
+        (!beyond.is_empty()).then(|| ValuedEntry::list(&beyond))
+    }
 }
 
 /// Names of entries are global in C, and entries of two enums that share one are most likely the same thing twice.
@@ -157,7 +148,6 @@ pub(super) fn check_entry_names(loaded: &Loaded, enums: &[Merged<'_>], diagnosti
     }
 }
 
-/// Checks that the enums suit what carries them.
 pub(super) fn check_enum_uses(
     enum_uses: &[EnumUse<'_>],
     enums: &Enums<'_>,

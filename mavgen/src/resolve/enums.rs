@@ -4,9 +4,8 @@ mod block;
 
 use std::cmp::Reverse;
 use std::collections::HashMap;
-use std::collections::hash_map;
 
-use super::poisoned::Poisoned;
+use super::lost::Poisoned;
 use super::suggest;
 use crate::collect::CollectVec as _;
 use crate::diag::{Code, Diagnostic, Diagnostics};
@@ -14,7 +13,7 @@ use crate::ir::{EnumId, FileIndex};
 use crate::order;
 use crate::read::Loaded;
 use crate::source::Span;
-use crate::syntax::{self, Text};
+use crate::syntax::Text;
 
 use block::Block;
 pub(super) use block::ValuedEntry;
@@ -34,24 +33,16 @@ pub(super) struct Merged<'a> {
     pub(super) blocks: Vec<Block<'a>>,
     /// The entries by value.
     pub(super) entries: Vec<ValuedEntry<'a>>,
-    /// What overlays say of it.
-    pub(super) refined: Refined,
+    /// Whether its values are combined bit by bit, if an overlay says so.
+    pub(super) refined_bitmask: Option<bool>,
+    /// Whether an overlay says that it is in use, although deprecated.
+    pub(super) in_use: bool,
     /// Smallest and largest value of the first definition; as in pymavlink, later ones do not count.
     range: Option<(u128, u128)>,
 }
 
-/// What overlays say of an enum: it takes precedence over the definitions.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Refined {
-    /// Whether the values are combined bit by bit.
-    pub(super) bitmask: Option<bool>,
-    /// Whether it is in use, although deprecated.
-    pub(super) in_use: bool,
-}
-
 /// All enums, in the order of their first definitions; those of overlays come last.
 pub(super) struct Enums<'a> {
-    /// The enums.
     pub(super) list: Vec<Merged<'a>>,
     /// Whether no definition was lost before: only then is a name without an enum worth a word.
     pub(super) complete: bool,
@@ -69,7 +60,13 @@ impl<'a> Enums<'a> {
             }
         }
         for (file, overlay) in loaded.numbered_overlays() {
-            overlay.enums.iter().for_each(|element| enums.add_new(file, element, poisoned, diagnostics));
+            for element in &overlay.enums {
+                // It has to be new: what includes the dialect elsewhere may not know the overlay.
+                match enums.id(&element.name.value).and_then(|id| enums.get(id)) {
+                    Some(first) => diagnostics.push(redefined(&element.name, first)),
+                    None => enums.add(Block::read(file, element, poisoned, diagnostics), diagnostics),
+                }
+            }
         }
         for merged in &mut enums.list {
             check(merged, diagnostics);
@@ -79,40 +76,20 @@ impl<'a> Enums<'a> {
     }
 
     fn add(&mut self, block: Block<'a>, diagnostics: &mut Diagnostics) {
-        match self.by_name.entry(&block.syntax.name.value) {
-            hash_map::Entry::Occupied(place) => {
-                let Some(merged) = self.list.get_mut(place.get().0) else { return };
-                let mut before = merged.blocks.iter().filter(|first| first.file == block.file);
-                if let (Some(first), None) = (before.next(), before.next()) {
-                    diagnostics.push(twice(&block, first));
-                }
-                if merged.blocks.len() == MOST_DEFINITIONS {
-                    diagnostics.push(too_many(&block));
-                }
-                merged.add(block);
-            }
-            hash_map::Entry::Vacant(place) => {
-                place.insert(EnumId(self.list.len()));
-                self.list.push(Merged::new(block));
-            }
-        }
-    }
-
-    /// Takes an enum of an overlay, which has to be new: what includes the dialect elsewhere may not know the overlay.
-    fn add_new(
-        &mut self,
-        file: FileIndex,
-        element: &'a syntax::Enum,
-        poisoned: &Poisoned,
-        diagnostics: &mut Diagnostics,
-    ) {
-        let first = self.id(&element.name.value).and_then(|id| self.get(id));
-        if let Some(first) = first {
-            diagnostics.push(redefined(&element.name, first));
+        let name = block.syntax.name.value.as_str();
+        let Some(merged) = self.by_name.get(name).and_then(|id| self.list.get_mut(id.0)) else {
+            self.by_name.insert(name, EnumId(self.list.len()));
+            self.list.push(Merged::new(block));
             return;
+        };
+        let mut before = merged.blocks.iter().filter(|first| first.file == block.file);
+        if let (Some(first), None) = (before.next(), before.next()) {
+            diagnostics.push(twice(&block, first));
         }
-        let block = Block::read(file, element, poisoned, diagnostics);
-        self.add(block, diagnostics);
+        if merged.blocks.len() == MOST_DEFINITIONS {
+            diagnostics.push(too_many(&block));
+        }
+        merged.add(block);
     }
 
     /// The enum that an overlay names; one that there is not is reported.
@@ -158,7 +135,7 @@ impl<'a> Merged<'a> {
         let range = block.start().map(|start| (start, block.highest));
         let entries = std::mem::take(&mut block.entries);
         let (name, file, span) = (&block.syntax.name, block.file, block.syntax.span);
-        Self { name, file, span, blocks: vec![block], entries, refined: Refined::default(), range }
+        Self { name, file, span, blocks: vec![block], entries, refined_bitmask: None, in_use: false, range }
     }
 
     /// Takes in a later definition.
@@ -190,7 +167,7 @@ impl<'a> Merged<'a> {
 
     /// Whether the values are combined bit by bit: as an overlay says, or else the defining file.
     pub(super) fn bitmask(&self, defining_file: FileIndex) -> bool {
-        self.refined.bitmask.unwrap_or_else(|| self.declared_bitmask(defining_file))
+        self.refined_bitmask.unwrap_or_else(|| self.declared_bitmask(defining_file))
     }
 
     /// What the first definition in the file that owns the enum says.

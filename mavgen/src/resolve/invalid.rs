@@ -35,8 +35,8 @@ pub(super) fn of_field(
         Ok(invalid) => return Some(invalid),
         Err(Refusal::Unknown) if !entries.complete => {}
         Err(refusal) => {
-            let message = refusal.message(&text.value, field.ty.scalar.wire_name());
-            let problem = Diagnostic::new(Code::Invalid, text.span, message).label(refusal.label());
+            let (message, why) = refusal.told(&text.value, field.ty.scalar.wire_name());
+            let problem = Diagnostic::new(Code::Invalid, text.span, message).label(why);
             diagnostics.push(problem.help("the field is read as if it were always known"));
         }
     }
@@ -68,24 +68,15 @@ pub(crate) enum Refusal {
 }
 
 impl Refusal {
-    /// What is wrong with a text on a field whose elements are called `element`.
-    pub(crate) fn message(self, text: &str, element: &str) -> String {
-        let what = match self {
-            Self::Unknown => "is not understood",
-            Self::Range => return format!("`invalid` value `{text}` does not fit a `{element}`"),
-            Self::NotAnArray => "is meant for an array",
-            Self::List => "lists several elements",
+    /// What is wrong with a text on a field whose elements are called `element`, and why.
+    pub(crate) fn told(self, text: &str, element: &str) -> (String, &'static str) {
+        let (what, why) = match self {
+            Self::Unknown => ("is not understood", "neither a number nor an entry"),
+            Self::Range => (&*format!("does not fit a `{element}`"), "no element can have this value"),
+            Self::NotAnArray => ("is meant for an array", "the field is a scalar"),
+            Self::List => ("lists several elements", "not supported"),
         };
-        format!("`invalid` value `{text}` {what}")
-    }
-
-    fn label(self) -> &'static str {
-        match self {
-            Self::Unknown => "neither a number nor an entry",
-            Self::Range => "no element can have this value",
-            Self::NotAnArray => "the field is a scalar",
-            Self::List => "not supported",
-        }
+        (format!("`invalid` value `{text}` {what}"), why)
     }
 }
 

@@ -3,10 +3,10 @@
 use std::collections::HashMap;
 
 use super::boolean::{self, Attribute};
+use super::lost::Poisoned;
 use super::origin::{lifecycle, origin};
-use super::poisoned::Poisoned;
 use super::version::Version;
-use super::{field_type, limits, number, units};
+use super::{field_type, number, units};
 use crate::collect::CollectVec as _;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{FieldType, FileIndex, LARGEST_ID, Layout, Limits, MOST_FIELDS, Origin, Scalar};
@@ -126,7 +126,6 @@ fn check_presence(syntax: &Message, diagnostics: &mut Diagnostics) {
     }
 }
 
-/// How many fields stand before `<extensions/>`.
 fn base_count(syntax: &Message, diagnostics: &mut Diagnostics) -> usize {
     if let [first, second, ..] = &syntax.extensions[..] {
         let message = format!("`<extensions/>` stands twice in message `{}`", syntax.name.value);
@@ -173,7 +172,6 @@ fn check_instances(syntax: &Message, fields: &[DraftField<'_>], diagnostics: &mu
     }
 }
 
-/// Places the fields and checks that the payload is one.
 fn layout(syntax: &Message, fields: &[DraftField<'_>], diagnostics: &mut Diagnostics) -> Option<Layout> {
     let name = &syntax.name;
     let placed = fields.iter().map(|field| (field.syntax.name.value.as_str(), field.ty, field.extension));
@@ -208,14 +206,13 @@ fn sum(fields: &[DraftField<'_>], total: usize) -> String {
     format!("{} = {} = {total} bytes", counts.join(" + "), bytes.join(" + "))
 }
 
-/// Reads a field of a file, in whose version it stands.
 fn field<'a>(
     field: &'a Field,
     (file, version): (FileIndex, u8),
     extension: bool,
     diagnostics: &mut Diagnostics,
 ) -> Option<DraftField<'a>> {
-    let limits = limits::resolve([&field.min, &field.max, &field.increment], f64::is_finite, diagnostics);
+    let limits = number::limits([&field.min, &field.max, &field.increment], f64::is_finite, diagnostics);
     let instance = boolean::read(&field.instance, Attribute::AnyText("instance"), diagnostics);
     units::check(&field.units, diagnostics);
     let ty = field_type::resolve(&field.ty, version, diagnostics)?;

@@ -49,7 +49,6 @@ impl<'s, 'a: 's> MessageScope<'s, 'a> {
         self.diagnostics.refuse(problem)
     }
 
-    /// The name of the message.
     pub(super) fn name(&self) -> &'a str {
         &self.draft.syntax.name.value
     }

@@ -3,8 +3,8 @@
 use std::collections::HashMap;
 
 use super::enums::Enums;
+use super::lost::Poisoned;
 use super::message::Draft;
-use super::poisoned::Poisoned;
 use super::suggest;
 use crate::collect::CollectVec as _;
 use crate::diag::{Code, Diagnostic, Diagnostics};
@@ -67,11 +67,16 @@ impl<'a> Notes<'a> {
                 };
                 let (what, whole, part) = subject;
                 let parts = parts(what, &whole.value, drafts, enums);
+                // A message that is defined is no draft if something is wrong with it.
+                let is_broken = || {
+                    let mut messages = loaded.messages();
+                    what == Whole::Message && messages.any(|message| message.name.value == whole.value)
+                };
                 let has = |part: &Text| parts.as_ref().is_some_and(|(_, names)| names.contains(&part.value.as_str()));
                 if parts.is_some() && part.is_none_or(has) {
                     let subject = (what, whole.value.as_str(), part.map(|part| part.value.as_str()));
                     notes.by(file, subject).paragraphs.push(&text.value);
-                } else if !poisoned.any() && (parts.is_some() || !is_broken(what, &whole.value, loaded)) {
+                } else if !poisoned.any() && (parts.is_some() || !is_broken()) {
                     report_missing(subject, parts, (drafts, enums), diagnostics);
                 }
             }
@@ -123,11 +128,6 @@ fn parts<'a>(what: Whole, name: &str, drafts: &[Draft<'a>], enums: &Enums<'a>) -
             Some((merged.span, merged.entry_names().collect_vec()))
         }
     }
-}
-
-/// Whether a message is defined, though it is no draft because something is wrong with it.
-fn is_broken(what: Whole, name: &str, loaded: &Loaded) -> bool {
-    what == Whole::Message && loaded.messages().any(|message| message.name.value == name)
 }
 
 /// Says which of the names does not exist.

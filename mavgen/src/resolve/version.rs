@@ -10,7 +10,7 @@ const DEFAULT: u8 = 2;
 /// The version of a file.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Version {
-    number: u8,
+    pub(super) number: u8,
     messages_before: usize,
 }
 
@@ -27,11 +27,6 @@ impl Version {
             diagnostics.push(Diagnostic::new(Code::BadNumber, version.text.span, message));
         }
         Self { number: number.unwrap_or(DEFAULT), messages_before: version.messages_before }
-    }
-
-    /// The version of the file.
-    pub(super) fn number(self) -> u8 {
-        self.number
     }
 
     /// The version that a message of the file sees, which is not the file's where `<version>` comes after it.

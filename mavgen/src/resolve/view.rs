@@ -27,7 +27,8 @@ pub(super) fn resolve<'a>(scope: &mut MessageScope<'_, 'a>, element: &'a overlay
     let origin = origin::origin(scope.file, element.span, &element.description, None);
     let Some(words) = &element.words else {
         let access = access::of_values(scope, element, condition)?;
-        return Some(View::of_values(name, access, condition, origin));
+        let (words, invalid, members) = (Vec::new(), Vec::new(), Vec::new());
+        return Some(View { name, words, width: 0, access, condition, invalid, switch: None, members, origin });
     };
     let words = words::resolve(scope, words)?;
     let access = access::of_words(scope, element, &words);
@@ -37,7 +38,6 @@ pub(super) fn resolve<'a>(scope: &mut MessageScope<'_, 'a>, element: &'a overlay
     Some(View { name, words, width, access, condition, invalid, switch, members, origin })
 }
 
-/// Every `<bits>` of a view.
 fn all_bits(element: &overlay::View) -> Vec<&overlay::Bits> {
     let mut all = Vec::new();
     for part in &element.parts {

@@ -18,7 +18,7 @@ pub(super) fn of_overlay(text: &str, field: &Field, constants: &[Constant]) -> R
     };
     let named = constants.iter().find(|constant| constant.name == text.trim());
     let value = named.map_or_else(|| text.to_owned(), |constant| constant.value.to_string());
-    sentinel_of(&value, ty).map_err(|refusal| refusal.message(text, field.element.name(&[])))
+    sentinel_of(&value, ty).map_err(|refusal| refusal.told(text, field.element.name(&[])).0)
 }
 
 /// What a comment says: a value, and prose behind it. `None` if the prose says of an array what no sentinel is.

@@ -19,8 +19,8 @@ use crate::builder::Failure;
 use crate::diag::Diagnostics;
 use crate::ir::{Dialect, Enum, Kept, Message};
 use crate::lower::spelling;
-use crate::problems::Problems;
 use crate::read::{Loaded, read};
+use crate::problems::Problems;
 use crate::roots::{Named, resolve};
 use crate::select::Selection;
 use crate::source::Sources;
@@ -57,7 +57,7 @@ impl Part {
     ) -> Result<Self, Failure> {
         let dialect = &whole.dialect;
         selection.check(&[dialect]).map_err(Failure::Usage)?;
-        let selected = dialect.messages.iter().filter(|message| selection.means(message));
+        let selected = dialect.messages.iter().filter(|message| selection.has(&message.name.text));
         let messages = selected.map(|message| message.name.text.clone()).collect();
         let mut part = Self { messages, enums: BTreeSet::new(), retained: Vec::new() };
         loop {

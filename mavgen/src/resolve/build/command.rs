@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use super::super::boolean::{self, Attribute};
 use super::super::enums::{Enums, Merged, ValuedEntry};
 use super::super::origin::{non_empty, origin};
-use super::super::{limits, number, suggest, units};
+use super::super::{number, suggest, units};
 use super::Build;
 use crate::collect::CollectVec as _;
 use crate::diag::{Code, Diagnostic, Diagnostics};
@@ -107,7 +107,7 @@ impl Build<'_, '_> {
             label: non_empty(&element.label),
             units: non_empty(&element.units),
             enum_: element.enum_.as_ref().and_then(|name| self.param_enum(name)),
-            limits: limits::resolve(ranges, is_float, self.diagnostics),
+            limits: number::limits(ranges, is_float, self.diagnostics),
             default: element.default.as_ref().and_then(|text| default(index, text, self.diagnostics)),
             reserved: boolean::read(&element.reserved, Attribute::AnyText("reserved"), self.diagnostics),
             origin: origin(file, element.span, &element.description, None),
@@ -148,7 +148,6 @@ impl Build<'_, '_> {
         self.check_labels(command, &named);
     }
 
-    /// Names a param.
     fn name(&mut self, command: &mut Command, index: u8, file: FileIndex, element: &overlay::NamedParam) {
         let place = command.params.partition_point(|param| param.index < index);
         if command.params.get(place).is_none_or(|param| param.index != index) {
@@ -207,7 +206,7 @@ fn is_float(value: f64) -> bool {
 fn default(index: u8, text: &Text, diagnostics: &mut Diagnostics) -> Option<f64> {
     let value = number::float(&text.value).filter(|value| value.is_nan() || is_float(*value));
     if value.is_none() {
-        let why = limits::why_not(text, "is neither a finite number nor NaN");
+        let why = number::why_not(text, "is neither a finite number nor NaN");
         let message = format!("default `{}` {why}", text.value);
         diagnostics.push(Diagnostic::new(Code::DocumentedNumber, text.span, message).label("left out"));
     }

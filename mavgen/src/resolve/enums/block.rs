@@ -1,8 +1,8 @@
 //! The values of one `<enum>` element.
 
 use super::super::boolean::{self, Attribute};
+use super::super::lost::Poisoned;
 use super::super::number;
-use super::super::poisoned::Poisoned;
 use crate::collect::CollectVec as _;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::FileIndex;

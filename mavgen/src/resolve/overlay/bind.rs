@@ -8,7 +8,6 @@ use crate::diag::{Code, Diagnostic};
 use crate::ir::Binding;
 use crate::syntax::overlay::Bind;
 
-/// Resolves a binding; what is wrong with it is reported.
 pub(super) fn resolve<'a>(scope: &mut MessageScope<'_, 'a>, element: &'a Bind) -> Option<Binding> {
     names::check(&element.name, "a binding", scope.diagnostics);
     let condition = scope.condition(&element.condition);

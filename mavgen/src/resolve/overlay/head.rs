@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use super::super::poisoned::Poisoned;
+use super::super::lost::Poisoned;
 use crate::collect::CollectVec as _;
 use crate::diag::{Code, Diagnostic, Diagnostics, nearest};
 use crate::read::Loaded;

@@ -48,7 +48,7 @@ fn refine_bitmask(merged: &mut Merged<'_>, text: &Text, bitmask: bool, diagnosti
     if merged.blocks.iter().all(|block| block.bitmask == bitmask) {
         diagnostics.push(needless(merged, text, if bitmask { "a bitmask already" } else { "no bitmask" }));
     }
-    merged.refined.bitmask = Some(bitmask);
+    merged.refined_bitmask = Some(bitmask);
 }
 
 fn refine_deprecated(merged: &mut Merged<'_>, text: &Text, deprecated: bool, diagnostics: &mut Diagnostics) {
@@ -62,7 +62,7 @@ fn refine_deprecated(merged: &mut Merged<'_>, text: &Text, deprecated: bool, dia
     if !stages.into_iter().any(|lifecycle| lifecycle.stage == Stage::Deprecated) {
         diagnostics.push(needless(merged, text, "not deprecated"));
     }
-    merged.refined.in_use = true;
+    merged.in_use = true;
 }
 
 fn needless(merged: &Merged<'_>, text: &Text, what: &str) -> Diagnostic {

@@ -26,7 +26,6 @@ pub(super) fn of_words(scope: &mut MessageScope<'_, '_>, element: &View, words: 
     getter(scope, element).map(|getter| Access::Once { getter })
 }
 
-/// `item`, of a view that a message has once.
 fn getter(scope: &mut MessageScope<'_, '_>, element: &View) -> Option<Label> {
     let item = element.item.as_ref();
     if item.is_none() {
@@ -65,7 +64,6 @@ fn count(scope: &mut MessageScope<'_, '_>, text: &Text) -> Option<FieldIndex> {
     scope.refuse_type(Code::Count, text.span, found, ("is no count", "a count is a scalar unsigned integer"))
 }
 
-/// A key or a value, of a field.
 fn key_of(scope: &mut MessageScope<'_, '_>, element: &overlay::Key, (place, found): (Place, Found<'_>)) -> Key {
     let invalid = element.invalid.as_ref().and_then(|text| sentinel::of_field(scope, text, found));
     // An integer is mostly in a fraction of the plain unit, which its name should say; a float is in the plain one.

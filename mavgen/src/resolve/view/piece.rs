@@ -26,7 +26,6 @@ pub(super) struct PlacedBits<'a> {
 }
 
 impl PlacedBits<'_> {
-    /// What a message calls it.
     pub(super) fn title(&self) -> String {
         self.name.map_or_else(|| "reserved bits".to_owned(), |name| format!("`{}`", name.value))
     }

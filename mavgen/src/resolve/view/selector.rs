@@ -9,7 +9,6 @@ use crate::resolve::{names, suggest};
 use crate::source::Span;
 use crate::syntax::{Text, overlay};
 
-/// What a switch looks at.
 pub(super) struct Selector {
     pub(super) switch: Switch,
     /// The enum of its values.
@@ -19,12 +18,10 @@ pub(super) struct Selector {
 }
 
 impl Selector {
-    /// What a message calls it.
     pub(super) fn title(&self) -> String {
         format!("`{}`", self.switch.name.name.text)
     }
 
-    /// The largest value.
     pub(super) fn most(&self) -> u64 {
         self.switch.on.highest()
     }

@@ -51,7 +51,6 @@ fn sentinel(scope: &mut MessageScope<'_, '_>, element: &Invalid, words: &Words) 
     }
 }
 
-/// A value of the joined words.
 fn of_words(scope: &mut MessageScope<'_, '_>, text: &Text, words: &Words) -> Option<ViewSentinel> {
     let number = invalid::integer(text.value.trim(), scope.entries);
     let problem = match number.map(u128::try_from) {
@@ -65,7 +64,6 @@ fn of_words(scope: &mut MessageScope<'_, '_>, text: &Text, words: &Words) -> Opt
     scope.refuse(problem.related(words.span, "the words"))
 }
 
-/// A value of an integer field.
 pub(super) fn of_field(scope: &mut MessageScope<'_, '_>, text: &Text, found: Found<'_>) -> Option<i128> {
     let scalar = found.field.ty.scalar;
     if scalar.repr().is_none() && !matches!(scalar, Scalar::Version(_)) {

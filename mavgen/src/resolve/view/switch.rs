@@ -14,13 +14,11 @@ use crate::source::Span;
 use crate::syntax::Text;
 use crate::syntax::overlay::{Case, Switch};
 
-/// One of the layouts.
 pub(super) struct Branch<'a> {
     /// The values it is for: sorted and apart.
     pub(super) ranges: Vec<RangeInclusive<u64>>,
     /// Its parts, beside those of every layout.
     pub(super) pieces: Vec<PlacedBits<'a>>,
-    /// The start tag.
     pub(super) span: Span,
 }
 

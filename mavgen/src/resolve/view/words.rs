@@ -10,7 +10,6 @@ use crate::resolve::message_scope::{Found, MessageScope};
 use crate::source::Span;
 use crate::syntax::Text;
 
-/// The words of a view.
 pub(super) struct Words {
     /// Least significant first.
     pub(super) list: Vec<Word>,
@@ -18,7 +17,6 @@ pub(super) struct Words {
     pub(super) width: u8,
     /// The slots, if each has its own elements.
     pub(super) shape: Option<Shape>,
-    /// The attribute.
     pub(super) span: Span,
 }
 
@@ -38,17 +36,6 @@ struct Read<'s> {
     bits: usize,
 }
 
-/// Which elements of a field are meant.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Index {
-    /// `x`: it is a scalar.
-    None,
-    /// `x[i]`: the element of the slot.
-    Slot,
-    /// `x[*]`: all elements.
-    All,
-}
-
 /// Resolves the words; `None` if any of them is not clear.
 pub(super) fn resolve(scope: &mut MessageScope<'_, '_>, text: &Text) -> Option<Words> {
     let parts = parts(text);
@@ -65,19 +52,17 @@ pub(super) fn resolve(scope: &mut MessageScope<'_, '_>, text: &Text) -> Option<W
 
 /// A scalar, or the element of a slot, for what is read beside the words: keys, sentinels, what a switch looks at.
 pub(super) fn beside<'s>(scope: &mut MessageScope<'s, '_>, text: &Text, words: &Words) -> Option<(Place, Found<'s>)> {
-    let (found, index) = found(scope, text)?;
+    let (found, word) = found(scope, text)?;
     let problem = |message| Diagnostic::new(Code::Index, text.span, message);
-    let problem = match (index, found.field.ty.array, words.shape) {
-        (Index::None, ..) => return Some((Place { field: found.index, element: false }, found)),
-        (Index::Slot, Some(length), Some(shape)) if length == shape.length => {
-            return Some((Place { field: found.index, element: true }, found));
-        }
-        (Index::Slot, _, Some(shape)) => length_differs(text, found, shape),
-        (Index::Slot, _, None) => {
+    let problem = match (word, words.shape) {
+        (Word::One(place), _) if !place.element => return Some((place, found)),
+        (Word::One(place), Some(shape)) if found.field.ty.array == Some(shape.length) => return Some((place, found)),
+        (Word::One(_), Some(shape)) => length_differs(text, found, shape),
+        (Word::One(_), None) => {
             let message = format!("`{}` is the element of a slot, and the view has no slots", text.value);
             problem(message).related(words.span, "none of these has slots").help("name a scalar")
         }
-        (Index::All, ..) => {
+        (Word::Joined(_), _) => {
             let problem = problem(format!("`{}` is not one value", text.value));
             problem.related(found.syntax.ty.span, "the field").help("only words can be joined")
         }
@@ -99,18 +84,17 @@ pub(super) fn parts(text: &Text) -> Vec<Text> {
     text.value.split_whitespace().map(part).collect_vec()
 }
 
-/// The name and the index; `Err` is what stands in the brackets and is neither.
-fn split(text: &str) -> Result<(&str, Index), &str> {
+/// The name and the index, if there is one; `Err` is what stands in the brackets and is none.
+fn split(text: &str) -> Result<(&str, Option<&str>), &str> {
     match text.split_once('[') {
-        None => Ok((text, Index::None)),
-        Some((name, "i]")) => Ok((name, Index::Slot)),
-        Some((name, "*]")) => Ok((name, Index::All)),
+        None => Ok((text, None)),
+        Some((name, index @ ("i]" | "*]"))) => Ok((name, Some(index))),
         Some((name, _)) => Err(text.get(name.len()..).unwrap_or_default()),
     }
 }
 
-/// The field that `text` names, with an index if and only if it is an array.
-fn found<'s>(scope: &mut MessageScope<'s, '_>, text: &Text) -> Option<(Found<'s>, Index)> {
+/// The field that `text` names, with an index if and only if it is an array, and what it says of it.
+fn found<'s>(scope: &mut MessageScope<'s, '_>, text: &Text) -> Option<(Found<'s>, Word)> {
     let problem = |message| Diagnostic::new(Code::Index, text.span, message);
     let (name, index) = match split(text.value.trim()) {
         Ok(split) => split,
@@ -120,13 +104,16 @@ fn found<'s>(scope: &mut MessageScope<'s, '_>, text: &Text) -> Option<(Found<'s>
         }
     };
     let found = scope.field(&Text::new(name.to_owned(), text.span))?;
+    let field = found.index;
     let problem = match (index, found.field.ty.array) {
-        (Index::None, Some(_)) => problem(format!("`{name}` is an array"))
+        (None, None) => return Some((found, Word::One(Place { field, element: false }))),
+        (Some("*]"), Some(_)) => return Some((found, Word::Joined(field))),
+        (Some(_), Some(_)) => return Some((found, Word::One(Place { field, element: true }))),
+        (None, Some(_)) => problem(format!("`{name}` is an array"))
             .help(format!("write `{name}[i]` for the element of a slot, `{name}[*]` for all elements")),
-        (Index::Slot | Index::All, None) => {
+        (Some(_), None) => {
             problem(format!("`{name}` is a scalar, which has no elements")).help(format!("write `{name}`"))
         }
-        _ => return Some((found, index)),
     };
     scope.refuse(problem.related(found.syntax.ty.span, "the field"))
 }
@@ -141,18 +128,13 @@ fn length_differs(text: &Text, found: Found<'_>, Shape { length, span }: Shape) 
 }
 
 fn one<'s>(scope: &mut MessageScope<'s, '_>, text: Text) -> Option<Read<'s>> {
-    let (found, index) = found(scope, &text)?;
+    let (found, word) = found(scope, &text)?;
     let ty = found.field.ty;
     if !ty.scalar.is_word() {
         let help = "words are unsigned integers, `uint8_t` to `uint64_t`, and the bits of `float` and `double`";
         return scope.refuse_type(Code::WordType, text.span, found, ("is no word", help));
     }
-    let (word, bytes) = match index {
-        Index::All => (Word::Joined(found.index), ty.size()),
-        Index::Slot | Index::None => {
-            (Word::One(Place { field: found.index, element: index == Index::Slot }), ty.scalar.size())
-        }
-    };
+    let bytes = if matches!(word, Word::Joined(_)) { ty.size() } else { ty.scalar.size() };
     Some(Read { text, word, found, bits: 8 * bytes })
 }
 
@@ -210,9 +192,9 @@ mod tests {
     #[test]
     fn indices() {
         for (text, expected) in [
-            ("x", Ok(("x", Index::None))),
-            ("x[i]", Ok(("x", Index::Slot))),
-            ("x[*]", Ok(("x", Index::All))),
+            ("x", Ok(("x", None))),
+            ("x[i]", Ok(("x", Some("i]")))),
+            ("x[*]", Ok(("x", Some("*]")))),
             ("x[0]", Err("[0]")),
             ("x[i", Err("[i")),
             ("x[]", Err("[]")),
