@@ -6,7 +6,6 @@
 
 mod carrier;
 mod kept;
-mod label;
 mod layout;
 mod message;
 mod name;
@@ -17,12 +16,11 @@ mod visit;
 
 pub(crate) use carrier::Carrier;
 pub(crate) use kept::Kept;
-pub use label::Label;
-pub(crate) use label::{param_words, unit_words};
 pub(crate) use layout::Layout;
 pub use message::{Field, FieldType, Invalid, Limits, Message, Scalar, Scope, Sentinel, Values};
 pub(crate) use message::{LARGEST_ID, MOST_FIELDS};
-pub use name::Name;
+pub use name::{Label, Name};
+pub(crate) use name::{param_words, unit_words};
 pub use validate::{Fault, Valid};
 pub(crate) use values::PARAMS;
 pub use values::{Command, Entry, Enum, Param, Repr};

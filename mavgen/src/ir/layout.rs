@@ -31,7 +31,7 @@ impl Layout {
         });
         let mut placed = Vec::with_capacity(fields.len());
         let (mut v1, mut v2) = (0, 0);
-        let mut crc = Crc::default();
+        let mut crc = Crc::START;
         crc.word(message);
         for (index, (name, ty, extension)) in order {
             placed.push((index, v2));
@@ -53,13 +53,9 @@ impl Layout {
 /// CRC-16/MCRF4XX so far, which is the checksum of definitions as well as of frames.
 struct Crc(u16);
 
-impl Default for Crc {
-    fn default() -> Self {
-        Self(0xFFFF)
-    }
-}
-
 impl Crc {
+    const START: Self = Self(0xFFFF);
+
     /// A word and the space after it.
     fn word(&mut self, word: &str) {
         word.bytes().for_each(|byte| self.byte(byte));
@@ -86,7 +82,7 @@ mod tests {
 
     #[test]
     fn check_value() {
-        let mut crc = Crc::default();
+        let mut crc = Crc::START;
         b"123456789".iter().for_each(|&byte| crc.byte(byte));
         assert_eq!(crc.0, 0x6F91);
     }

@@ -1,6 +1,5 @@
 //! Whether a model is legal. What `resolve` yields without errors always is; one that somebody built or changed by hand may not be.
 
-mod members;
 mod messages;
 #[cfg(test)]
 mod tests;
@@ -92,9 +91,7 @@ impl Item<'_> {
 
     /// A part of it; its name is checked.
     fn part(&mut self, kind: &str, name: &Name) -> Item<'_> {
-        let mut item = self.other(format!("{}, {kind} `{}`", self.path, name.text), Some(name.span));
-        item.check_name(name);
-        item
+        self.named(&format!("{}, {kind}", self.path), name)
     }
 
     fn push(&mut self, problem: impl Into<String>) {

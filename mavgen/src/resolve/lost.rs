@@ -58,13 +58,12 @@ pub(super) fn views(loaded: &Loaded, dialect: &Dialect) -> Vec<LostView> {
     }
     let mut lost = Vec::new();
     for (file, overlay) in loaded.numbered_overlays() {
-        for message in &overlay.messages {
-            for view in message.views.iter().filter(|view| !resolved.contains(&view.span)) {
-                lost.push(LostView { name: names::name(&view.name), file });
-                // Where there are slots, the type of one.
-                let item = view.item.as_ref().filter(|_| view.items.is_some());
-                lost.extend(item.map(|name| LostView { name: names::name(name), file }));
-            }
+        let views = overlay.messages.iter().flat_map(|message| &message.views);
+        for view in views.filter(|view| !resolved.contains(&view.span)) {
+            // Where there are slots, also the type of one.
+            let item = view.item.as_ref().filter(|_| view.items.is_some());
+            let types = std::iter::once(&view.name).chain(item);
+            lost.extend(types.map(|name| LostView { name: names::name(name), file }));
         }
     }
     lost

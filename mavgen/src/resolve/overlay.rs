@@ -1,6 +1,5 @@
 //! Overlays: what they add to the model. They change nothing on the wire.
 
-mod bind;
 mod head;
 mod refine;
 
@@ -11,14 +10,16 @@ use super::invalid::Entries;
 use super::lost::Poisoned;
 use super::message::Draft;
 use super::message_scope::MessageScope;
-use super::uses::EnumUse;
-use super::{suggest, view};
+use super::origin::or_empty;
+use super::uses::{EnumUse, UsePlace};
+use super::{names, suggest, view};
 use crate::collect::CollectVec as _;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::ir::{Binding, View};
 use crate::read::Loaded;
 use crate::source::{FileId, Span};
 use crate::syntax::Text;
+use crate::syntax::overlay::Bind;
 
 pub(super) use head::check as check_heads;
 pub(super) use refine::apply as refine;
@@ -59,11 +60,43 @@ pub(super) fn resolve<'a>(
             let whole = !poisoned.near(additions.span);
             let enum_uses = &mut enum_uses;
             let mut scope = MessageScope { file, whole, draft, enums, entries, enum_uses, diagnostics };
-            bindings.extend(additions.bindings.iter().filter_map(|element| bind::resolve(&mut scope, element)));
+            bindings.extend(additions.bindings.iter().filter_map(|element| bind(&mut scope, element)));
             views.extend(additions.views.iter().filter_map(|element| view::resolve(&mut scope, element)));
         }
     }
     (all, enum_uses)
+}
+
+/// `<bind>`: an enum on a field that the definitions give none.
+fn bind<'a>(scope: &mut MessageScope<'_, 'a>, element: &'a Bind) -> Option<Binding> {
+    names::check(&element.name, "a binding", scope.diagnostics);
+    let condition = scope.condition(&element.condition);
+    let enum_ = scope.enums.find(&element.enum_, scope.diagnostics);
+    let found = scope.field(&element.field)?;
+    let span = element.field.span;
+    let Some(repr) = found.scalar_repr() else {
+        return scope.refuse_type(
+            Code::Bind,
+            span,
+            found,
+            ("cannot carry an enum", "an enum can be bound to a scalar integer"),
+        );
+    };
+    if let Some(own) = &found.syntax.enum_ {
+        let message = format!("`{}.{}` carries enum `{}` already", scope.name(), element.field.value, own.value);
+        let problem = Diagnostic::new(Code::Bind, span, message).related(own.span, "as the definitions say");
+        return scope.refuse(problem.help("a field carries one enum; leave the binding out"));
+    }
+    let enum_ = enum_?;
+    let place = (UsePlace::Field(repr), found.syntax.ty.span);
+    scope.enum_uses.push(EnumUse { enum_, name: &element.enum_, place });
+    Some(Binding {
+        name: names::label(&element.name),
+        field: found.index,
+        enum_,
+        condition,
+        description: or_empty(&element.description),
+    })
 }
 
 fn twice(name: &Text, first: Span) -> Diagnostic {

@@ -1,20 +1,19 @@
 //! Views: layouts of bits over the fields of a message, or values in them.
 
 mod access;
-mod coverage;
 mod exact;
 mod layout;
 mod meaning;
 mod piece;
 mod ranges;
 mod scaling;
-mod selector;
 mod sentinel;
 mod switch;
 mod words;
 
 use super::message_scope::MessageScope;
 use super::{names, origin};
+use crate::collect::CollectVec as _;
 use crate::diag::{Code, Diagnostic};
 use crate::ir::View;
 use crate::syntax::overlay::{self, Part, Piece};
@@ -39,23 +38,18 @@ pub(super) fn resolve<'a>(scope: &mut MessageScope<'_, 'a>, element: &'a overlay
 }
 
 fn all_bits(element: &overlay::View) -> Vec<&overlay::Bits> {
-    let mut all = Vec::new();
+    let mut pieces = Vec::new();
     for part in &element.parts {
         match part {
-            Part::Piece(piece) => all.extend(bits(piece)),
-            Part::Switch(switch) => {
-                switch.cases.iter().for_each(|case| all.extend(case.pieces.iter().filter_map(bits)))
-            }
+            Part::Piece(piece) => pieces.push(piece),
+            Part::Switch(switch) => pieces.extend(switch.cases.iter().flat_map(|case| &case.pieces)),
         }
     }
-    all
-}
-
-fn bits(piece: &Piece) -> Option<&overlay::Bits> {
-    match piece {
-        Piece::Bits(bits) => Some(bits),
+    let bits = pieces.into_iter().filter_map(|piece| match piece {
+        Piece::Bits(bits) => Some(&**bits),
         Piece::Reserved(_) => None,
-    }
+    });
+    bits.collect_vec()
 }
 
 /// A view has something to say, and its names are names.
