@@ -69,7 +69,7 @@ pub use number::Number;
 /// A message: what its tables say of a payload.
 ///
 /// The payload can have any length: what is missing at its end reads as zero, what is too much is ignored, as in
-/// [`Message::decode`](crate::Message::decode).
+/// [`Message::decode`].
 #[derive(Clone, Copy, Debug)]
 pub struct Reflected<'a> {
     info: &'a MessageInfo,
