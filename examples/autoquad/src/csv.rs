@@ -81,10 +81,11 @@ impl Csv {
                 rows += 1;
             }
         }
-        if rows == 0 {
-            eprintln!("autoquad: {}: has no motor telemetry (AQ_ESC_TELEMETRY)", recording.name);
-        }
+        let name = recording.name.clone();
         recording.finish();
+        if rows == 0 {
+            eprintln!("autoquad: {name}: has no motor telemetry (AQ_ESC_TELEMETRY)");
+        }
         finish_table(table, rows)
     }
 

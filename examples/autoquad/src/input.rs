@@ -12,7 +12,7 @@ pub(crate) fn is_standard(path: &Path) -> bool {
     path == Path::new("-")
 }
 
-/// Where that what is read goes if nobody says it: a file of the same name, and from standard input to standard output.
+/// The output if nobody names one: a file beside the input with this extension; for standard input, standard output.
 pub(crate) fn named_after(read: &Path, extension: &str) -> PathBuf {
     if is_standard(read) { read.to_owned() } else { read.with_extension(extension) }
 }
@@ -44,7 +44,7 @@ impl Input {
     /// All of it in memory, with a bar if it is long.
     pub(crate) fn read_whole(self) -> Result<Vec<u8>, Failure> {
         let bar = progress::bar(self.length);
-        let mut bytes = Vec::new();
+        let mut bytes = Vec::with_capacity(usize::try_from(self.length).unwrap_or_default());
         let read = bar.wrap_read(self.bytes).read_to_end(&mut bytes);
         bar.finish_and_clear();
         read.map(|_| bytes).map_err(|error| Failure::with(self.name, error))

@@ -5,7 +5,7 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Mutex, Once};
+use std::sync::{Mutex, Once, PoisonError};
 use std::thread;
 use std::time::Duration;
 
@@ -78,12 +78,17 @@ pub(crate) fn catch_on_screen() -> Result<(), Failure> {
     catch()
 }
 
-/// Removes a file that is not whole where the program is asked to end, and ends it.
-pub(crate) fn catch_removing(path: &Path) -> Result<(), Failure> {
-    if let Ok(mut unfinished) = UNFINISHED.lock() {
-        *unfinished = Some(path.to_owned());
-    }
-    catch()
+/// Makes a file that is not whole yet. Where the program is asked to end, it is removed, and the program ends.
+pub(crate) fn catch_removing<T>(
+    make: impl FnOnce() -> Result<T, Failure>,
+    path: impl FnOnce(&T) -> &Path,
+) -> Result<T, Failure> {
+    // A signal waits until the name of the file is known.
+    let mut unfinished = UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner);
+    catch()?;
+    let made = make()?;
+    *unfinished = Some(path(&made).to_owned());
+    Ok(made)
 }
 
 /// Whether the program was asked to end.

@@ -49,13 +49,15 @@ impl Overwriting {
             }
             _ if !self.force && path.symlink_metadata().is_ok() => Err(exists()),
             Some(there) if !there.is_file() || growing => File::create(path).map(To::Stream),
+            // By force also where a link leads to nothing.
+            None if growing && self.force => File::create(path).map(To::Stream),
             None if growing => File::create_new(path).map(To::Stream),
-            _ => Unfinished::create(path, self).map(To::Unfinished),
+            _ => {
+                let create = || Unfinished::create(path, self).map_err(|error| Failure::file(path, error));
+                Ok(To::Unfinished(interrupt::catch_removing(create, |made| made.file.path())?))
+            }
         };
         let to = to.map_err(|error| Failure::file(path, error))?;
-        if let To::Unfinished(unfinished) = &to {
-            interrupt::catch_removing(unfinished.file.path())?;
-        }
         Ok(Output::new(path.display().to_string(), to))
     }
 }

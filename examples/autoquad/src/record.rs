@@ -44,7 +44,7 @@ const AFTER_HELP: &str = "\
 Examples:
   autoquad record udpin:0.0.0.0:14550 flight.tlog
   autoquad record serial:/dev/ttyUSB0:57600 flight.tlog --for 20m
-  autoquad record serial:/dev/ttyUSB0:57600 - | zstd > flight.tlog.zst
+  autoquad record serial:/dev/ttyUSB0:57600 - --for 20m | zstd > flight.tlog.zst
   autoquad record tcpout:192.168.0.7:5760 fleet.tlog --rotate-time 1h --rotate-size 500";
 
 fn rotation_time(text: &str) -> Result<Duration, String> {

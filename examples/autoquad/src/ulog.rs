@@ -73,10 +73,11 @@ impl Ulog {
             log.write(instance, &status).map_err(Failure::written)?;
             written += 1;
         }
-        let Some(log) = log else {
-            return Err(Failure::with(recording.name, "has no motor telemetry (AQ_ESC_TELEMETRY)"));
-        };
+        let name = recording.name.clone();
         recording.finish();
+        let Some(log) = log else {
+            return Err(Failure::with(name, "has no motor telemetry (AQ_ESC_TELEMETRY)"));
+        };
         log.finish().map_err(Failure::written)?.finish_saying(format_args!("{written} messages written"))?;
         for (system, (_, vehicle)) in vehicles {
             let motors = vehicle.table.num_motors();
