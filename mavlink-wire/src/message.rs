@@ -176,6 +176,7 @@ pub trait Targeted: Message {
 }
 
 /// Completes a message: `Default`, `Debug`, `Display` ([its text](crate::reflect#the-text)), and what the optional features add.
+/// The struct and its [`Message`](crate::Message) are written out beside it, with `Clone, Copy` derived.
 ///
 /// `message!(AqEscTelemetry { each escs, maybe status })` also takes the getters of what overlays see in the message, each by what it
 /// gives: `one` value, `maybe` one under a condition, or `each` slot.

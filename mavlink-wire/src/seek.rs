@@ -1,6 +1,6 @@
 //! Where a byte stands.
 
-/// Bytes that are looked at together: as many as fit a register of most processors that have some for vectors.
+/// Bytes that are looked at together: a vector register of most processors holds as many.
 const BLOCK: usize = 16;
 
 /// The place of the first of these bytes that is wanted.

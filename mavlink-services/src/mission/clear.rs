@@ -55,7 +55,7 @@ impl Service for Clear {
     }
 
     fn poll(&mut self, now: Instant) -> Option<Output<Self::Event>> {
-        let Self { access, question, .. } = self;
+        let Self { access, question } = self;
         let ask = || {
             let (target_system, target_component) = access.peer.target();
             MissionClearAll { target_system, target_component, mission_type: access.plan }.into()

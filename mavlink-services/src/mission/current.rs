@@ -55,7 +55,7 @@ impl Service for SetCurrent {
     }
 
     fn poll(&mut self, now: Instant) -> Option<Output<Self::Event>> {
-        let Self { access, seq, question, .. } = self;
+        let Self { access, seq, question } = self;
         let ask = || {
             let (target_system, target_component) = access.peer.target();
             MissionSetCurrent { target_system, target_component, seq: *seq }.into()

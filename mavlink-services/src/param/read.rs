@@ -102,7 +102,7 @@ impl Service for Read {
     }
 
     fn poll(&mut self, now: Instant) -> Option<Output<Self::Event>> {
-        let Self { access, which, question, .. } = self;
+        let Self { access, which, question } = self;
         let ask = || which.question(access).into();
         question.poll(now, ask, |asked| Failure::Timeout { awaited: Awaited::Value, asked })
     }

@@ -18,7 +18,8 @@ use super::header::LONGEST as LONGEST_HEADER;
 use crate::MAX_PAYLOAD;
 use crate::parser::work;
 
-/// For each byte the register after it, where it was empty before; further tables have it after one more zero each.
+/// The first table has, for each byte, the register after it if the register was zero before; each further one has that after
+/// one more zero byte.
 #[cfg(feature = "fast-crc")]
 static TABLES: [[u16; 256]; 16] = tables();
 

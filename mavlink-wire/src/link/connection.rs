@@ -76,6 +76,12 @@ impl Link {
         })
     }
 
+    /// See [`ReceiveHalf::losses`].
+    #[must_use]
+    pub const fn losses(&self) -> &Losses {
+        self.receiving.losses()
+    }
+
     /// Splits the link into both halves, for two threads.
     #[must_use]
     pub fn split(self) -> (ReceiveHalf, SendHalf) {

@@ -31,7 +31,6 @@ macro_rules! forward_to_halves {
         } }
         $crate::link::forward::forward! { self.receiving: ReceiveHalf, "" {
             #[must_use] fn statistics(&self) -> LinkStatistics;
-            #[must_use] fn losses(&self) -> &Losses;
             #[cfg(feature = "signing")] fn verifier(&mut self) -> Option<&mut Verifier>;
             #[cfg(feature = "signing")] fn set_verifier(&mut self, verifier: Option<Verifier>);
         } }

@@ -2,8 +2,9 @@
 
 /// The methods of `SendHalf`, with `async await` where it waits in a task.
 ///
-/// It has a `line` if that is a connection or device, and besides `lock`, `with_outbox`, `carry` and `write_pending`, which know how
-/// to wait. A `Way` is what carries frames: a `carrier`, and those that are `pending`.
+/// `SendHalf` brings `line` (if the link is a connection or device), `with_sender` and `shared`, and also `lock`, `with_outbox`,
+/// `carry` and `write_pending`, which know how to wait. `Way` is what carries frames: it brings `carrier`, the frames that are
+/// `pending`, and `address`.
 macro_rules! sending {
     ($($async:ident $await:ident)?) => {
         impl SendHalf {

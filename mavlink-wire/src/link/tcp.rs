@@ -8,9 +8,8 @@ use std::thread;
 use std::time::Duration;
 
 use super::LinkError;
-use crate::adapters::pause::{is_interrupted, is_not_now};
-
 use super::ends::{Attempt, Ends, Opener};
+use crate::adapters::pause::{is_interrupted, is_not_now};
 
 /// How long an attempt to connect may take.
 const ATTEMPT: Duration = Duration::from_secs(5);

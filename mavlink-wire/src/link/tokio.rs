@@ -118,6 +118,12 @@ impl Link {
         open::open(address.parse()?, options).await
     }
 
+    /// See [`ReceiveHalf::losses`].
+    #[must_use]
+    pub const fn losses(&self) -> &Losses {
+        self.receiving.losses()
+    }
+
     /// Splits the link into both halves, for two tasks.
     #[must_use]
     pub fn split(self) -> (ReceiveHalf, SendHalf) {

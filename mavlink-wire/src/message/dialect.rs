@@ -57,6 +57,7 @@ pub fn decode_variant<M: Message, D: Copy + From<M>>(payload: &[u8]) -> Option<D
 
 /// Completes a dialect's enum, whose variants have the names of the types in them: [`Dialect`], [`Encode`](crate::Encode), `Debug`,
 /// `From` each message, `TryFrom` back (the error is the enum, unchanged), and what the optional features add.
+/// The enum is written out beside it, with `Clone, Copy` derived.
 ///
 /// `dialect!(Autoquad { Heartbeat, SysStatus })`; by id, so that a search in the table may halve.
 #[macro_export]

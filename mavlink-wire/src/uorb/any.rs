@@ -49,7 +49,8 @@ impl<T: Topics> Copy for Reader<T> {}
 impl<T: Topics> Reader<T> {
     /// Of a message that is carried by these topics, if this is one of them. `bound` has a place for each.
     ///
-    /// A topic is bound once, also in vain: a log could subscribe to it without end, and its formats are searched each time.
+    /// A topic without a format is remembered, too: a hostile log may subscribe to it again and again, and every search of the
+    /// formats takes time.
     pub fn bind<'a, M: Topic>(
         bound: &mut [Option<Bound<M>>],
         topic: &str,

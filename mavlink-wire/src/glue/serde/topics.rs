@@ -164,7 +164,11 @@ impl<'de> DeserializeSeed<'de> for Name {
     type Value = &'static str;
 
     fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<&'static str, D::Error> {
-        deserializer.deserialize_str(self)
+        // For people it is the variant of an enum, which some formats write without quotes; else a text in a tuple.
+        match deserializer.is_human_readable() {
+            true => deserializer.deserialize_identifier(self),
+            false => deserializer.deserialize_str(self),
+        }
     }
 }
 
