@@ -200,7 +200,12 @@ impl Builder {
     pub fn resolve(&self) -> Result<Resolved, Failure> {
         if self.is_uorb() {
             let root = self.roots.first().map_or(String::new(), |root| root.display().to_string());
-            return Err(Failure::Usage(format!("`{root}` has uORB messages: a dialect's XML file is needed")));
+            let needed = if cfg!(feature = "uorb") {
+                "a dialect's XML file is needed"
+            } else {
+                "turn on mavgen's feature `uorb`"
+            };
+            return Err(Failure::Usage(format!("`{root}` has uORB messages: {needed}")));
         }
         let (selection, tree) = (self.selection()?, self.name.as_deref().unwrap_or(roots::TREE));
         if let Some(conflict) = roots::conflict(&self.roots, tree) {

@@ -112,7 +112,7 @@ impl std::fmt::Display for Differences {
 /// reader never sees half of one. What is new is written into a folder `.mavgen-staging-…` first, which is gone afterwards.
 ///
 /// # Errors
-/// If `folder` holds files but none of ours (it is somebody's folder), if one of the files to write is there and is not
+/// If `folder` holds files but none of ours directly in it (it is somebody's folder), if one of the files to write is there and is not
 /// ours, or if the system refuses something.
 pub fn write(folder: &Path, files: &[GeneratedFile]) -> Result<Report, OutputError> {
     let folder = named(folder);
@@ -194,20 +194,24 @@ fn is_current(path: &Path, text: &str) -> bool {
     fs::read(path).is_ok_and(|bytes| bytes == text.as_bytes())
 }
 
-/// A folder that holds nothing of ours is somebody's, unless it is empty, or has the folders alone that a run made before it was
-/// killed.
+/// A folder with none of our files directly in it is somebody's, unless there is no file in it or below it: a run that was killed
+/// may have left folders.
 fn refuse_occupied(folder: &Path) -> Result<(), OutputError> {
     if holds_something(folder) {
-        let text = "the folder is not empty and holds nothing that mavgen wrote: choose another, or empty it";
+        let text = "the folder is not empty, and mavgen wrote no file directly in it: choose another, or empty it";
         return Err(OutputError::new(folder, io::Error::other(text)));
     }
     Ok(())
 }
 
-/// Whether there is a file in a folder or below it.
+/// Whether there is a file in a folder or below it; what cannot be looked into may hold one.
 fn holds_something(folder: &Path) -> bool {
-    let mut entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    let mut entries = match fs::read_dir(folder) {
+        Ok(entries) => entries,
+        Err(error) => return error.kind() != io::ErrorKind::NotFound,
+    };
     entries.any(|entry| {
+        let Ok(entry) = entry else { return true };
         let is_folder = entry.file_type().is_ok_and(|kind| kind.is_dir());
         if is_folder { !is_staging(&entry) && holds_something(&entry.path()) } else { true }
     })

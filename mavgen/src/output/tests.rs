@@ -153,6 +153,41 @@ fn a_folder_around_somebodys_tree_is_refused() {
     assert_eq!(tree(folder.path()), before);
 }
 
+/// What lies in the folder, and whether it is written into. What is not of its tree stays as it was.
+#[test]
+fn what_is_not_ours_is_never_touched() {
+    let root = format!("{MARK} from b.xml; do not edit.\n{ROOT_MARK}0.1.0\n");
+    let root = root.as_str();
+    for (there, is_written) in [
+        (vec![], true),
+        (vec![("thesis.txt", "x")], false),
+        (vec![("below/thesis.txt", "x")], false),
+        (vec![(".git/config", "x")], false),
+        (vec![(".mavgen-staging-1-0", "x")], false),
+        (vec![("mod.rs", "// by hand")], false),
+        (vec![("gen/mod.rs", root)], false),
+        (vec![("crate/src/acme.rs", MARK)], false),
+        (vec![("mod.rs", MARK), ("thesis.txt", "x"), ("below/mine.rs", "// by hand")], true),
+        (vec![("mod.rs", MARK), ("inner/mod.rs", root), ("inner/messages/m.rs", MARK)], true),
+        (vec![("mod.rs", MARK), (".hidden/m.rs", MARK)], true),
+        (vec![("mod.rs", MARK), ("1/2/3/4/m.rs", MARK)], true),
+        (vec![("mod.rs", MARK), ("b.txt", MARK)], true),
+        (vec![("mod.rs", MARK), ("messages/b.rs", "// by hand")], false),
+        (vec![("mod.rs", MARK), ("messages", "mine")], false),
+    ] {
+        let folder = tempfile::tempdir().unwrap();
+        for (path, text) in &there {
+            fs::create_dir_all(folder.path().join(path).parent().unwrap()).unwrap();
+            fs::write(folder.path().join(path), text).unwrap();
+        }
+        let result = write(folder.path(), &[file("mod.rs", "a"), file("messages/b.rs", "b")]);
+        assert_eq!(result.is_ok(), is_written, "{there:?} {result:?}");
+        for (path, text) in there.iter().filter(|(path, _)| !is_written || *path != "mod.rs") {
+            assert_eq!(fs::read_to_string(folder.path().join(path)).unwrap(), *text, "{path}");
+        }
+    }
+}
+
 #[test]
 fn folders_that_a_killed_run_made_are_no_obstacle() {
     let folder = tempfile::tempdir().unwrap();

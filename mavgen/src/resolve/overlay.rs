@@ -39,8 +39,10 @@ pub(super) fn resolve<'a>(
     poisoned: &Poisoned,
     diagnostics: &mut Diagnostics,
 ) -> (Vec<Added>, Vec<EnumUse<'a>>) {
-    let places = drafts.iter().enumerate().map(|(at, draft)| (draft.syntax.name.value.as_str(), at));
-    let places: HashMap<&str, usize> = places.collect();
+    // Of each message that is defined the place of its draft, unless something is wrong with it.
+    let mut places: HashMap<&str, Option<usize>> =
+        loaded.messages().map(|message| (message.name.value.as_str(), None)).collect();
+    places.extend(drafts.iter().enumerate().map(|(at, draft)| (draft.syntax.name.value.as_str(), Some(at))));
     let mut seen: HashMap<(&str, FileId), Span> = HashMap::new();
     let mut enum_uses = Vec::new();
     let mut all = drafts.iter().map(|_| Added::default()).collect_vec();
@@ -50,9 +52,10 @@ pub(super) fn resolve<'a>(
             if let Some(first) = seen.insert((&name.value, name.span.file), name.span) {
                 diagnostics.push(twice(name, first));
             }
-            let found = places.get(name.value.as_str()).and_then(|&at| Some((drafts.get(at)?, all.get_mut(at)?)));
+            let place = places.get(name.value.as_str()).copied();
+            let found = place.flatten().and_then(|at| Some((drafts.get(at)?, all.get_mut(at)?)));
             let Some((draft, Added { views, bindings })) = found else {
-                if enums.complete && !loaded.messages().any(|message| message.name.value == name.value) {
+                if enums.complete && place.is_none() {
                     report_unknown(name, drafts, diagnostics);
                 }
                 continue;
