@@ -19,7 +19,8 @@ mod topic;
 mod ty;
 mod view;
 
-pub(crate) use token::{is_identifier, is_path};
+pub use token::is_identifier;
+pub(crate) use token::is_path;
 
 use crate::format::Layout;
 use crate::internal::Internal;

@@ -91,6 +91,8 @@ pub mod vendor;
 pub use builder::Topics;
 pub use builder::{Builder, Failure};
 pub use emit::GeneratedFile;
+#[doc(hidden)]
+pub use emit::is_identifier;
 pub use lower::Commands;
 pub use problems::Problems;
 pub use resolved::Resolved;

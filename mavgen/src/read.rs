@@ -1,7 +1,7 @@
 //! The first stage: XML text to spanned syntax.
 //!
 //! Checks what XML demands and which elements and attributes the MAVLink grammar has. What a value means is the work of
-//! [`crate::Resolved`].
+//! [`crate::Builder::resolve`].
 
 mod bytes;
 mod characters;

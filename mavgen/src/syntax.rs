@@ -2,7 +2,7 @@
 //!
 //! One type per element of `mavlink.xsd`; those of overlays are in [`overlay`] and `uorb_overlay`. Nothing is defaulted,
 //! converted or checked beyond what XML and the presence of required attributes demand; that is the work of
-//! [`crate::Resolved`].
+//! [`crate::Builder::resolve`].
 
 mod element;
 pub mod overlay;

@@ -5,7 +5,7 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use clap::Args;
-use mavgen::Failure;
+use mavgen::{Failure, is_identifier};
 
 use super::input::{Output, resolve, resolve_topics};
 use super::report::{Report, plural};
@@ -59,10 +59,11 @@ impl Generate {
 fn next(out: &Path) -> String {
     let messages = out.join("messages.rs");
     let read = if messages.exists() { messages } else { out.join("mod.rs") };
-    let folder = out.canonicalize().unwrap_or_else(|_| out.to_owned());
-    let folder = folder.file_name().unwrap_or_default().display().to_string();
-    let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
-    let module = match folder.chars().all(is_word) && !folder.starts_with(|c: char| c.is_ascii_digit()) {
+    // Only `.` and `..` have no name of their own.
+    let folder =
+        out.file_name().map(ToOwned::to_owned).or_else(|| Some(out.canonicalize().ok()?.file_name()?.to_owned()));
+    let folder = folder.unwrap_or_default().display().to_string();
+    let module = match is_identifier(&folder) && !folder.starts_with("r#") {
         true => format!("mod {folder};"),
         false => format!("#[path = \"{folder}/mod.rs\"] mod dialect;"),
     };

@@ -87,8 +87,8 @@ pub(super) struct Output {
     /// The folder for the sources.
     #[arg(long, value_name = "DIR", value_parser = folder())]
     pub(super) out: PathBuf,
-    /// Whether each entry of MAV_CMD becomes a type: always, never, or feature=NAME: in builds with this cargo feature of
-    /// the crate that has the sources.
+    /// When each entry of MAV_CMD has a type: always, never, or feature=NAME, which is only with the cargo feature NAME of
+    /// the crate that has the sources. Its Cargo.toml has to declare it: `NAME = []`.
     #[arg(long, value_name = "WHEN", default_value = "always", value_parser = commands)]
     commands: Commands,
 }

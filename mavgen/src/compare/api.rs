@@ -36,7 +36,7 @@ pub(super) fn changes(old: &State, new: &State, pairs: &Pairs<'_>) -> Result<Vec
 /// One state.
 struct Side {
     surface: Surface,
-    /// Where types are defined and, by their own name, fields and constants; of a type that is empty.
+    /// Where types are defined, under an empty second name; and their fields and constants, under their own.
     places: HashMap<(String, String), Span>,
 }
 

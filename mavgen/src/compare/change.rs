@@ -127,7 +127,7 @@ impl Group {
 impl Kind {
     /// The group that it belongs to.
     pub fn group(self) -> Group {
-        match self.subject().as_str() {
+        match self.subject() {
             "message" | "field" => Group::Wire,
             "enum" | "entry" => Group::Enums,
             "item" => Group::Api,
@@ -143,10 +143,17 @@ impl Kind {
         }
     }
 
-    /// What it is about: `message`, `field`, `enum`, `entry`, or `item`; nothing for a fact, which may be about any of them.
-    fn subject(self) -> String {
-        let name = if matches!(self, Self::Fact(_)) { String::new() } else { self.name() };
-        name.split('-').next().unwrap_or_default().to_owned()
+    /// What it is about; nothing for a fact, which may be about any of them.
+    fn subject(self) -> &'static str {
+        use Kind::*;
+        match self {
+            MessageAdded | MessageRemoved | MessageName | MessageReplaced | MessageId => "message",
+            FieldAdded | FieldRemoved | FieldName | FieldType | FieldOrder | FieldExtension => "field",
+            EnumAdded | EnumRemoved | EnumName => "enum",
+            EntryAdded | EntryRemoved | EntryName | EntryValue => "entry",
+            ItemAdded | ItemRemoved | ItemName | ItemType | ItemDeprecated | ItemUndeprecated | ItemDefault => "item",
+            Fact(_) => "",
+        }
     }
 }
 
@@ -180,7 +187,7 @@ impl fmt::Display for Change {
         let Self { kind, item, .. } = self;
         let (from, to) = (self.from.as_deref().unwrap_or("nothing"), self.to.as_deref().unwrap_or("nothing"));
         let said = |what: &Option<String>| what.as_ref().map_or_else(String::new, |what| format!(": {what}"));
-        match kind.subject().as_str() {
+        match kind.subject() {
             // The item says it.
             "" | "item" => write!(f, "{item}"),
             noun => write!(f, "{noun} {item}"),

@@ -113,7 +113,7 @@ pub(super) fn differs<T: Named, S: ToString + PartialEq>(
     (from != to).then(|| change().with(Some(from), Some(to)))
 }
 
-/// A change of a name. That it was the item's name says the item.
+/// A change of a name. Only the new one is kept: `item` has the old one.
 pub(super) fn renamed<T: Named>(kind: (Kind, bool), item: &str, both: (&T, &T)) -> Option<Change> {
     Some(Change { from: None, ..differs(kind, item, both, |one| one.name().to_owned())? })
 }

@@ -33,7 +33,7 @@ impl State {
     }
 }
 
-/// What belongs to one of several things: they are called differently, each.
+/// What `theirs` has at the place where `things` has this one, which is found by its name: no two have the same.
 pub(super) fn of_same<'n, T: Named, N>(things: &[T], theirs: &'n [N], thing: &T) -> Option<&'n N> {
     things.iter().zip(theirs).find(|(other, _)| other.name() == thing.name()).map(|(_, names)| names)
 }

@@ -23,7 +23,7 @@ pub(super) fn message(message: &Struct<'_>) -> TokenStream {
     }
 }
 
-/// `each escs`, `maybe mode`: what overlays see in the message; nothing for most.
+/// `each escs`, `maybe mode`: the getter of something that an overlay sees in the message, and what it gives.
 fn seen((getter, gives): &(&str, Gives)) -> TokenStream {
     let gives = match gives {
         Gives::One => "one",
@@ -40,7 +40,7 @@ fn message_impl(message: &Struct<'_>) -> TokenStream {
     quote! {
         impl wire::Message for #{ident(name)} {
             type Payload = [u8; #length];
-            const INFO: &'static wire::MessageInfo = #{info(frame.wire)};
+            const INFO: &'static wire::MessageInfo = #{info(frame)};
             const FIELDS: &'static [wire::FieldInfo] = &[#(for field in fields => #{field::info(field)})*];
             const DEFAULT: Self = Self { #(for field in fields => #{field::default(field)})* };
             #[inline(always)]
@@ -57,20 +57,20 @@ fn message_impl(message: &Struct<'_>) -> TokenStream {
 }
 
 /// `&wire::MessageInfo::new(24, "GPS_RAW_INT", 24, 52).len_v1(30)`
-fn info(wire: &ir::Message) -> TokenStream {
+fn info(Frame { wire, target_system, target_component }: &Frame<'_>) -> TokenStream {
     let ir::Message { id, name, crc_extra, len_v1, len_v2, .. } = wire;
     quote! {
         &wire::MessageInfo::new(#id, #{&name.text}, #crc_extra, #len_v2)
             #(if len_v1 != len_v2 => .len_v1(#len_v1))
-            #(if let Some(target) = wire.target_system() => .target_system(#{target.offset}))
-            #(if let Some(target) = wire.target_component() => .target_component(#{target.offset}))
+            #(if let Some((_, offset)) = target_system => .target_system(#offset))
+            #(if let Some((_, offset)) = target_component => .target_component(#offset))
     }
 }
 
 /// `target_mut`, for a message that names a system or a component it is meant for.
 fn target_mut(frame: &Frame<'_>) -> Option<TokenStream> {
     frame.target_system.or(frame.target_component)?;
-    let reference = |target: Option<&str>| match target.map(ident) {
+    let reference = |target: Option<(&str, _)>| match target.map(|(field, _)| ident(field)) {
         Some(field) => quote!(Some(&mut self.#field)),
         None => quote!(None),
     };

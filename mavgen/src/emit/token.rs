@@ -11,7 +11,7 @@ pub(crate) fn ident(name: &str) -> TokenStream {
 }
 
 /// Whether this is an identifier that needs no `r#`.
-pub(crate) fn is_identifier(name: &str) -> bool {
+pub fn is_identifier(name: &str) -> bool {
     !is_keyword(name) && is_word(name)
 }
 

@@ -179,8 +179,8 @@ impl Lines {
         (self.last, self.tight) = (last, behind);
     }
 
-    /// How an operator stands: whether it follows what is before it without a space, whether what is behind follows it so, and
-    /// as what. Opens and closes what it does.
+    /// How an operator stands: whether no space is before it, whether none is behind it, and what it is to what follows. Notes
+    /// the generics and closures that it opens or closes.
     fn stand(&mut self, operator: &str) -> (bool, bool, Last) {
         let (is_behind_value, open) = (self.last.is_value(), &mut self.open);
         let prefix = (self.tight, true, Last::Operator);

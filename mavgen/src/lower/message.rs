@@ -138,7 +138,7 @@ fn frame(message: NamedMessage<'_>) -> Frame<'_> {
     let wire = message.model;
     let target = |field: Option<&ir::Field>| {
         let offset = field?.offset;
-        Some(message.fields().find(|named| named.model.offset == offset)?.ident)
+        Some((message.fields().find(|named| named.model.offset == offset)?.ident, offset))
     };
     Frame { wire, target_system: target(wire.target_system()), target_component: target(wire.target_component()) }
 }

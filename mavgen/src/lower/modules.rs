@@ -24,7 +24,7 @@ struct Listing<'d> {
     ident: &'d str,
     /// The folder of the file.
     placement: Placement,
-    /// What was made, if that is this folder.
+    /// What this module has to know of the file, if the file is in this folder.
     made: Option<Made<'d>>,
 }
 
@@ -175,8 +175,8 @@ pub(super) fn commands<'d>(
     Ok(File { uses: vec![maker.runtime()], content, ..file })
 }
 
-/// A module of types: its name, what it has, and the heads of the table of contents, which tells them in the order in which
-/// they come.
+/// A module of types: its name, a line on what is in it, and the heads of its table of contents. The table has the types in the
+/// order of `listings`, the code has them by name.
 fn contents<'d>(
     maker: &Maker<'_, 'd>,
     (name, title, [first, second]): (&str, &str, [&'d str; 2]),

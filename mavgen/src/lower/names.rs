@@ -53,8 +53,7 @@ pub(crate) struct ViewNames {
     pub(crate) ty: String,
     /// The module and file: `esc32_status`.
     pub(crate) module: String,
-    /// The getter on the message, `flight_sw`, or that of one slot, `esc`; what stands before the names of others, as in
-    /// `set_flight_sw`, is the same for all.
+    /// The getter on the message, `flight_sw`, or that of one slot, `esc`. Other methods have a prefix before it: `set_flight_sw`.
     pub(crate) getter: String,
     /// Of a view that a message gives in slots.
     pub(crate) slots: Option<SlotNames>,

@@ -164,7 +164,7 @@ struct Loader<'a> {
     found: Vec<Found>,
     /// The files by absolute path; `None` for one that cannot be read, which was said already.
     seen: HashMap<PathBuf, Option<FileIndex>>,
-    /// The files by the path without symbolic links.
+    /// The files by the path without symbolic links. Never `None`: as `seen`, so that one kind of map is compiled.
     same: HashMap<PathBuf, Option<FileIndex>>,
 }
 

@@ -203,6 +203,7 @@ pub(super) fn refused(element: &Element, Written { name, value, .. }: &Written<'
 /// What is said of an attribute that the grammar does not have.
 fn unknown(element: &Element, attribute: &Written<'_>, is_dialect: bool) -> Diagnostic {
     let meant = nearest(attribute.name, element.attributes.iter().map(|known| known.name));
+    // Only the value of an entry: lost, it changes the wire.
     let is_essential = meant.and_then(|name| element.attribute(name)).is_some_and(|known| known.ty == Type::Number);
     let (code, label) = match is_essential {
         true => (Code::Misspelt, "would be lost"),

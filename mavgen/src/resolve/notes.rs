@@ -23,7 +23,7 @@ pub(super) enum Whole {
     Enum,
 }
 
-/// A whole by its name and, if it is only about that, the name of its part.
+/// What a note is about: a message or an enum, its name and, if the note is about one field or entry of it, the name of that.
 type Subject<T> = (Whole, T, Option<T>);
 
 /// What overlays say, by what it is about.

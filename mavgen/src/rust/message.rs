@@ -61,7 +61,7 @@ pub(crate) struct Field<'d> {
 #[derive(Clone, Debug)]
 pub(crate) struct Frame<'d> {
     pub(crate) wire: &'d ir::Message,
-    /// The fields that say whom it is for.
-    pub(crate) target_system: Option<&'d str>,
-    pub(crate) target_component: Option<&'d str>,
+    /// The fields that say whom it is for, and where each lies in the payload.
+    pub(crate) target_system: Option<(&'d str, u8)>,
+    pub(crate) target_component: Option<(&'d str, u8)>,
 }

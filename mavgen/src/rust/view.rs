@@ -208,7 +208,7 @@ pub(crate) struct Record<'d> {
 }
 
 impl<'d> Source<'d> {
-    /// The test that a message fails which says that the bits mean nothing: of the words if it can, else of a field.
+    /// The test that fails where the bits mean nothing: that of the words if there is one, else the first of a field.
     pub(crate) fn sentinel(&self) -> Option<&Test<'d>> {
         let of_words = self.when.iter().find(|test| matches!(test, Test::WordsAreNot(_)));
         of_words.or_else(|| self.when.iter().find(|test| matches!(test, Test::IsNot(..))))

@@ -1,4 +1,5 @@
 //! How an element of XML becomes a type: each attribute is said once, with the member that it fills.
+//! Only a condition, which is one member of two attributes, says them itself.
 
 use super::Text;
 use crate::source::Span;
@@ -20,7 +21,7 @@ pub(crate) enum Type {
     Byte,
     /// A decimal number with or without a fraction and an exponent.
     Float,
-    /// A value of an enum: the wire is another if it is lost.
+    /// A value of an enum. An attribute that is nearly one of these is an error, no warning: without it the wire would be another.
     Number,
     /// A value of an enum, or `NaN`.
     Default,

@@ -95,7 +95,7 @@ fn is_here(folder: &Path, vendored: &Vendored) -> bool {
     vendored.words_from.as_ref().is_some_and(|from| is_same(from, folder))
 }
 
-/// Whether two paths lead to one file or folder, also by a hard link.
+/// Whether two paths lead to one file or folder; on Unix also by a hard link.
 fn is_same(one: &Path, other: &Path) -> bool {
     #[cfg(unix)]
     let identity = |path: &Path| {

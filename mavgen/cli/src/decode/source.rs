@@ -50,12 +50,12 @@ pub(super) fn is_recording(path: &Path) -> bool {
     if path == Path::new("-") {
         return true;
     }
-    let mut first = Vec::new();
-    let is_xml = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("xml"));
-    // What cannot be read is told by the reader of definitions, and what is read from a pipe is missing there.
+    // The reader of definitions says what cannot be read. A pipe is left to it: what is read here would be missing there.
     if !path.is_file() {
         return false;
     }
+    let mut first = Vec::new();
+    let is_xml = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("xml"));
     let read = File::open(path).and_then(|file| file.take(64).read_to_end(&mut first));
     !is_xml && read.is_ok() && !begins_xml(&first)
 }

@@ -97,6 +97,8 @@ fn the_module_of_a_folder_that_is_called_like_none() {
     for (place, out, module) in [
         ("", "own-dialect", r#"#[path = "own-dialect/mod.rs"] mod dialect;"#),
         ("", "2nd", r#"#[path = "2nd/mod.rs"] mod dialect;"#),
+        ("", "type", r#"#[path = "type/mod.rs"] mod dialect;"#),
+        ("", "gen", r#"#[path = "gen/mod.rs"] mod dialect;"#),
         ("here", ".", "mod here;"),
     ] {
         let xml = folder.path().join("acme.xml");

@@ -7,6 +7,7 @@ use crate::diag::Diagnostics;
 use crate::lower::names::{EnumNames, dialect_type, methods};
 use crate::lower::namespace::{Claim, Namespace, Scope, What};
 use crate::lower::{collision, spelling};
+use crate::rust::Extent;
 use crate::source::Span;
 use crate::uorb::Scalar;
 use crate::uorb::model::{Constant, Element};
@@ -126,7 +127,8 @@ fn accessors(message: &Message, names: &TopicNames, diagnostics: &mut Diagnostic
     let mut with_accessors = Vec::new();
     for (at, (field, name)) in message.fields.iter().zip(&names.fields).enumerate() {
         if has_accessors(field) {
-            let own = methods::accessors(name, field.array.is_some());
+            let extent = field.invalid.map(|invalid| Extent::of(invalid.scope, field.array));
+            let own = methods::accessors(name, extent.is_some_and(Extent::is_indexed));
             let found = taken.claim_all(&own, Claim::at(What::Accessors, &field.name, field.span));
             with_accessors.extend(collision::is_free(found, diagnostics).then_some(at));
         }

@@ -60,8 +60,9 @@ fn not_whole(bits: &Bits, text: &Text, line: Line, power: Fraction) -> Diagnosti
 #[rustfmt::skip]
 const PREFIXES: [(&str, i32); 14] = [
     ("G", 9), ("M", 6), ("k", 3), ("h", 2), ("da", 1), ("d", -1), ("c", -2), ("m", -3), ("u", -6), ("µ", -6), ("n", -9), ("p", -12),
+    ("", 0),
     // MAVLink's own: `degE7` is a ten-millionth of a degree.
-    ("", 0), ("E", 0),
+    ("E", 0),
 ];
 
 /// The power of ten by which `unit` is larger than `other`: 3 for `V` and `mV`, 7 for `deg` and `degE7`.
