@@ -87,8 +87,8 @@
 //! # On firmware
 //!
 //! With `default-features = false`, cargo compiles the committed sources only: no work in the build script, no build
-//! dependency, no types of commands unless you ask for them, and a checksum without a table. List only the messages that you read in a [`wire::Table`]; all others then stay
-//! out of the flash:
+//! dependency, no types of commands unless you ask for them, and a checksum without a table. List only the messages that you
+//! read in a [`wire::Table`]; all others then stay out of the flash:
 //!
 //! ```
 //! use mavlink_autoquad::autoquad::{AqEscTelemetry, Heartbeat};

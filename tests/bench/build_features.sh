@@ -15,7 +15,7 @@ features="none commands serde defmt arbitrary bitflags mavlink-core all"
 for feature in $features; do
     case $feature in
         none) list="" ;;
-        all) list=', "serde", "defmt", "arbitrary", "bitflags", "mavlink-core"' ;;
+        all) list=', "commands", "serde", "defmt", "arbitrary", "bitflags", "mavlink-core"' ;;
         *) list=", \"$feature\"" ;;
     esac
     mkdir -p "$work/$feature/src"
